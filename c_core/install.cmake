@@ -4,6 +4,8 @@ set(file_name $<TARGET_FILE_PREFIX:tdmf_slip_shared>$<TARGET_FILE_BASE_NAME:tdmf
 install(PROGRAMS $<TARGET_FILE:tdmf_slip_shared> DESTINATION tdmf_slip/native RENAME ${file_name}
         COMPONENT unit EXCLUDE_FROM_ALL)
 install(DIRECTORY include/tdmf_slip DESTINATION tdmf_slip/native COMPONENT unit EXCLUDE_FROM_ALL)
+# With these and the kernel, the package builds libraries of its users' pages.
+install(FILES gait/page.c gait/page_batch.c gait/page_map.h DESTINATION tdmf_slip/gait COMPONENT unit EXCLUDE_FROM_ALL)
 install(FILES ${declarations} DESTINATION tdmf_slip/library COMPONENT unit EXCLUDE_FROM_ALL)
 install(FILES ${variable_data} DESTINATION tdmf_slip/variables COMPONENT unit EXCLUDE_FROM_ALL)
 

@@ -1,25 +1,18 @@
-/* Return maps of models that are written as pages. */
-#include "tdmf_slip/page.h"
-
-#include "section.h"
+/* Runs and return maps of models that are written as pages. */
+#include "page_map.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
-
-extern const tdmf_model_kind tdmf_classic_slip_model, tdmf_reduced_runner_model;
 
 static const tdmf_model_kind *model_of(const tdmf_page *page) {
     return (const tdmf_model_kind *)page;
 }
 
 const tdmf_page *tdmf_page_named(const char *name) {
-    static const struct {
-        const char *name;
-        const tdmf_model_kind *model;
-    } pages[] = {{"classic_slip", &tdmf_classic_slip_model}, {"reduced_runner", &tdmf_reduced_runner_model}};
-    for (size_t i = 0; name && i < sizeof pages / sizeof *pages; ++i) {
-        if (strcmp(name, pages[i].name) == 0) {
-            return (const tdmf_page *)pages[i].model;
+    for (int i = 0; name && i < tdmf_page_count; ++i) {
+        if (strcmp(name, tdmf_pages[i].name) == 0) {
+            return (const tdmf_page *)tdmf_pages[i].model;
         }
     }
     return NULL;
@@ -39,6 +32,7 @@ const char *tdmf_page_name(const tdmf_page *page, tdmf_page_item kind, int numbe
         [TDMF_PAGE_MODE] = {model->mode_count, model->mode_names},
         [TDMF_PAGE_EVENT] = {model->event_count, model->event_names},
         [TDMF_PAGE_SECTION] = {model->section_count, model->section_names},
+        [TDMF_PAGE_OUTPUT] = {model->output_count, model->output_names},
     };
     const bool is_there =
         (unsigned)kind < sizeof lists / sizeof *lists && number >= 0 && number < lists[(unsigned)kind].count;
@@ -63,8 +57,7 @@ void tdmf_page_range(const tdmf_page *page, int parameter, double *least, double
     }
 }
 
-/* Working memory for the library's largest page with all seeds, which a test runs. */
-enum { MEMORY = 8192 };
+/* ---- what a map is given ------------------------------------------------------------------------------- */
 
 static bool are_finite(const double *values, int count) {
     double sum = 0.0; /* 0, or not a number */
@@ -74,44 +67,123 @@ static bool are_finite(const double *values, int count) {
     return sum == 0.0;
 }
 
-static bool is_sound(const tdmf_page_map *map, const double *point) {
+bool tdmf_are_page_values_sound(const tdmf_model_kind *model, const double *parameters,
+                                const double *states) {
+    for (int i = 0; i < model->parameter_count; ++i) {
+        if (!(parameters[i] >= model->parameter_least[i] && parameters[i] <= model->parameter_most[i])) {
+            return false;
+        }
+    }
+    return are_finite(states, model->state_count);
+}
+
+bool tdmf_is_page_map_sound(const tdmf_page_map *map) {
     const tdmf_model_kind *model = map ? model_of(map->page) : NULL;
-    if (!model || !point || !map->parameters || !map->states || map->section < 0 ||
+    if (!model || !map->parameters || !map->states || map->section < 0 ||
         map->section >= model->section_count || map->seed_count < 0 || map->seed_count > TDMF_MAP_LIMIT ||
         (map->seed_count > 0 && !map->d_parameters)) {
         return false;
     }
-    for (int i = 0; i < model->parameter_count; ++i) {
-        if (!(map->parameters[i] >= model->parameter_least[i] &&
-              map->parameters[i] <= model->parameter_most[i])) {
-            return false;
-        }
-    }
     return map->tolerance >= 1e-16 && map->tolerance <= 1e-2 && map->longest >= 0.0 &&
-           isfinite(map->longest) &&
-           tdmf_section_memory_size(model, map->section, map->seed_count) <= MEMORY &&
-           are_finite(map->states, model->state_count) &&
+           isfinite(map->longest) && map->step_limit >= 0 && map->event_room >= 0 &&
            are_finite(map->d_parameters, map->seed_count * model->parameter_count) &&
-           are_finite(point, model->sections[map->section].count);
+           (!map->d_states || are_finite(map->d_states, map->seed_count * model->state_count));
 }
 
-static tdmf_page_run run_of(const tdmf_page_map *map) {
+bool tdmf_is_page_point_sound(const tdmf_page_map *map, const double *point) {
+    return point && are_finite(point, model_of(map->page)->sections[map->section].count);
+}
+
+static bool is_sound(const tdmf_page_map *map, const double *point) {
+    return tdmf_is_page_map_sound(map) && tdmf_is_page_point_sound(map, point) &&
+           tdmf_are_page_values_sound(model_of(map->page), map->parameters, map->states);
+}
+
+void tdmf_page_scales(const tdmf_page *page, const double *parameters, double *scales) {
+    const tdmf_model_kind *model = model_of(page);
+    double of_events[TDMF_PAGE_EVENT_LIMIT];
+    if (model && parameters && scales) {
+        model->scales(parameters, scales, of_events);
+    }
+}
+
+/* ---- runs ---------------------------------------------------------------------------------------------- */
+
+tdmf_page_run tdmf_run_of_page_map(const tdmf_page_map *map) {
+    const long limit = 100000;
     const tdmf_page_run run = {.p = map->parameters,
                                .x = map->states,
                                .tolerance = map->tolerance,
                                .order = tdmf_page_order(map->tolerance),
+                               .stop_event = -1,
                                .observes = true,
-                               .step_limit = 100000,
-                               .event_limit = 100000,
+                               .step_limit = map->step_limit > 0 ? map->step_limit : limit,
+                               .event_limit = limit,
                                .seed_count = map->seed_count,
-                               .dp = map->d_parameters};
+                               .dp = map->d_parameters,
+                               .dx = map->d_states};
     return run;
 }
 
-static tdmf_section_map section_of(const tdmf_page_map *map, const tdmf_page_run *run,
-                                   double memory[MEMORY]) {
-    const tdmf_section_map section = {model_of(map->page), map->section, run, map->longest, memory};
-    return section;
+void tdmf_read_page_run(const tdmf_model_kind *model, const tdmf_page_run *r, double *states,
+                        double *d_states) {
+    const size_t size = (size_t)model->state_count * sizeof *states;
+    memcpy(states, r->x, size);
+    if (d_states) {
+        memcpy(d_states, r->dx, (size_t)r->seed_count * size);
+    }
+}
+
+tdmf_page_end tdmf_end_of_page_run(const tdmf_page_map *map, const tdmf_page_run *r, tdmf_run_outcome outcome,
+                                   tdmf_page_event *events) {
+    static const tdmf_page_outcome outcomes[] = {
+        [TDMF_RUN_ARRIVED] = TDMF_PAGE_TOO_LONG,
+        [TDMF_RUN_STOPPED] = TDMF_PAGE_CROSSED,
+        [TDMF_RUN_ENDED] = TDMF_PAGE_ENDED,
+        [TDMF_RUN_NO_PROGRESS] = TDMF_PAGE_UNSOLVED,
+        [TDMF_RUN_TOO_MANY_STEPS] = TDMF_PAGE_UNSOLVED,
+        [TDMF_RUN_ENDLESS_CHAIN] = TDMF_PAGE_UNSOLVED,
+        [TDMF_RUN_TOO_MANY_EVENTS] = TDMF_PAGE_UNSOLVED,
+        [TDMF_RUN_NO_MEMORY] = TDMF_PAGE_NO_MEMORY,
+        [TDMF_RUN_CANCELLED] = TDMF_PAGE_CANCELLED,
+        [TDMF_RUN_BAD_ORDER] = TDMF_PAGE_REFUSED,
+        [TDMF_RUN_TOO_MANY_SEEDS] = TDMF_PAGE_REFUSED,
+    };
+    const int logged = r->log_count < map->event_room ? r->log_count : map->event_room;
+    for (int i = 0; events && i < logged; ++i) {
+        const tdmf_event_row *row = &r->log[i];
+        events[i] = (tdmf_page_event){row->time, row->event, row->before, row->after};
+    }
+    return (tdmf_page_end){outcomes[outcome], r->mode, r->time, (int)r->events, r->steps};
+}
+
+/* Working memory of a call, which is allocated for large models only. */
+enum { MEMORY = 8192 };
+
+typedef struct {
+    double own[MEMORY], *numbers;
+} memory;
+
+static double *open_memory(memory *of, size_t size) {
+    of->numbers = size <= MEMORY ? of->own : malloc(size * sizeof(double));
+    return of->numbers;
+}
+
+static void close_memory(memory *of) {
+    if (of->numbers != of->own) {
+        free(of->numbers);
+    }
+}
+
+/* Numbers that the log of a run takes. */
+static size_t size_of_log(const tdmf_page_map *map) {
+    return map->events ? (size_t)map->event_room * sizeof(tdmf_event_row) / sizeof(double) : 0;
+}
+
+static void keep_log(const tdmf_page_map *map, tdmf_page_run *r, double *numbers) {
+    r->log = (void *)numbers;
+    r->log_states = NULL;
+    r->log_size = map->events ? map->event_room : 0;
 }
 
 tdmf_page_end tdmf_page_stride(const tdmf_page_map *map, const double *point, double *states,
@@ -119,28 +191,108 @@ tdmf_page_end tdmf_page_stride(const tdmf_page_map *map, const double *point, do
     if (!is_sound(map, point) || !states) {
         return (tdmf_page_end){.outcome = TDMF_PAGE_REFUSED};
     }
-    const tdmf_page_run run = run_of(map);
-    double memory[MEMORY];
-    const tdmf_section_map section = section_of(map, &run, memory);
-    const tdmf_crossing crossing = tdmf_next_crossing(&section, point, d_states != NULL, states, d_states);
-    const tdmf_page_outcome outcome = crossing.outcome == TDMF_RUN_STOPPED   ? TDMF_PAGE_CROSSED
-                                      : crossing.outcome == TDMF_RUN_ENDED   ? TDMF_PAGE_ENDED
-                                      : crossing.outcome == TDMF_RUN_ARRIVED ? TDMF_PAGE_TOO_LONG
-                                                                             : TDMF_PAGE_UNSOLVED;
-    return (tdmf_page_end){outcome, crossing.mode, crossing.time};
+    const tdmf_model_kind *model = model_of(map->page);
+    const size_t size = tdmf_section_memory_size(model, map->section, map->seed_count);
+    memory of;
+    if (!open_memory(&of, size + size_of_log(map))) {
+        return (tdmf_page_end){.outcome = TDMF_PAGE_NO_MEMORY};
+    }
+    const tdmf_page_run run = tdmf_run_of_page_map(map);
+    const tdmf_section_map section = {model, map->section, &run, map->longest, of.numbers};
+    tdmf_page_run r = tdmf_run_from_section(&section, point, d_states != NULL);
+    keep_log(map, &r, of.numbers + size);
+    const tdmf_run_outcome outcome =
+        tdmf_outcome_at_section(&section, &r, tdmf_page_run_to(model, &r, map->longest));
+    tdmf_read_page_run(model, &r, states, d_states);
+    const tdmf_page_end end = tdmf_end_of_page_run(map, &r, outcome, map->events);
+    close_memory(&of);
+    return end;
 }
 
 bool tdmf_page_fixed_point(const tdmf_page_map *map, double *point) {
-    if (!is_sound(map, point)) {
+    memory of;
+    if (!is_sound(map, point) ||
+        !open_memory(&of, tdmf_section_memory_size(model_of(map->page), map->section, map->seed_count))) {
         return false;
     }
-    const tdmf_page_run run = run_of(map);
-    double memory[MEMORY];
-    const tdmf_section_map section = section_of(map, &run, memory);
+    const tdmf_page_run run = tdmf_run_of_page_map(map);
+    const tdmf_section_map section = {model_of(map->page), map->section, &run, map->longest, of.numbers};
     tdmf_crossing last;
     const tdmf_fixed_point found = tdmf_find_crossing(&section, point, &last);
+    close_memory(&of);
     if (found.outcome == TDMF_FIXED_POINT_FOUND) {
         memcpy(point, found.point, (size_t)section.model->sections[map->section].count * sizeof *point);
     }
     return found.outcome == TDMF_FIXED_POINT_FOUND;
+}
+
+bool tdmf_page_place(const tdmf_page_map *map, const double *point, double *states) {
+    if (!is_sound(map, point) || !states) {
+        return false;
+    }
+    const tdmf_model_kind *model = model_of(map->page);
+    memcpy(states, map->states, (size_t)model->state_count * sizeof *states);
+    model->sections[map->section].enter(map->parameters, map->states, point, states);
+    return true;
+}
+
+/* ---- runs from the start ------------------------------------------------------------------------------- */
+
+/* Writes a row of samples at the present states of a run. */
+static void write_sample(const tdmf_model_kind *model, const tdmf_page_run *r,
+                         const tdmf_page_samples *samples, int row) {
+    const tdmf_mode_kind *mode = &model->modes[r->mode];
+    double *states = samples->states + (size_t)row * (size_t)model->state_count;
+    double *outputs = samples->outputs + (size_t)row * (size_t)model->output_count;
+    memcpy(states, r->x, (size_t)model->state_count * sizeof *states);
+    if (mode->to_world) {
+        mode->to_world(r->p, r->x, states);
+    }
+    if (mode->outputs) {
+        mode->outputs(r->p, r->x, outputs);
+    }
+    samples->modes[row] = r->mode;
+}
+
+static tdmf_run_outcome sample(const tdmf_model_kind *model, tdmf_page_run *r,
+                               const tdmf_page_samples *samples, int *sampled) {
+    tdmf_run_outcome outcome = TDMF_RUN_ARRIVED;
+    for (int row = 0; row < samples->count && outcome == TDMF_RUN_ARRIVED; ++row) {
+        outcome = tdmf_page_run_to(model, r, samples->times[row]);
+        if (outcome == TDMF_RUN_ARRIVED) {
+            write_sample(model, r, samples, row);
+            *sampled = row + 1;
+        }
+    }
+    return outcome;
+}
+
+tdmf_page_end tdmf_page_begin(const tdmf_page_map *map, double *states, const tdmf_page_samples *samples,
+                              int *sampled) {
+    const bool is_complete = !samples || (samples->count >= 0 && samples->times && samples->states &&
+                                          samples->outputs && samples->modes && sampled);
+    if (!tdmf_is_page_map_sound(map) || !states || !is_complete ||
+        !tdmf_are_page_values_sound(model_of(map->page), map->parameters, map->states)) {
+        return (tdmf_page_end){.outcome = TDMF_PAGE_REFUSED};
+    }
+    const tdmf_model_kind *model = model_of(map->page);
+    const size_t size = tdmf_run_memory_size(model, 0);
+    memory of;
+    if (!open_memory(&of, size + size_of_log(map))) {
+        return (tdmf_page_end){.outcome = TDMF_PAGE_NO_MEMORY};
+    }
+    tdmf_page_run r = tdmf_run_of_page_map(map);
+    memcpy(states, map->states, (size_t)model->state_count * sizeof *states);
+    r.x = states;
+    r.seed_count = 0;
+    r.memory = of.numbers;
+    keep_log(map, &r, of.numbers + size);
+    if (!samples) {
+        r.stop_event = model->sections[map->section].event;
+    }
+    const tdmf_run_outcome outcome =
+        samples ? sample(model, &r, samples, sampled) : tdmf_page_run_to(model, &r, map->longest);
+    const tdmf_page_end end = tdmf_end_of_page_run(map, &r, outcome, map->events);
+    close_memory(&of);
+    return end;
 }

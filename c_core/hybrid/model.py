@@ -241,12 +241,17 @@ class Model(metaclass=_Page):
         return {name: q for name, q in found if isinstance(q, Quantity) and q.kind == kind}
 
     @classmethod
+    def declared_name(cls, name):
+        """The `name=` of a declaration, or None."""
+        given = (getattr(vars(base).get(name), "name", None) for base in cls.__mro__)
+        return next((found for found in given if found), None)
+
+    @classmethod
     def public(cls, name):
         """The name in a unit: `name=` of the declaration, else the name with the prefix of its part."""
+        if cls.declared_name(name):
+            return cls.declared_name(name)
         declared = [base for base in cls.__mro__ if name in vars(base)]
-        for base in declared:
-            if getattr(vars(base)[name], "name", None):
-                return vars(base)[name].name
         prefix = vars(declared[-1]).get("prefix", "")
         return f"{prefix}.{name}" if prefix else name
 

@@ -9,9 +9,7 @@ from pathlib import Path
 from ..hybrid.generate import generate, seeds_of
 from ..hybrid.page import Page
 from ..hybrid.tables import list_in_c
-from .classic import ClassicSlip
-from .reduced import PlainReducedRunner, ReducedRunner
-from .runner import PlainRunner, Runner
+from . import ClassicSlip, PlainReducedRunner, PlainRunner, ReducedRunner, Runner
 
 PAGES = ClassicSlip, PlainReducedRunner, PlainRunner, ReducedRunner, Runner
 

@@ -7,6 +7,8 @@ from .analysis.rare_falls import RareFalls, rare_falls
 from .analysis.stride_map import stride_map
 from .analysis.sweeps import Sweep, gait_at, sweep
 from .analysis.targeted import TargetNotMetError, find_gait
+from .building.build import build
+from .building.new import new
 from .errors import GaitNotFoundError, InputError, RunError, TdmfSlipError
 from .feedback.controllability import Controllability, controllability
 from .feedback.gains import Feedback, dead_beat, lqr, place_poles
@@ -22,6 +24,7 @@ from .library.batch import Batch
 from .library.gait import Gait
 from .library.ground import RoughGround
 from .library.laws import AffineLaw
+from .library.own_model import load_model
 from .library.runner import Runner
 from .optimization.optimize import optimize
 from .optimization.optimum import Optimum
@@ -71,6 +74,7 @@ __all__ = [
     "__version__",
     "apex_covariance",
     "basin",
+    "build",
     "compare",
     "continue_branch",
     "continue_curves",
@@ -81,7 +85,9 @@ __all__ = [
     "fmu_path",
     "gait_at",
     "load_fmu",
+    "load_model",
     "lqr",
+    "new",
     "optimize",
     "pareto_front",
     "place_poles",

@@ -21,15 +21,15 @@ NAMES = ("version", "model", *RUNNERS)
 """Entries of a record."""
 
 
-def origin_of(*, reduced: bool = False, version: str = __version__) -> dict[str, str]:
-    """The version and the model, for a result that records its runners in other entries."""
-    return {"version": version, "model": "reduced" if reduced else "full"}
+def origin_of(runner: Any = None, *, version: str = __version__) -> dict[str, str]:
+    """The version and the runner's model, for a result that records its runners in other entries."""
+    return {"version": version, "model": "full" if runner is None else runner.model.name}
 
 
 def record_of(runner: Any, *varied: str) -> dict[str, Any]:
     """Record of a runner: `version`, `model` and `runner`, without the values that vary in the result."""
     kept = {name: value for name, value in runner.items() if name not in varied}
-    return {**origin_of(reduced=runner.reduced), "runner": kept}
+    return {**origin_of(runner), "runner": kept}
 
 
 def without_record(plain: Mapping[str, Any]) -> dict[str, Any]:

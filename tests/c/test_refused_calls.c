@@ -266,7 +266,7 @@ static void pages_take_all_seeds(void) {
     double p[ROOM], x[ROOM], end[ROOM], varied[ROOM * (SEEDS + 2)], along[ROOM * SEEDS] = {0.0};
     const double point[] = {1.4, 1.05};
     tdmf_page_defaults(page, p, x);
-    const tdmf_page_map map = {page, 0, p, x, 1e-12, 1e6, SEEDS, along};
+    const tdmf_page_map map = {page, 0, p, x, 1e-12, 1e6, SEEDS, along, NULL, 0, 0, NULL};
     assert_null(tdmf_page_name(page, TDMF_PAGE_STATE, ROOM));
     assert_int_equal(tdmf_page_stride(&map, point, end, varied).outcome, TDMF_PAGE_CROSSED);
 }
@@ -290,7 +290,7 @@ static void pages_refuse_null_and_numbers_out_of_range(void **state) {
     tdmf_page_range(page, -1, p, x);
     tdmf_page_range(page, 0, NULL, NULL);
     tdmf_page_defaults(page, p, x);
-    const tdmf_page_map sound = {page, 1, p, x, 1e-14, 1e6, 0, NULL};
+    const tdmf_page_map sound = {page, 1, p, x, 1e-14, 1e6, 0, NULL, NULL, 0, 0, NULL};
     assert_string_equal(tdmf_page_name(page, TDMF_PAGE_SECTION, sound.section), "at_apex");
     assert_string_equal(tdmf_page_name(page, TDMF_PAGE_PARAMETER, 0), "mass");
     assert_int_equal(tdmf_page_stride(&sound, point, end, NULL).outcome, TDMF_PAGE_CROSSED);
@@ -300,18 +300,34 @@ static void pages_refuse_null_and_numbers_out_of_range(void **state) {
     assert_int_equal(tdmf_page_stride(&sound, point, NULL, NULL).outcome, TDMF_PAGE_REFUSED);
     assert_false(tdmf_page_fixed_point(NULL, point));
     assert_false(tdmf_page_fixed_point(&sound, NULL));
-    const tdmf_page_map refused[] = {
-        {NULL, 1, p, x, 1e-14, 1e6, 0, NULL},    {page, 2, p, x, 1e-14, 1e6, 0, NULL},
-        {page, -1, p, x, 1e-14, 1e6, 0, NULL},   {page, 1, NULL, x, 1e-14, 1e6, 0, NULL},
-        {page, 1, p, NULL, 1e-14, 1e6, 0, NULL}, {page, 1, p, x, NAN, 1e6, 0, NULL},
-        {page, 1, p, x, 0.0, 1e6, 0, NULL},      {page, 1, p, x, 1e-14, INFINITY, 0, NULL},
-        {page, 1, p, x, 1e-14, -1.0, 0, NULL},   {page, 1, p, x, 1e-14, 1e6, 1, NULL},
-        {page, 1, p, x, 1e-14, 1e6, -1, NULL},   {page, 1, p, x, 1e-14, 1e6, SIZE, p},
-    };
+    tdmf_page_map refused[] = {sound, sound, sound, sound, sound, sound, sound,
+                               sound, sound, sound, sound, sound, sound, sound};
+    refused[0].page = NULL;
+    refused[1].section = 2;
+    refused[2].section = -1;
+    refused[3].parameters = NULL;
+    refused[4].states = NULL;
+    refused[5].tolerance = NAN;
+    refused[6].tolerance = 0.0;
+    refused[7].longest = INFINITY;
+    refused[8].longest = -1.0;
+    refused[9].seed_count = 1;
+    refused[10].seed_count = -1;
+    refused[11].seed_count = SIZE;
+    refused[12].step_limit = -1;
+    refused[13].event_room = -1;
     for (size_t i = 0; i < sizeof refused / sizeof *refused; ++i) {
         assert_int_equal(tdmf_page_stride(&refused[i], point, end, NULL).outcome, TDMF_PAGE_REFUSED);
         assert_false(tdmf_page_fixed_point(&refused[i], point));
+        assert_false(tdmf_page_place(&refused[i], point, end));
+        assert_int_equal(tdmf_page_begin(&refused[i], end, NULL, NULL).outcome, TDMF_PAGE_REFUSED);
     }
+    assert_false(tdmf_page_place(&sound, point, NULL));
+    assert_int_equal(tdmf_page_begin(&sound, NULL, NULL, NULL).outcome, TDMF_PAGE_REFUSED);
+    const tdmf_page_samples nothing = {1, NULL, NULL, NULL, NULL};
+    assert_int_equal(tdmf_page_begin(&sound, end, &nothing, NULL).outcome, TDMF_PAGE_REFUSED);
+    tdmf_page_scales(NULL, p, x);
+    tdmf_page_scales(page, NULL, x);
     const double numbers[] = {NAN, INFINITY, -1.0};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; ++i) {
         tdmf_page_defaults(page, p, x);

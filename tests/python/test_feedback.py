@@ -438,7 +438,7 @@ def test_each_is_told_in_a_line(gaits):
     [
         ([THRUST], "leg.thrust belongs to a thrust of 0 m at this gait, which is held at 0 and above"),
         (["control.thrust"], "its derivative is one-sided"),
-        (["leg.stiffness"], "'leg.stiffness' is not allowed; allowed: leg.thrust, hip.stance_torque"),
+        (["leg.stiffness"], "'leg.stiffness' is not allowed; allowed: hip.stance_torque, hip.touch"),
         (["hip.touchdown"], "near matches: hip.touchdown_angle"),
         (["ground.friction"], "'ground.friction' is not allowed"),
         ([ANGLE, ANGLE], "hip.touchdown_angle is named twice"),

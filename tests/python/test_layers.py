@@ -25,6 +25,7 @@ KNOWS = {
     "files": {"terminal"},
     "variables": GROUND,
     "fmu": {"variables", "terminal", "files"},
+    "building": GROUND,
     "library": {"variables", "numerics", "terminal"},
     "analysis": {"library", "variables", "files", "numerics", "terminal"},
     "feedback": {"analysis", "library", "variables", "files", "terminal"},
@@ -53,13 +54,15 @@ KNOWS = {
     },
     "cli": {
         *("paper", "pictures", "viable_sets", "proof", "optimization", "fitting", "analysis"),
-        *("library", "fmu", "variables", "files", "terminal"),
+        *("library", "building", "fmu", "variables", "files", "terminal"),
     },
 }
 """By part: the parts that it may import, beside those of `GROUND`."""
 EVALUATES_LAWS = {"proof"}
 """Who may import the pages of laws, `c_core/equations`, which are installed as its lowest part. Others
 get their numbers from the core, which is derived from these pages."""
+READS_PAGES = {"building"}
+"""Who may import the language of pages, `c_core/hybrid`."""
 
 
 def imported(path, text):
@@ -76,7 +79,7 @@ def imported(path, text):
 
 
 def forbidden(part, path, text):
-    laws = {"equations"} if part in EVALUATES_LAWS else set()
+    laws = {"equations"} if part in EVALUATES_LAWS else {"hybrid"} if part in READS_PAGES else set()
     return set(imported(path, text)) - KNOWS[part] - laws - GROUND - {part}
 
 

@@ -375,7 +375,7 @@ def test_settings_that_are_none_are_told(gait):
         refuses(message, gait.apex, gait.runner, strides=3, inputs=names)
 
     refused(
-        "inputs: leg.stiffness cannot change in a run; allowed: leg.thrust, hip.stance_torque",
+        "inputs: leg.stiffness cannot change in a run; allowed: hip.stance_torque, hip.touchdown_angle",
         leg__stiffness=1,
     )
     refused("inputs: 'hip.angle' is not a setting; near matches: ", hip__angle=1)

@@ -31,6 +31,10 @@ static size_t size_of_run(const tdmf_model_kind *model, int seeds) {
            (size_t)seeds * (size_t)(model->parameter_count + 1);
 }
 
+size_t tdmf_section_run_size(const tdmf_model_kind *model, int section, int seed_count) {
+    return size_of_run(model, model->sections[section].count + seed_count);
+}
+
 size_t tdmf_section_memory_size(const tdmf_model_kind *model, int section, int seed_count) {
     const int seeds = model->sections[section].count + seed_count;
     const size_t for_scales = (size_t)model->state_count + (size_t)model->event_count;
@@ -61,6 +65,18 @@ static tdmf_page_run run_with_seeds(const tdmf_section_map *map, bool varies) {
     return r;
 }
 
+tdmf_page_run tdmf_run_from_section(const tdmf_section_map *map, const double *point, bool varies) {
+    tdmf_page_run r = run_with_seeds(map, varies);
+    enter(map, point, &r);
+    return r;
+}
+
+tdmf_run_outcome tdmf_outcome_at_section(const tdmf_section_map *map, const tdmf_page_run *r,
+                                         tdmf_run_outcome outcome) {
+    const bool is_crossing = r->taken >> map->model->sections[map->section].event & 1u;
+    return outcome == TDMF_RUN_ENDED && is_crossing ? TDMF_RUN_STOPPED : outcome;
+}
+
 static void read_crossing(const tdmf_section_kind *kind, int state_count, const tdmf_page_run *r,
                           tdmf_crossing *crossing) {
     crossing->mode = r->mode;
@@ -82,12 +98,8 @@ tdmf_crossing tdmf_next_crossing(const tdmf_section_map *map, const double *poin
     if (seeds > TDMF_VARIED_LIMIT) {
         return crossing;
     }
-    tdmf_page_run r = run_with_seeds(map, varies);
-    enter(map, point, &r);
-    crossing.outcome = tdmf_page_run_to(model, &r, map->longest);
-    if (crossing.outcome == TDMF_RUN_ENDED && (r.taken >> kind->event & 1u)) {
-        crossing.outcome = TDMF_RUN_STOPPED; /* at a crossing that ends the run, too */
-    }
+    tdmf_page_run r = tdmf_run_from_section(map, point, varies);
+    crossing.outcome = tdmf_outcome_at_section(map, &r, tdmf_page_run_to(model, &r, map->longest));
     read_crossing(kind, states, &r, &crossing);
     if (x) {
         memcpy(x, r.x, (size_t)states * sizeof *x);

@@ -19,6 +19,17 @@ typedef struct {
 /* Numbers of working memory that a return map needs whose run has so many seeds. */
 size_t tdmf_section_memory_size(const tdmf_model_kind *model, int section, int seed_count);
 
+/* Numbers of that memory that hold the run itself: all that a batch needs. */
+size_t tdmf_section_run_size(const tdmf_model_kind *model, int section, int seed_count);
+
+/* A run that begins at a point of the section and stops at its next event, in the memory of the map. With
+ * `varies`, it has variations by the coordinates, then by the seeds: at most TDMF_VARIED_LIMIT in all. */
+tdmf_page_run tdmf_run_from_section(const tdmf_section_map *map, const double *point, bool varies);
+
+/* What a run from the section has come to: a crossing that ends the run is a crossing, too. */
+tdmf_run_outcome tdmf_outcome_at_section(const tdmf_section_map *map, const tdmf_page_run *r,
+                                         tdmf_run_outcome outcome);
+
 /* The image of a point. Columns of `varied` are the coordinates of the point, then the seeds. */
 typedef struct {
     tdmf_run_outcome outcome; /* TDMF_RUN_STOPPED where there is a next crossing */

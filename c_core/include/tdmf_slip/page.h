@@ -1,14 +1,15 @@
 /* Models that are written as pages of equations, and their return maps.
  *
- * A model has parameters, states, modes, events and sections, each with a name and a number from 0. A section
- * is where an event is taken, such as the apex; some states are its coordinates. The return map of a section
- * leads from one of its points to the next. */
+ * A model has parameters, states, modes, events, sections and outputs, each with a name and a number from 0.
+ * A section is where an event is taken, such as the apex; some states are its coordinates. The return map of
+ * a section leads from one of its points to the next. */
 #ifndef TDMF_SLIP_PAGE_H
 #define TDMF_SLIP_PAGE_H
 
 #include "tdmf_slip/export.h"
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -17,7 +18,8 @@ extern "C" {
 /* A model; its content is the library's. */
 typedef struct tdmf_page tdmf_page;
 
-/* "classic_slip" or "reduced_runner"; NULL for any other name. */
+/* "classic_slip" or "reduced_runner", in a library of `tdmf-slip build` the name of the page; NULL for any
+ * other name. */
 TDMF_API const tdmf_page *tdmf_page_named(const char *name);
 
 /* Things of a model that have a name and a number. */
@@ -26,10 +28,11 @@ typedef enum {
     TDMF_PAGE_STATE,     /* changes in a run */
     TDMF_PAGE_MODE,      /* has rates of its own for the states */
     TDMF_PAGE_EVENT,     /* leads from one mode to the next */
-    TDMF_PAGE_SECTION    /* of a return map */
+    TDMF_PAGE_SECTION,   /* of a return map */
+    TDMF_PAGE_OUTPUT     /* computed from parameters and states */
 } tdmf_page_item;
 
-/* The name of the parameter, state, mode, event or section with a number; NULL after the last one. */
+/* The name of the parameter, state, mode, event, section or output with a number; NULL after the last one. */
 TDMF_API const char *tdmf_page_name(const tdmf_page *page, tdmf_page_item kind, int number);
 
 /* Default values of all parameters and states; either may be NULL. */
@@ -37,6 +40,16 @@ TDMF_API void tdmf_page_defaults(const tdmf_page *page, double *parameters, doub
 
 /* Bounds of a parameter, which are allowed themselves. */
 TDMF_API void tdmf_page_range(const tdmf_page *page, int parameter, double *least, double *most);
+
+/* Typical sizes of all states, by which errors are measured; they follow from the parameters. */
+TDMF_API void tdmf_page_scales(const tdmf_page *page, const double *parameters, double *scales);
+
+/* An event of a run. */
+typedef struct {
+    double time; /* s, since the run began */
+    int event;
+    int before, after; /* modes */
+} tdmf_page_event;
 
 /* A return map. Angles are in rad, all else in SI units. */
 typedef struct {
@@ -48,15 +61,21 @@ typedef struct {
     double longest;              /* s, time to the next crossing */
     int seed_count;              /* seeds along which derivatives are computed, at most 8 */
     double *d_parameters;        /* of each seed, the change of each parameter; NULL where there is none */
+    double *d_states;            /* of each seed, the change of each state at the beginning; NULL for none */
+    long step_limit;             /* steps of a run at the most; 0 for 100,000 */
+    int event_room;              /* events that there is room for */
+    tdmf_page_event *events;     /* receives the events of a run; NULL for none */
 } tdmf_page_map;
 
 /* How a run to the next crossing ended. */
 typedef enum {
-    TDMF_PAGE_CROSSED,  /* there is a next crossing */
-    TDMF_PAGE_ENDED,    /* the run ends in the mode, which the model does not leave, as in a fall */
-    TDMF_PAGE_TOO_LONG, /* there is no crossing within the time allowed */
-    TDMF_PAGE_REFUSED,  /* a number is out of its range or not finite, or a pointer is NULL */
-    TDMF_PAGE_UNSOLVED  /* the run cannot be followed */
+    TDMF_PAGE_CROSSED,   /* there is a next crossing */
+    TDMF_PAGE_ENDED,     /* the run ends in the mode, which the model does not leave, as in a fall */
+    TDMF_PAGE_TOO_LONG,  /* there is no crossing within the time allowed */
+    TDMF_PAGE_REFUSED,   /* a number is out of its range or not finite, or a pointer is NULL */
+    TDMF_PAGE_UNSOLVED,  /* the run cannot be followed */
+    TDMF_PAGE_CANCELLED, /* another thread asked for it */
+    TDMF_PAGE_NO_MEMORY
 } tdmf_page_outcome;
 
 /* The end of a run. */
@@ -64,6 +83,8 @@ typedef struct {
     tdmf_page_outcome outcome; /* how it ended */
     int mode;                  /* at the end of the run */
     double time;               /* s, of the run */
+    int event_count;           /* events taken, also those for which there was no room */
+    long steps;                /* steps made */
 } tdmf_page_end;
 
 /* Runs from a point of the section, whose coordinates are given in their order, to the next crossing.
@@ -75,6 +96,25 @@ TDMF_API tdmf_page_end tdmf_page_stride(const tdmf_page_map *map, const double *
 /* Finds a fixed point near `point` by Newton's method. False if it is not found; then `point` is unchanged.
  */
 TDMF_API bool tdmf_page_fixed_point(const tdmf_page_map *map, double *point);
+
+/* Writes the states with which a run from a point of the section begins. False for a map or a point that is
+ * refused. */
+TDMF_API bool tdmf_page_place(const tdmf_page_map *map, const double *point, double *states);
+
+/* Values at some times of a run, a row for each time. Times increase. */
+typedef struct {
+    int count;
+    const double *times; /* s */
+    double *states;      /* those that a unit of the model shows */
+    double *outputs;
+    int *modes;
+} tdmf_page_samples;
+
+/* Runs from the start of the model, with the parameters and states of the map, to the first crossing of its
+ * section. With `samples`, which may be NULL, the run goes on until the last time, or until it ends; the
+ * first `*sampled` rows are then written. */
+TDMF_API tdmf_page_end tdmf_page_begin(const tdmf_page_map *map, double *states,
+                                       const tdmf_page_samples *samples, int *sampled);
 
 #ifdef __cplusplus
 }

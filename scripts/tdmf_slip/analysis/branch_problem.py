@@ -40,9 +40,9 @@ class GaitProblem(Problem):
 
     def __init__(self, runner: Runner | Mapping[str, Given], names: Sequence[str], strides: int = 1) -> None:
         """Gaits of a runner that repeat themselves after some strides, over parameters or inputs by name."""
-        for name in names:
-            check_varied(name, "name")
         self.runner, self.names, self.strides = Runner(runner), tuple(names), strides
+        for name in names:
+            check_varied(name, "name", self.runner.model)
         self.scales = scales_of(self.runner, names)
         self.scales[-len(names) :] = 2.0 ** np.round(np.log2(self.scales[-len(names) :]))
         self._closings: tuple[bytes, dict[str, Closing]] = b"", {}

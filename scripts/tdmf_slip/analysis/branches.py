@@ -21,7 +21,7 @@ from ..numerics.following import SHORTEST_STEP as SHORTEST_STEP
 from ..numerics.following import Limits, Point, both_ways, follow
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import VARIABLES
+from ..variables.table import Model
 from ..variables.variable import Given
 from .branch_problem import BranchProblem, gaits_over
 from .search import periodic_gait
@@ -119,13 +119,14 @@ class Branch:
             ended=self.ended,
         )
         data[self.name] = ("point",), np.array(self.values)
-        data[self.name].attrs = VARIABLES[self.name].attributes
+        about = self.gaits[0].runner.model.variables[self.name].attributes
+        data[self.name].attrs = about
         data["unstable"] = ("point",), np.array([gait.unstable for gait in self.gaits])
         data["unstable"].attrs = {"units": "1", "long_name": "eigenvalues outside the unit circle"}
         data["special_kind"] = ("special",), np.array([s.kind for s in self.specials], dtype=object)
         data["special_value"] = ("special",), np.array([s.value for s in self.specials], dtype=float)
         data["special_why"] = ("special",), np.array([s.why for s in self.specials], dtype=object)
-        data["special_value"].attrs = VARIABLES[self.name].attributes
+        data["special_value"].attrs = about
         return data
 
 
@@ -134,7 +135,7 @@ def continue_branch(
     runner: RunnerLike,
     vary: Mapping[str, tuple[float, float]],
     *,
-    model: str | None = None,
+    model: str | Model | None = None,
     max_step: float = 0.2,
     max_points: int = 1000,
     switch: bool = True,
@@ -183,12 +184,12 @@ def continue_branch(
     """
     runner = Runner(runner, model=model)
     allowed = "both ends of a range, by the name of one parameter or input"
-    name, ends = varied_alone(vary, allowed)
+    name, ends = varied_alone(vary, allowed, runner.model)
     where = f"vary {name}"
     row = row_of(ends, where, allowed)
     if len(row) != 2:
         raise refusal(where, ends, allowed)
-    begin, end = (float(VARIABLES.find(name, "vary").value_of(value, where)) for value in row)
+    begin, end = (float(runner.model.variables[name].value_of(value, where)) for value in row)
     switch = checked_flag("switch", switch)
     max_step = checked("max_step", max_step, SHORTEST_STEP, LARGEST_STEP)
     max_points = checked_whole("max_points", max_points, 1, MAX_POINTS)

@@ -83,7 +83,7 @@ class Comparison:
     def as_json(self) -> dict[str, object]:
         """The comparison as a plain object."""
         return {
-            **origin_of(reduced=self.gaits[0].runner.reduced),
+            **origin_of(self.gaits[0].runner),
             "hold": list(self.hold),
             "vary": list(self.vary),
             "runners": [
@@ -206,10 +206,11 @@ def compare(
     if len(given) < 2:
         raise InputError(f"runners: {len(given)} given; allowed: two or more, the first is the reference")
     names = _checked_hold(hold)
-    varied = full_names(vary, "vary", "a list of names of parameters and inputs")
-    for name in varied:
-        check_varied(name, "vary")
     before = [_gait_of(runner, model) for runner in given]
+    own = before[0].runner.model
+    varied = full_names(vary, "vary", "a list of names of parameters and inputs", own.aliases)
+    for name in varied:
+        check_varied(name, "vary", own)
     for gait in before:
         check_quantities(gait.runner, names)
     goal = quantities_of(before[0], names)

@@ -19,7 +19,7 @@ from ..numerics.following import RETURNED, Limits, Point, both_ways
 from ..numerics.newton import Matrix, Vector
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import VARIABLES, by_full_name
+from ..variables.table import Model, by_full_name
 from .branch_problem import GaitProblem
 from .branches import continue_branch
 from .special_points import (
@@ -272,7 +272,7 @@ def continue_curves(
     runner: RunnerLike,
     vary: Mapping[str, tuple[float, float]],
     *,
-    model: str | None = None,
+    model: str | Model | None = None,
     max_points: int = 200,
     progress: bool = False,
 ) -> tuple[Curve, ...]:
@@ -316,7 +316,7 @@ def continue_curves(
     """
     runner = Runner(runner, model=model)
     checked_whole("max_points", max_points, 1, MAX_POINTS)
-    names, spans = _checked_ranges(vary)
+    names, spans = _checked_ranges(vary, runner.model)
     first, second = names
     if np.any(spans[:, 0] == spans[:, 1]):
         raise InputError(f"vary {first} and {second}: allowed: ranges whose ends differ")
@@ -340,19 +340,19 @@ def continue_curves(
     return tuple(found)
 
 
-def _checked_ranges(vary: object) -> tuple[tuple[str, str], NDArray[np.float64]]:
+def _checked_ranges(vary: object, model: Model) -> tuple[tuple[str, str], NDArray[np.float64]]:
     """Names of the two parameters, and the ends of their ranges, shape (2, 2)."""
     allowed = "two parameters or inputs, each with the two ends of its range"
-    given = by_full_name(vary, "vary", allowed)
+    given = by_full_name(vary, "vary", allowed, model.aliases)
     if len(given) != 2:
         raise InputError(f"vary = {shown(vary)} is not allowed; allowed: {allowed}")
     spans = []
     for name, ends in given.items():
-        check_varied(name, "vary")
+        check_varied(name, "vary", model)
         pair = row_of(ends, f"vary {name}", allowed)
         if len(pair) != 2:
             raise refusal(f"vary {name}", ends, allowed)
-        spans.append([float(VARIABLES.find(name, "vary").value_of(value, f"vary {name}")) for value in pair])
+        spans.append([float(model.variables[name].value_of(value, f"vary {name}")) for value in pair])
     first, second = given
     return (first, second), np.array(spans)
 

@@ -24,7 +24,7 @@ from ..library.section import Apex
 from ..library.shared_steps import SharedSteps, search_under_way, shares_steps
 from ..numerics.newton import solve
 from ..variables.parameters import RunnerLike
-from ..variables.table import FRICTION, VARIABLES
+from ..variables.table import FRICTION, VARIABLES, Model
 from .branch_problem import gaits_over
 
 MAX_STRIDES = 150_000
@@ -222,7 +222,7 @@ def periodic_gait(
     guess: Apex | None = None,
     *,
     along: Along | None = None,
-    model: str | None = None,
+    model: str | Model | None = None,
 ) -> Gait:
     """The gait of `find_gait` without a target, differentiated along a parameter too where that is wanted."""
     runner = Runner(runner, model=model)
@@ -249,14 +249,14 @@ def _beyond_settling(runner: Runner, along: Along | None) -> tuple[Gait | None, 
     if spread.gaits:
         return spread.gaits[0], ""
     home = VARIABLES.start_of(FRICTION)
-    way = f"along the friction from {home:g}, nor " if runner[FRICTION] != home else ""
+    way = f"along the friction from {home:g}, nor " if runner.get(FRICTION, home) != home else ""
     return None, f"none was found {way}from {spread}"
 
 
 def _along_friction(runner: Runner) -> Gait | None:
     """The gait that is reached from the one at the unit's own friction; None where there is none."""
     home = VARIABLES.start_of(FRICTION)
-    if runner[FRICTION] == home:
+    if runner.get(FRICTION, home) == home:
         return None
     try:
         start = settled_gait(runner.replace({FRICTION: home}), along=FRICTION)

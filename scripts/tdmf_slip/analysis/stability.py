@@ -13,7 +13,7 @@ from ..library.gait import Gait
 from ..library.members import check_varied
 from ..library.runner import Runner
 from ..terminal.progress import Bar, progress_bar
-from ..variables.table import VARIABLES, by_full_name
+from ..variables.table import Model, by_full_name
 from ..variables.variable import Given, Values
 from .search import periodic_gait
 from .sweeps import MAX_GAITS
@@ -57,7 +57,7 @@ def stability(
     several gaits, it is the one that the neighbours lead to.
     """
     runner = Runner(runner)
-    names, values = _checked(over)
+    names, values = _checked(over, runner.model)
     shape = len(values[0]), len(values[1])
     lambda_max = np.full(shape, np.nan)
     word = np.full(shape, "", dtype=object)
@@ -68,16 +68,16 @@ def stability(
 
 
 def _checked(
-    over: Mapping[str, Values],
+    over: Mapping[str, Values], model: Model
 ) -> tuple[tuple[str, str], tuple[NDArray[np.float64], NDArray[np.float64]]]:
-    given = by_full_name(over, "over", "two parameters or inputs with their values")
+    given = by_full_name(over, "over", "two parameters or inputs with their values", model.aliases)
     if len(given) != 2:
         raise InputError("over: allowed: two parameters or inputs with their values")
     for name in given:
-        check_varied(name, "over")
+        check_varied(name, "over", model)
     first, second = given
     rows, columns = (
-        VARIABLES.find(name, "over").values_of(of, f"values of {name}") for name, of in given.items()
+        model.variables.find(name, "over").values_of(of, f"values of {name}") for name, of in given.items()
     )
     if len(rows) * len(columns) > MAX_GAITS:
         raise InputError(f"{len(rows)} by {len(columns)} gaits: allowed: {MAX_GAITS:,} at the most")

@@ -14,16 +14,15 @@ from ..blocks import in_order, run_blocks
 from ..checks import check_size, checked_whole
 from ..errors import InputError
 from ..library.batch import TOLERANCE, Batch
-from ..library.batch_tables import CLOSED, about
+from ..library.batch_tables import CLOSED, about_of
 from ..library.ground import RoughGround
 from ..library.laws import AffineLaw, Law, text_of_law
 from ..library.members import check_varied
 from ..library.quantities import differentiable
-from ..library.settings import SETTINGS
 from ..library.tables import Table
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import STATES, full_names
+from ..variables.table import STATES, Model, full_names
 
 if TYPE_CHECKING:
     import xarray
@@ -42,7 +41,7 @@ def stride_map(
     apices: ArrayLike,
     *,
     strides: int = 1,
-    model: str | None = None,
+    model: str | Model | None = None,
     inputs: Mapping[str, ArrayLike] | None = None,
     law: Law | None = None,
     roughness: float = 0.0,
@@ -166,7 +165,8 @@ def stride_map(
                 f"inputs: {name} of shape {values.shape[len(values) == 1 :]}; "
                 f"allowed: a number, ({strides},) or (runners, {strides}), for each stride one"
             )
-    names = full_names(derivatives, "derivatives", "names of parameters and inputs in a list")
+    allowed = "names of parameters and inputs in a list"
+    names = full_names(derivatives, "derivatives", allowed, batch.model.aliases)
     _check_derivatives(names, batch)
     if law is None or isinstance(law, AffineLaw):
         arrays = _in_blocks(batch, strides, executor, progress)
@@ -202,8 +202,10 @@ def _dataset(batch: Batch, arrays: Mapping[str, NDArray[Any]], by: Sequence[str]
         attributes["law"] = text_of_law(batch.law)
     if batch.ground.roughness:
         attributes |= {"roughness": batch.ground.roughness, "seed": str(batch.ground.seed)}
-    record = batch.runner.record(*found, *STATES)
-    table = Table(dimensions, found.__getitem__, lambda: labels, about, lambda: record, attributes)
+    record = batch.runner.record(*found, *(() if batch.model.map_class else STATES))
+    table = Table(
+        dimensions, found.__getitem__, lambda: labels, about_of(batch.model), lambda: record, attributes
+    )
     return table.to_dataset("strides")
 
 
@@ -243,7 +245,7 @@ def _in_blocks(
 def _check_derivatives(names: Sequence[str], batch: Batch) -> None:
     """Refuse what is no parameter, and strides that are more than a map from apex to apex."""
     for name in names:
-        check_varied(name, "derivatives")
+        check_varied(name, "derivatives", batch.model)
     if len(set(names)) < len(names):
         raise InputError(f"derivatives: {', '.join(names)}; allowed: each name once")
     if names:
@@ -260,13 +262,15 @@ def _derivatives_of(
     runners, strides = np.nonzero(arrays["fate"] == CLOSED)
     shape, by = arrays["fate"].shape, len(batch.runner.coordinates) + len(names)
     varied = {name: values[runners] for name, values in batch.varied.items()}
-    varied |= {name: arrays[name][runners, strides] for name in SETTINGS if name in arrays}
+    varied |= {name: arrays[name][runners, strides] for name in batch.model.settings if name in arrays}
     one = batch.runner if len(batch.runners) == 1 else [batch.runners[k] for k in runners]
     if not len(runners):
         one, varied, runners, strides = batch.runner, {}, runners[:0], strides[:0]
     made = Batch(one, arrays["apex"][runners, strides], vary=varied).stride(along=names)
     found: dict[str, NDArray[np.float64]] = {}
-    for name in ("next_apex", *differentiable(batch.runner.reduced)):
+    of_model = tuple(batch.model.quantities)
+    known = of_model if batch.model.map_class else differentiable(batch.runner.reduced)
+    for name in ("next_apex", *known):
         values = made[f"{name}_by"]
         found[f"{name}_by"] = np.full((*shape, *values.shape[1:]), np.nan)
         found[f"{name}_by"][runners, strides] = values

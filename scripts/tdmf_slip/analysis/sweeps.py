@@ -23,14 +23,13 @@ from ..library.fixed_point import settled_gait
 from ..library.gait import Gait, gaits_dataset
 from ..library.members import check_has_gaits, check_varied
 from ..library.runner import Runner
-from ..library.section import COORDINATES
 from ..library.shared_steps import shares_steps
 from ..library.strides import strides_from
 from ..numerics.following import Limits, Point, follow
 from ..record import dataset, runner_in
 from ..terminal.progress import Bar, progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import FRICTION, STATES, VARIABLES, by_full_name
+from ..variables.table import FRICTION, Model, by_full_name, model_named
 from ..variables.variable import Given, Values
 from .branch_problem import BranchProblem, gaits_over
 from .search import periodic_gait
@@ -131,7 +130,7 @@ def sweep(
     runner: RunnerLike,
     vary: Mapping[str, Values],
     *,
-    model: str | None = None,
+    model: str | Model | None = None,
     path: Path | str | None = None,
     executor: Executor | None = None,
     progress: bool = False,
@@ -187,7 +186,7 @@ def sweep(
     True
     """
     runner = Runner(runner, model=model)
-    axes = _checked_axes(vary)
+    axes = _checked_axes(vary, runner.model)
     along = FRICTION if FRICTION in axes else list(axes)[-1]
     others = {name: values for name, values in axes.items() if name != along}
     rows = [dict(zip(others, map(float, values), strict=True)) for values in product(*others.values())]
@@ -261,15 +260,17 @@ def gait_at(gaits: xarray.Dataset, **where: Given) -> Gait:
     >>> tdmf_slip.gait_at(gaits, friction=0.6).word
     '+0-0+'
     """
-    needed = ["word", *(f"apex_{name}" for name in COORDINATES)]
-    if getattr(gaits, "attrs", {}).get("result") != "sweep" or any(name not in gaits for name in needed):
+    attributes = getattr(gaits, "attrs", {})
+    model = model_named(attributes.get("model", "full"))
+    needed = ["word", *(f"apex_{name}" for name in model.coordinates)]
+    if attributes.get("result") != "sweep" or any(name not in gaits for name in needed):
         raise refusal("gaits", gaits, "gaits of a sweep, with all their variables and attributes")
-    wanted = by_full_name(where, "gait_at", "values by the names of the sweep")
+    wanted = by_full_name(where, "gait_at", "values by the names of the sweep", model.aliases)
     point = gaits
     for name, given in wanted.items():
         if name not in gaits.dims:
             raise InputError(f"gait_at: {name} does not vary; give {', '.join(map(str, gaits['word'].dims))}")
-        value = VARIABLES.find(name, "gait_at").value_of(given, "gait_at")
+        value = model.variables[name].value_of(given, "gait_at")
         (index,) = np.nonzero(np.isclose(gaits[name], value, rtol=1e-9, atol=0.0))
         if not len(index):
             raise InputError(f"gait_at: {name} = {value:g} is not in the sweep; give one of its values")
@@ -278,21 +279,20 @@ def gait_at(gaits: xarray.Dataset, **where: Given) -> Gait:
         raise InputError(f"gait_at: give a value of {', '.join(map(str, point['word'].dims))}, too")
     if not point["word"].item():
         raise InputError("gait_at: the sweep has no gait there")
-    values = {str(name): point[name].item() for name in point.coords if name in VARIABLES}
-    runner = Runner({**runner_in(gaits), **values}, model=gaits.attrs["model"])
-    apex = [point[f"apex_{name}"].item() for name in COORDINATES[: len(runner.coordinates)]]
-    return strides_from(runner, apex)
+    values = {str(name): point[name].item() for name in point.coords if name in model.variables}
+    apex = [point[f"apex_{name}"].item() for name in model.coordinates]
+    return strides_from(Runner({**runner_in(gaits), **values}, model=model), apex)
 
 
-def _checked_axes(vary: object) -> dict[str, NDArray[np.float64]]:
+def _checked_axes(vary: object, model: Model) -> dict[str, NDArray[np.float64]]:
     """Values by the names of what varies."""
-    given = by_full_name(vary, "vary", NAMES)
+    given = by_full_name(vary, "vary", NAMES, model.aliases)
     if not given:
         raise InputError(f"vary: nothing; allowed: {NAMES}")
     for name in given:
-        if len(given) == 1 or name not in STATES:
-            check_varied(name, "vary")
-    axes = {name: VARIABLES.find(name, "vary").values_of(of, f"vary {name}") for name, of in given.items()}
+        if len(given) == 1 or name not in model.states:
+            check_varied(name, "vary", model)
+    axes = {name: model.variables[name].values_of(of, f"vary {name}") for name, of in given.items()}
     shape = [len(values) for values in axes.values()]
     check_size("vary", max(shape), "gaits in a row", MAX_GAITS_OF_ROW)
     check_size(f"vary: {' by '.join(map(str, shape))}", math.prod(shape), "gaits", MAX_GAITS)
@@ -305,7 +305,7 @@ def _blank(runner: Runner, axes: Mapping[str, NDArray[np.float64]], along: str) 
     others = [name for name in over if name != along]
     texts = np.full([len(axes[name]) for name in others], "", dtype=object)
     nothing = [None] * math.prod(shape)
-    data = gaits_dataset("sweep", runner.record(*axes), nothing, axes, along=along)
+    data = gaits_dataset("sweep", runner.record(*axes), nothing, axes, runner.model, along=along)
     if runner.reduced:
         data = data.isel(mode=slice(len(runner.coordinates)))
     return data.assign(
@@ -497,4 +497,4 @@ def check_values(runner: Runner, name: str, values: Values) -> None:
     """Refuse, before any work, too many values and those at which there is no gait to follow."""
     check_size(f"vary {name}", len(values), "gaits", MAX_GAITS_OF_ROW)
     for value in values:
-        check_has_gaits(runner.replace({name: value})[FRICTION])
+        check_has_gaits(runner.replace({name: value}))

@@ -17,14 +17,12 @@ from numpy.typing import NDArray
 from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
-from ..library.members import VARIED
-from ..library.quantities import scale_of, scales_of
+from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..library.strides import VariedStride, plain_stride, varied_stride
 from ..numerics.following import halved, walk
 from ..numerics.newton import GOOD_ENOUGH, solve
 from ..terminal.progress import progress_bar
-from ..variables.table import VARIABLES
 from .settled import evenly, linked, settled_gaits
 
 NEWTON_ITERATIONS, SHORTENINGS = 40, 6
@@ -279,11 +277,11 @@ def initial_iterates(target: Target, first: Gait) -> Iterator[Iterate]:
 
 def around(runner: Runner, name: str, shares: NDArray[np.float64]) -> NDArray[np.float64]:
     """Values of a parameter: by factors of its own or, where that is zero, about it."""
-    variable, value = VARIABLES[name], runner[name]
+    variable, value = runner.model.variables[name], runner[name]
     if value:
         values = value * FACTOR ** (2.0 * shares - 1.0)
     else:
-        reach = FROM_ZERO * scale_of(runner, variable.unit)
+        reach = FROM_ZERO * runner.scale_of(variable.unit)
         low, high = max(-reach, variable.minimum), min(reach, variable.maximum)
         values = low + shares * (high - low)
     clipped: NDArray[np.float64] = np.clip(values, variable.minimum, variable.maximum)
@@ -417,7 +415,8 @@ def _with_one_instead(target: Target, name: str, other: str, first: Gait) -> Hel
 def _promising(target: Target, gaits: Sequence[Gait]) -> list[str]:
     """Further parameters; first those that, by the derivatives, would leave the smallest gap."""
     values = gaits[0].runner
-    names = [name for name in VARIED if name not in (*target.vary, *NOT_THE_RUNNERS) and values[name] != 0.0]
+    left_out = (*target.vary, *NOT_THE_RUNNERS)
+    names = [name for name in values.model.varied if name not in left_out and values[name] != 0.0]
     widest = target.with_more(*names)
     left = dict.fromkeys(names, np.inf)
     for gait in gaits:

@@ -19,7 +19,8 @@ from ..library.section import Apex
 from ..library.shared_steps import shares_steps
 from ..terminal.text import quantity
 from ..variables.parameters import RunnerLike
-from ..variables.table import ALIASES, VARIABLES, full_names
+from ..variables.table import Model, full_names
+from ..variables.values import model_of
 from ..variables.variable import Given
 from .search import periodic_gait
 from .target import Help, Iterate, Target, initial_iterates, nearest_from, parameters_that_help
@@ -62,7 +63,7 @@ def find_gait(
     target: Mapping[str, float] | None = None,
     vary: Sequence[str] = (),
     guess: Apex | None = None,
-    model: str | None = None,
+    model: str | Model | None = None,
     progress: bool = False,
     **values: Given,
 ) -> Gait:
@@ -134,13 +135,13 @@ def find_gait(
     if isinstance(runner, Gait) and guess is None and model is None:
         guess = runner.apex
     if values:
-        _check_keywords(values)
-        runner = Runner(runner, model=None, tolerance=None, **values)
+        _check_keywords(values, model_of(runner, model))
+        runner = Runner(runner, model=model, tolerance=None, **values)
     if target is None and not len(row_of(vary, "vary", NAMES)):
         return periodic_gait(runner, guess, model=model)
     wanted = _checked_target(target)
-    names = _checked_vary(vary, wanted)
     starting = Runner(runner, model=model)
+    names = _checked_vary(vary, wanted, starting.model)
     check_quantities(starting, list(wanted))
     first = periodic_gait(starting, guess)
     system = Target(first.runner, wanted, names)
@@ -158,9 +159,9 @@ def find_gait(
     return _met(system, iterate)
 
 
-def _check_keywords(values: Mapping[str, Given]) -> None:
+def _check_keywords(values: Mapping[str, Given], model: Model) -> None:
     """Refuse a keyword that is neither an argument nor a variable."""
-    known = (*inspect.signature(find_gait).parameters, *ALIASES, *VARIABLES)
+    known = (*inspect.signature(find_gait).parameters, *model.aliases, *model.variables)
     for name in values:
         if name not in known:
             raise InputError(
@@ -218,11 +219,11 @@ def _checked_target(target: object) -> dict[str, float]:
     }
 
 
-def _checked_vary(vary: object, target: Mapping[str, float]) -> tuple[str, ...]:
+def _checked_vary(vary: object, target: Mapping[str, float], model: Model) -> tuple[str, ...]:
     """The varied parameters' names."""
-    names = full_names(vary, "vary", NAMES)
+    names = full_names(vary, "vary", NAMES, model.aliases)
     for name in names:
-        check_varied(name, "vary")
+        check_varied(name, "vary", model)
         if names.count(name) > 1:
             raise InputError(f"vary: {name} is given twice; allowed: once")
     if len(names) < len(target):
@@ -254,8 +255,9 @@ def _not_met(target: Target, nearest: Iterate, helps: Sequence[Help]) -> TargetN
     has = quantities_of(gait, target.names)
     wanted = ", ".join(f"{n} {v:.6g}" for n, v in zip(target.names, target.prescribed, strict=True))
     near = ", ".join(f"{name} {value:.6g}" for name, value in has.items())
+    runner = gait.runner
     at = ", ".join(
-        f"{name} = {quantity(gait.runner[name], gait.runner.label(VARIABLES[name].unit), 6)}"
+        f"{name} = {quantity(runner[name], runner.label(runner.model.variables[name].unit), 6)}"
         for name in target.vary
     )
     tip = (

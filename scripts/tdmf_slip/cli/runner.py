@@ -12,8 +12,7 @@ from ..errors import InputError, Note
 from ..library.runner import Runner
 from ..library.settings import OF_FLIGHT
 from ..variables.parameters import preset_names, read_parameters
-from ..variables.table import FRICTION, MODELS, VARIABLES, Variables
-from ..variables.values import NAMES
+from ..variables.table import FRICTION, MODELS, NAMES, VARIABLES, Variables
 from ..variables.variable import Given, Value
 from .options import Function, pairs_given
 

@@ -31,11 +31,10 @@ from numpy.typing import NDArray
 from ..checks import is_one_of, near_matches, number_of, refusal, shown
 from ..errors import InputError
 from ..library.gait import Gait, check_is_gait
-from ..library.quantities import scale_of
 from ..library.return_map import stride_from
 from ..library.runner import Runner
 from ..library.settings import SETTINGS
-from ..variables.table import ALIASES, VARIABLES, full_names
+from ..variables.table import Model, full_names
 
 CHOSEN = tuple(name for name in SETTINGS if not name.startswith("ground."))
 """Settings that a controller may choose anew at each apex: all but the ground's."""
@@ -93,7 +92,7 @@ def linearize(gait: Gait, inputs: Sequence[str]) -> Linearization:
     """The return map of a gait to first order, by the apex and by settings."""
     _check_gait(gait)
     runner = gait.runner
-    names = _checked_names(inputs)
+    names = _checked_names(inputs, runner.model)
     for name in names:
         _check_inside(runner, name)
     by_setting = []
@@ -107,7 +106,7 @@ def linearize(gait: Gait, inputs: Sequence[str]) -> Linearization:
         nominal=np.array([runner[name] for name in names]),
         state_matrix=jacobian,
         input_matrix=np.array(by_setting).T,
-        setting_scales=np.array([scale_of(runner, VARIABLES[name].unit) for name in names]),
+        setting_scales=np.array([runner.scale_of(runner.model.variables[name].unit) for name in names]),
     )
     moved = np.max(np.abs(model.scaled_input_matrix), axis=0)
     for name, maximum in zip(names, moved, strict=True):
@@ -129,16 +128,16 @@ def _check_gait(gait: Gait) -> None:
         )
 
 
-def _checked_names(given: object) -> tuple[str, ...]:
-    allowed = f"allowed: {', '.join(CHOSEN)}"
-    names = full_names(given, "inputs", f"one or more in a list: {', '.join(CHOSEN)}")
+def _checked_names(given: object, model: Model) -> tuple[str, ...]:
+    chosen = tuple(name for name in model.settings if not name.startswith("ground."))
+    allowed = f"allowed: {', '.join(chosen)}"
+    names = full_names(given, "inputs", f"one or more in a list: {', '.join(chosen)}", model.aliases)
     if not names:
         raise InputError(f"inputs = {shown(given)} is not allowed; one or more in a list; {allowed}")
     for name in names:
-        if not is_one_of(name, CHOSEN):
-            raise InputError(
-                f"inputs: {shown(name)} is not allowed; {allowed}{near_matches(name, (*CHOSEN, *ALIASES))}"
-            )
+        if not is_one_of(name, chosen):
+            near = near_matches(name, (*chosen, *model.aliases))
+            raise InputError(f"inputs: {shown(name)} is not allowed; {allowed}{near}")
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
         raise InputError(f"inputs: {twice} is named twice; allowed: each once")
@@ -147,9 +146,9 @@ def _checked_names(given: object) -> tuple[str, ...]:
 
 def _check_inside(runner: Runner, name: str) -> None:
     """Refuse a setting that has a derivative to one side only."""
-    value, variable = runner[name], VARIABLES[name]
+    value, variable = runner[name], runner.model.variables[name]
     if name in THRUSTS:
-        total = sum(runner[thrust] for thrust in THRUSTS)
+        total = sum(runner.get(thrust, 0.0) for thrust in THRUSTS)
         if total <= 0.0:
             raise InputError(
                 f"inputs: {name} belongs to a thrust of {total:g} m at this gait, which is held at 0 and "

@@ -22,7 +22,7 @@ from ..errors import InputError
 from ..given import numbers_of, row_of
 from ..library.gait import Gait
 from ..library.laws import AffineLaw
-from ..variables.table import FRICTION, VARIABLES, by_full_name
+from ..variables.table import FRICTION, MODELS, by_full_name
 from .controllability import (
     NEGLIGIBLE,
     Controllability,
@@ -100,9 +100,11 @@ class Feedback(AffineLaw):
     def __repr__(self) -> str:
         """In a line: what is set, at which gait, and the closed loop's largest eigenvalue."""
         gait = self.linearization.gait
+        where = f", {FRICTION} = {gait.friction:.6g}" if FRICTION in gait.runner else ""
+        at = f"the gait {gait.word}{where}"
         return (
-            f"<Feedback by {', '.join(self.inputs)} at the gait {gait.word}, {FRICTION} = "
-            f"{gait.friction:.6g}: largest eigenvalue {self.lambda_max:.4g}, {gait.lambda_max:.4g} without>"
+            f"<Feedback by {', '.join(self.inputs)} at {at}: largest eigenvalue {self.lambda_max:.4g}, "
+            f"{gait.lambda_max:.4g} without>"
         )
 
     @property
@@ -112,7 +114,8 @@ class Feedback(AffineLaw):
 
     def as_json(self) -> dict[str, object]:
         """The law as a plain object, by names as of an `AffineLaw`, with its eigenvalues as [re, im]."""
-        law: dict[str, object] = {item.name: getattr(self, item.name) for item in fields(AffineLaw)}
+        names = [item.name for item in fields(AffineLaw) if item.name != "model"]
+        law: dict[str, object] = {name: getattr(self, name) for name in names}
         eigenvalues = self.eigenvalues.astype(complex)
         return {
             **self.linearization.gait.runner.record(),
@@ -146,13 +149,15 @@ def feedback_of(
         linearization=model,
         eigenvalues=found[np.argsort(-np.abs(found), kind="stable")],
         strides=strides,
+        model=MODELS["full"] if model.gait.runner.reduced else model.gait.runner.model,
     )
 
 
 def _checked_limits(
     model: Linearization, limits: Limits | None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    given = by_full_name(limits, "limits", "pairs of numbers by setting")
+    own = model.gait.runner.model
+    given = by_full_name(limits, "limits", "pairs of numbers by setting", own.aliases)
     unknown = next((name for name in given if not is_one_of(name, model.inputs)), None)
     if unknown is not None:
         raise InputError(
@@ -161,7 +166,7 @@ def _checked_limits(
         )
     found = []
     for name, nominal in zip(model.inputs, model.nominal, strict=True):
-        variable = VARIABLES[name]
+        variable = own.variables[name]
         asked = given.get(name, (variable.minimum, variable.maximum))
         allowed = f"two numbers within {variable.allowed} with {nominal:g}, the gait's own, between them"
         pair = numbers_of(f"limits: {name}", row_of(asked, f"limits: {name}", allowed), allowed)

@@ -271,7 +271,7 @@ class Fit:
     def as_json(self) -> dict[str, object]:
         """The fit as a plain object; an interval that has no end has infinite ones."""
         return {
-            **origin_of(reduced=self.runners[0].reduced),
+            **origin_of(self.runners[0]),
             "parameters": {
                 e.label: {
                     "value": e.value,

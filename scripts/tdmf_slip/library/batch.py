@@ -27,6 +27,9 @@ from .batch_tables import ends_table, exact_table, recorded_table
 from .c_structs import WIDTH
 from .engine import LAST_STRIDE, Engine
 from .laws import AffineLaw, CheckedLaw
+from .own_engine import OwnEngine
+from .own_model import OwnModel
+from .own_tables import own_ends, own_recorded, own_strides
 from .return_map import Along, checked_direction
 from .settings import setting_number
 from .tables import Table
@@ -45,19 +48,36 @@ class Session:
         self.batch = batch
         law, ground, single = batch.law, batch.ground, batch.is_single
         number = engine.ONE_BY_ONE if single else engine.BEST
-        self.engine = Engine(
-            batch.models,
-            batch.held,
-            batch.starts,
-            reduced=batch.runner.reduced,
-            tolerance=batch.tolerance,
-            threads=batch.threads or (1 if single or in_block() else os.cpu_count() or 1),
-            instructions=number if batch.instructions is None else engine.INSTRUCTIONS[batch.instructions],
-            first_number=batch.first_number,
-            step_limit=batch.step_limit or 0,
-            foot_x=batch.foot_x,
+        threads = batch.threads or (1 if single or in_block() else os.cpu_count() or 1)
+        self.engine: Any = (
+            OwnEngine(
+                batch.model,
+                batch.models,
+                batch.held,
+                batch.starts,
+                batch.runner.scales,
+                tolerance=batch.tolerance,
+                threads=threads,
+                first_number=batch.first_number,
+                step_limit=batch.step_limit or 0,
+            )
+            if isinstance(batch.model, OwnModel)
+            else Engine(
+                batch.models,
+                batch.held,
+                batch.starts,
+                reduced=batch.runner.reduced,
+                tolerance=batch.tolerance,
+                threads=threads,
+                instructions=number
+                if batch.instructions is None
+                else engine.INSTRUCTIONS[batch.instructions],
+                first_number=batch.first_number,
+                step_limit=batch.step_limit or 0,
+                foot_x=batch.foot_x,
+            )
         )
-        if ground.is_drawn:
+        if ground.is_drawn and isinstance(self.engine, Engine):
             self.engine.run_on(ground.rules, ground.terrain)
         self.function: CheckedLaw | None = None
         if isinstance(law, AffineLaw):
@@ -77,7 +97,9 @@ class Session:
     def _set_by(self, names: tuple[str, ...], width: int) -> None:
         self.names = names
         self.values = np.empty((len(self.batch), width, len(names)))
-        self.engine.set_by([setting_number(name, "settings") for name in names], self.values)
+        self.engine.set_by(
+            [setting_number(name, "settings", self.batch.model) for name in names], self.values
+        )
 
     def settle(self, until: Any, near: float, balls: ArrayLike | None) -> None:
         """Have runs end on gaits."""
@@ -96,7 +118,7 @@ class Session:
             )
         if not np.isfinite(gaits).all():
             raise InputError(f"until: {gaits.tolist()}: allowed: finite numbers")
-        wide = np.zeros((*gaits.shape[:2], WIDTH))
+        wide = np.zeros((*gaits.shape[:2], max(WIDTH, size)))
         wide[..., :size] = gaits
         matrices = None if balls is None else numbers_of("balls", balls)
         if matrices is not None:
@@ -261,8 +283,13 @@ class Batch(Given):
             A name is no parameter or input.
         """
         self.refuse_patches()
-        along = [checked_direction(one) for one in row_of(along, "along", "names or mappings in a list")]
+        along = [
+            checked_direction(one, self.runner.model)
+            for one in row_of(along, "along", "names or mappings in a list")
+        ]
         differentiated, size = jacobian or len(along) > 0, self.size
+        if isinstance(self.model, OwnModel):
+            return own_strides(self, differentiated, along)
         returns = self._exact_strides(differentiated, along[: c_structs.SEEDS], measured=differentiated)
         variations = returns["variations"][:, : size + len(along[: c_structs.SEEDS])]
         for first in range(c_structs.SEEDS, len(along), c_structs.SEEDS):
@@ -340,8 +367,12 @@ class Batch(Given):
         if record:
             session.engine.record(strides)
         work = session.make(strides)
-        recorded = recorded_table(self, session.engine, session.settings_made(strides)) if record else None
-        return ends_table(self, session.engine.ends, work, recorded)
+        engine = session.engine
+        if isinstance(engine, OwnEngine):
+            kept = own_recorded(self, engine, session.settings_made(strides)) if record else None
+            return own_ends(self, engine, work, kept)
+        recorded = recorded_table(self, engine, session.settings_made(strides)) if record else None
+        return ends_table(self, engine.ends, work, recorded)
 
     def step(self, settings: Mapping[str, ArrayLike] | None = None) -> NDArray[np.int32]:
         """One more stride of each runner that still runs, in place and without checks.
@@ -363,8 +394,8 @@ class Batch(Given):
             session = self._stepping = Session(self)
             session.engine.keep_checkpoints()
             session.engine.record(1)
-        session.step(by_full_name(settings, "settings", "numbers or arrays by name"))
-        fates: NDArray[np.int32] = session.engine.ends["fate"]
+        session.step(by_full_name(settings, "settings", "numbers or arrays by name", self.model.aliases))
+        fates: NDArray[np.int32] = session.engine.fates
         return fates
 
     @property
@@ -383,7 +414,8 @@ class Batch(Given):
 
     def save(self) -> NDArray[Any]:
         """States of all runners after `step`, shape (runners,): a structured array that can be indexed."""
-        return self._under_way().engine.save()
+        states: NDArray[Any] = self._under_way().engine.save()
+        return states
 
     def _under_way(self) -> Session:
         if self._stepping is None:

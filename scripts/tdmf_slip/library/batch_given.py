@@ -13,13 +13,15 @@ from ..checks import check_kind, check_size, checked_between, checked_threads, c
 from ..errors import InputError
 from ..given import is_series, numbers_by, row_of
 from ..variables.parameters import RunnerLike
-from ..variables.table import VARIABLES, by_full_name
+from ..variables.table import MODELS, Model, by_full_name
+from ..variables.values import model_of
 from . import c_structs
 from .c_structs import WIDTH
 from .engine import LAST_STRIDE, instruction_sets
 from .ground import LAST_RUNNER, RoughGround
 from .laws import AffineLaw, Law, check_law, numbers_up_to
-from .members import FLAGS, INPUTS, MOVING
+from .members import INPUTS
+from .own_model import OwnModel
 from .return_map import PATCH, refuse_patch
 from .runner import Runner
 from .settings import check_settings, checked_values, setting_number
@@ -48,7 +50,7 @@ class Given:
         *,
         vary: Mapping[str, ArrayLike] | None = None,
         inputs: Mapping[str, ArrayLike] | None = None,
-        model: str | None = None,
+        model: str | Model | None = None,
         foot_x: ArrayLike | None = None,
         first_number: int = 0,
         tolerance: float = TOLERANCE,
@@ -57,8 +59,11 @@ class Given:
         instructions: str | None = None,
     ) -> None:
         self.varied: dict[str, NDArray[np.float64]] = {}
+        first = runners[0] if isinstance(runners, list | tuple) and runners else runners
+        self.model = model_of(first, model)
+        aliases = self.model.aliases
         self._read_runners(
-            runners, model, {} if vary is None else by_full_name(vary, "vary", "arrays by name")
+            runners, model, {} if vary is None else by_full_name(vary, "vary", "arrays by name", aliases)
         )
         self.size = len(self.runner.coordinates)
         self._read_apices(runners, apices, foot_x, inputs)
@@ -78,22 +83,23 @@ class Given:
         if ground is not None or law is not None or self.inputs:
             self._check_law_and_ground()
 
-    def _read_runners(self, given: Any, model: str | None, vary: dict[str, Any]) -> None:
+    def _read_runners(self, given: Any, model: str | Model | None, vary: dict[str, Any]) -> None:
         """Models and inputs of all runners, or of one for all."""
         self._read_varied(vary)
-        if given is None or isinstance(given, Runner | str | os.PathLike) or hasattr(given, "runner"):
+        if given is None or isinstance(given, Runner | Model | str | os.PathLike) or hasattr(given, "runner"):
             runners = [_runner_of(given, model)]
         elif isinstance(given, Sequence) and not is_series(given):
             several = row_of(given, "runners", "one or more runners in a list", MAX_RUNNERS)
             if not several:
                 raise InputError("runners: none; allowed: one or more")
             runners = [_runner_of(one, model) for one in several]
-            if any(runner.reduced != runners[0].reduced for runner in runners):
-                raise InputError(
-                    "runners: by the full model and by the reduced map; allowed: all by one of them"
-                )
+            other = next((runner.model for runner in runners if runner.model is not self.model), None)
+            if other is not None:
+                both = f"by the model {self.model.name} and by {other.name}"
+                raise InputError(f"runners: {both}; allowed: all by one of them")
         else:
-            by_name = by_full_name(given, "runner", "a Runner, or numbers or arrays by name")
+            allowed = "a Runner, or numbers or arrays by name"
+            by_name = by_full_name(given, "runner", allowed, self.model.aliases)
             rows = {name: value for name, value in by_name.items() if _is_row(value)}
             self._read_varied({name: row for name, row in rows.items() if name not in vary})
             first = {name: float(row[0]) for name, row in self.varied.items()}
@@ -101,6 +107,11 @@ class Given:
         if vary and len(runners) > 1:
             raise InputError("vary with runners in a list; allowed: one runner")
         self.runner, self.runners = runners[0], runners
+        self.models: NDArray[Any]
+        self.held: NDArray[Any]
+        if isinstance(self.model, OwnModel):
+            self.models, self.held = own_numbers(runners, self.varied)
+            return
         if len(runners) == 1:
             self.models = c_structs.viewed(self.runner.c_model, c_structs.MODEL)
             self.held = self.runner.inputs
@@ -116,19 +127,20 @@ class Given:
     def _read_varied(self, vary: Mapping[str, Any]) -> None:
         """Values of each runner by name."""
         for name, row in vary.items():
-            variable = VARIABLES.find(name, "runner")
-            if name not in MOVING:
+            variable = self.model.variables.find(name, "runner")
+            is_flag = variable.type == "Boolean"
+            if name not in self.model.varied and not (is_flag and variable.causality == "parameter"):
                 raise InputError(
                     f"runner: {name} of shape {np.shape(row)}; allowed in an array: a parameter or input "
                     "of the model"
                 )
-            if name in FLAGS:
+            if is_flag:
                 flags = row_of(row, f"runner: {name}", "true or false for each runner")
                 values = [variable.value_of(flag, f"runner: runner {k}") for k, flag in enumerate(flags)]
                 self.varied[name] = np.array(values, float)
             else:
                 self.varied[name] = np.atleast_1d(numbers_up_to(f"runner: {name}", row, 1))
-                checked_values(name, self.varied[name], "runner", {"runner": 0})
+                checked_values(name, self.varied[name], "runner", {"runner": 0}, self.model)
             first = next(iter(self.varied))
             if len(self.varied[name]) != len(self.varied[first]):
                 raise InputError(
@@ -170,28 +182,35 @@ class Given:
                     f"{what} of {number} runners, {most} of {count}; allowed: as many, or one for all"
                 )
         self.is_single = rows.ndim == 1 and count == 1
-        self.starts = np.zeros((count, WIDTH))
+        self.starts = np.zeros((count, max(WIDTH, self.size)))
         self.starts[:, : self.size] = rows
         self.foot_x = None if feet is None else np.broadcast_to(feet, count).copy()
 
     def _read_inputs(self, inputs: Any, counts: dict[str, int]) -> None:
-        for name, asked in by_full_name(inputs, "inputs", "numbers or arrays by name").items():
-            setting_number(name, "inputs")
+        aliases = self.model.aliases
+        for name, asked in by_full_name(inputs, "inputs", "numbers or arrays by name", aliases).items():
+            setting_number(name, "inputs", self.model)
             values = np.atleast_2d(numbers_up_to(f"inputs: {name}", asked, 2))
-            self.inputs[name] = checked_values(name, values, "inputs", {"runner": 0, "stride": 0})
+            self.inputs[name] = checked_values(name, values, "inputs", {"runner": 0, "stride": 0}, self.model)
             counts[f"inputs: {name}"] = len(values)
 
     def _read_feet(self, foot_x: Any) -> NDArray[np.float64]:
-        if self.runner.reduced:
-            raise InputError("foot_x: by the reduced map, which has no foot; allowed: by the full model")
+        if self.model is not MODELS["full"]:
+            what = (
+                "the reduced map, which has no foot"
+                if self.runner.reduced
+                else f"the model {self.model.name}"
+            )
+            raise InputError(f"foot_x: by {what}; allowed: by the full model")
         feet = np.atleast_1d(numbers_up_to("foot_x", foot_x, 1))
         return checked_values("foot.x", feet, "foot_x", {"runner": 0})
 
     def _check_law_and_ground(self) -> None:
         """Refuse what does not go together."""
         check_kind(self.ground, RoughGround, "ground", "a RoughGround")
-        if self.runner.reduced and self.ground.is_drawn:
-            raise InputError("ground: rough, by the reduced map; allowed: by the full model")
+        if self.model is not MODELS["full"] and self.ground.is_drawn:
+            what = "reduced map" if self.runner.reduced else f"model {self.model.name}"
+            raise InputError(f"ground: rough, by the {what}; allowed: by the full model")
         for runner in self.runners:
             self.ground.check_runner(runner, runner.scales)
         check_law(self.law, self.runner)
@@ -204,6 +223,8 @@ class Given:
 
     def refuse_patches(self) -> None:
         """Refuse a patch of ground: an apex does not tell where the foot stands."""
+        if isinstance(self.model, OwnModel):
+            return
         for runner in self.runners:
             refuse_patch(runner)
         if any(name in self.varied for name in PATCH):
@@ -245,7 +266,25 @@ class Given:
         return self.__dict__.copy()
 
 
-def _runner_of(given: Any, model: str | None) -> Runner:
+def own_numbers(
+    runners: Sequence[Any], varied: Mapping[str, NDArray[np.float64]]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Parameters and states of runners of a model of one's own, a row for each, or one for all."""
+    parameters, states = (
+        np.concatenate([getattr(runner, kind) for runner in runners]) for kind in ("parameters", "states")
+    )
+    for name, row in varied.items():
+        model = runners[0].model
+        is_state, place = model.value_places[model.positions[name]]
+        numbers = states if is_state else parameters
+        if len(numbers) != len(row):
+            numbers = np.repeat(numbers[:1], len(row), axis=0)
+        numbers[:, place] = row
+        parameters, states = (parameters, numbers) if is_state else (numbers, states)
+    return parameters, states
+
+
+def _runner_of(given: Any, model: str | Model | None) -> Runner:
     """The runner that is given, with what it has made of itself, unless it has to be made."""
     runner = given if isinstance(given, Runner) else getattr(given, "runner", None)
     return runner if model is None and isinstance(runner, Runner) else Runner(given, model=model)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..variables.table import MODELS, VARIABLES
+from ..variables.table import MODELS, Model
 from .batch_given import Given
 from .engine import FATES, SETTLED, STOPPED, Engine
 from .laws import AffineLaw
@@ -106,10 +106,10 @@ def exact_table(
 
     def labels() -> dict[str, NDArray[Any]]:
         by = [*batch.runner.coordinates, *map(title, along)]
-        return {**_labels(batch), "by": np.array(by), "by_coordinate": np.array(batch.runner.coordinates)}
+        return {**labels_of(batch), "by": np.array(by), "by_coordinate": np.array(batch.runner.coordinates)}
 
     dimensions = _exact(single, reduced, variations is not None)
-    return Table(dimensions, make, labels, about, batch.runner.record)
+    return Table(dimensions, make, labels, about_of(batch.model), batch.runner.record)
 
 
 @cache
@@ -141,19 +141,25 @@ def title(direction: Along) -> str:
     return " + ".join(f"{share:g} {name}" for name, share in direction.items())
 
 
-def about(name: str) -> Mapping[str, Any]:
-    """Unit and description of an array of strides, by the names that CF gives them."""
-    if name in ABOUT:
-        return ABOUT[name]
-    known = VARIABLES.get(f"stride.{name}") or MODELS["full"].quantities.get(name) or VARIABLES.get(name)
-    return {} if known is None else known.attributes
+def about_of(model: Model) -> Callable[[str], Mapping[str, Any]]:
+    """Gives unit and description of an array of strides, by the names that CF gives them."""
+
+    def about(name: str) -> Mapping[str, Any]:
+        if name in ABOUT:
+            return ABOUT[name]
+        variables, quantities = model.variables, (MODELS["full"] if not model.map_class else model).quantities
+        known = variables.get(f"stride.{name}") or quantities.get(name) or variables.get(name)
+        return {} if known is None else known.attributes
+
+    return about
 
 
 def _about_ends(name: str) -> Mapping[str, Any]:
     return ABOUT_ENDS.get(name, {})
 
 
-def _labels(batch: Given) -> dict[str, NDArray[Any]]:
+def labels_of(batch: Given) -> dict[str, NDArray[Any]]:
+    """Labels of the dimensions of a batch's tables."""
     return {
         "runner": batch.first_number + np.arange(len(batch)),
         "coordinate": np.array(batch.runner.coordinates),
@@ -172,7 +178,7 @@ def ends_table(batch: Given, ends: NDArray[Any], work: Mapping[str, int], record
     return Table(
         dimensions,
         make,
-        lambda: _labels(batch),
+        lambda: labels_of(batch),
         _about_ends,
         batch.runner.record,
         {"work_done": work},
@@ -200,7 +206,7 @@ def recorded_table(batch: Given, engine: Engine, given: Mapping[str, NDArray[np.
         "next_apex": next_apex,
         **{name: of(recorded["stride"][name]) for name in STRIDE_QUANTITIES},
         **{name: of(recorded[name]) for name in (*LEDGER, "liftoff_angle")},
-        "word": _words(recorded["stride"]["word"]),
+        "word": texts_of(recorded["stride"]["word"]),
     }
     if not batch.runner.reduced:
         arrays[FOOT_X] = of(recorded["foot_x"])
@@ -212,12 +218,12 @@ def recorded_table(batch: Given, engine: Engine, given: Mapping[str, NDArray[np.
     arrays |= {name: of(values, begun) for name, values in given.items()}
     over = ("runner", "stride", "coordinate")
     dimensions = {name: over[: values.ndim] for name, values in arrays.items()}
-    labels = {**_labels(batch), "stride": strides}
-    return Table(dimensions, arrays.__getitem__, lambda: labels, about, batch.runner.record)
+    labels = {**labels_of(batch), "stride": strides}
+    return Table(dimensions, arrays.__getitem__, lambda: labels, about_of(batch.model), batch.runner.record)
 
 
-def _words(words: NDArray[np.bytes_]) -> NDArray[np.str_]:
+def texts_of(words: NDArray[Any]) -> NDArray[np.str_]:
     """Texts as short as the longest of them."""
     different, numbers = np.unique(words, return_inverse=True)
-    texts = np.array([word.decode() for word in different])
+    texts = np.array([str(word.decode() if isinstance(word, bytes) else word) for word in different])
     return texts[numbers.reshape(words.shape)]

@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .binding import c, check_accepted, ffi
-from .members import names_of
-from .return_map import Along, seed_of
+from .members import Along, names_of, seed_of
 
 _NUMBERS = {"double": "f8", "_Bool": "?"}
 

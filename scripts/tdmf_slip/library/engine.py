@@ -46,6 +46,7 @@ class AffineSettings:
         seed: int,
     ) -> None:
         size, wide = len(apex), np.zeros((len(numbers), WIDTH))
+        self.numbers = tuple(numbers)
         wide[:, :size] = gain
         self._arrays: dict[str, NDArray[Any]] = {
             "settings": np.array(numbers, np.intc),
@@ -58,15 +59,15 @@ class AffineSettings:
         self.struct["count"], self.struct["seed"] = len(numbers), seed
         self.struct["apex"][0, :size], self.struct["noise"][0, :size] = apex, noise
 
-    def at(self, apices: NDArray[np.float64], first_number: int, stride: int) -> NDArray[np.float64]:
-        """Settings of the law at apices of runners, shape (runners, settings)."""
+    def at(self, apices: NDArray[np.float64], runners: NDArray[np.int64], stride: int) -> NDArray[np.float64]:
+        """Settings of the law at apices of runners with these numbers, shape (runners, settings)."""
         sections = np.zeros((len(apices), WIDTH))
         sections[:, : apices.shape[1]] = apices
         values = np.empty((len(apices), len(self._arrays["settings"])))
         law = ffi.from_buffer("tdmf_affine_law *", self.struct)
-        for k, (section, row) in enumerate(zip(sections, values, strict=True)):
+        for runner, section, row in zip(runners.tolist(), sections, values, strict=True):
             begin, out = ffi.from_buffer("double[]", section), ffi.from_buffer("double[]", row)
-            c.tdmf_affine_settings(law, begin, first_number + k, stride, out)
+            c.tdmf_affine_settings(law, begin, runner, stride, out)
         return values
 
 
@@ -114,6 +115,12 @@ class Engine:
         request.step_limit, request.threads, request.instructions = step_limit, threads, instructions
         request.map = c.TDMF_REDUCED_MAP if reduced else c.TDMF_RETURN_MAP
         self._ends = ffi.from_buffer("tdmf_ensemble_end[]", self.ends)
+
+    @property
+    def fates(self) -> NDArray[np.int32]:
+        """Fates of the runners, the engine's own array."""
+        fates: NDArray[np.int32] = self.ends["fate"]
+        return fates
 
     def _pointer(self, kind: str, array: NDArray[Any]) -> Any:
         """A pointer to an array that lives as long as the request."""

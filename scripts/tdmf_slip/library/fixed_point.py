@@ -9,11 +9,9 @@ from numpy.typing import NDArray
 
 from ..errors import GaitNotFoundError, RunError
 from ..numerics.newton import NotSolvedError, solve
-from ..variables.table import FRICTION
-from .binding import c, ffi, text_of
 from .gait import Gait
-from .members import check_comes_down, check_has_gaits
-from .return_map import Along, derivatives, map_of, seed_of, why_no_return
+from .members import at_friction, check_comes_down, check_has_gaits
+from .return_map import Along, derivatives, map_of
 from .runner import Runner
 from .section import Apex, checked_apex
 from .shared_steps import joins_search, search_under_way
@@ -44,10 +42,10 @@ class Closing:
 
         The scales are the runner's own, unless others are given.
         """
-        check_has_gaits(runner[FRICTION])
+        check_has_gaits(runner)
         check_comes_down(runner)
         self.runner, self.strides, self.along = runner, strides, along
-        self.map, self.system = map_of(runner), runner.c_system
+        self.map = map_of(runner)
         self.scales = runner.scales if scales is None else scales
         self.until = longest_stride(runner)
         self.unsolved = ""
@@ -73,7 +71,7 @@ class Closing:
         apex, jacobian, along = x * self.scales, np.eye(len(x)), np.zeros(len(x))
         for _ in range(self.strides):
             stride = self.stride(apex, True)
-            by_apex, by_parameter = derivatives(self.runner, stride)
+            by_apex, by_parameter = derivatives(self.map, stride)
             apex, jacobian, along = self._next(stride), by_apex @ jacobian, by_apex @ along + by_parameter
         residual = apex / self.scales - x
         return residual, scaled_less_one(jacobian, self.scales), along / self.scales
@@ -83,25 +81,22 @@ class Closing:
         apex, words = x * self.scales, []
         for _ in range(self.strides):
             stride = self.stride(apex, False)
-            words.append(text_of(stride.stride.word))
+            words.append(self.map.word(stride))
             apex = self._next(stride)
         return words
 
     def stride(self, apex: NDArray[np.float64], varied: bool) -> Any:
         """One stride from an apex; RunError where it does not close."""
         self.unsolved = ""
-        seed = seed_of(self.along if varied else None)
-        stride = self.map.stride(
-            self.runner.solver(), self.system, apex.tolist(), self.until, varied, seed, seed != ffi.NULL
-        )
-        why_not = why_no_return(stride)
+        stride = self.map.stride(apex, self.until, varied=varied, along=self.along)
+        why_not = self.map.why_not(stride)
         if why_not is not None:
-            self.unsolved = why_not if stride.outcome == c.TDMF_RETURN_UNSOLVED else ""
+            self.unsolved = why_not if self.map.is_unsolved(stride) else ""
             raise RunError(why_not)
         return stride
 
     def _next(self, stride: Any) -> NDArray[np.float64]:
-        return np.array(list(stride.apex)[: len(self.scales)])
+        return self.map.next_apex(stride)
 
     def gait(self, apex: NDArray[np.float64], near: Gait | None = None) -> Gait:
         """The gait near an apex; the Jacobian of a gait that is near may save some strides."""
@@ -125,13 +120,12 @@ class Closing:
         A stable gait that Newton's method finds on the way ends the search. An unstable one counts only where
         the runner has not settled after all strides.
         """
-        section, made, look = ffi.new("double[]", apex.tolist()), 0, LOOK
+        made, look = 0, LOOK
         while True:
             look = min(look, SETTLING_STRIDES - made)
-            self._settle(look - 1, section, made)
-            before = np.array(list(section))
-            self._settle(1, section, made + look - 1)
-            after, made = np.array(list(section)), made + look
+            before = self._settle(look - 1, apex, made)
+            after = apex = self._settle(1, before, made + look - 1)
+            made += look
             if made == SETTLING_STRIDES:
                 return self.gait(after)
             if np.max(np.abs(after - before) / self.scales) < NEAR:
@@ -141,24 +135,25 @@ class Closing:
                         return gait
                 look *= 2
 
-    def _settle(self, strides: int, section: Any, made: int) -> None:
-        """Strides from a section, which becomes the last one."""
-        closed: int = self.map.settle(self.runner.solver(), self.system, strides, section)
+    def _settle(self, strides: int, apex: NDArray[np.float64], made: int) -> NDArray[np.float64]:
+        """The last apex of some strides."""
+        last, closed = self.map.settle(apex, strides)
         if closed < strides:
             try:
-                self.stride(np.array(list(section)), False)
+                self.stride(last, False)
             except RunError as problem:
                 raise self._not_found(f"{problem}, after {made + closed} strides") from None
+        return last
 
     def _not_found(self, why: str) -> GaitNotFoundError:
         """Error that says why no gait was found, or that the solver gave up."""
-        at = f"at friction {self.runner[FRICTION]:g}"
+        at = at_friction(self.runner)
         if not self.unsolved:
             kind = f" of {self.strides} strides" if self.strides > 1 else ""
-            return GaitNotFoundError(f"no gait{kind} {at}: {why}")
+            return GaitNotFoundError(f"no gait{kind}{at}: {why}")
         strides, steps, events = search_under_way().done()
         return GaitNotFoundError(
-            f"the search for a gait {at} was given up: {self.unsolved}, after {strides:,} strides, "
+            f"the search for a gait{at} was given up: {self.unsolved}, after {strides:,} strides, "
             f"{steps:,} steps and {events:,} events"
         )
 

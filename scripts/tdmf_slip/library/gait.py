@@ -13,15 +13,13 @@ from numpy.typing import NDArray
 
 from ..checks import check_kind, near_matches
 from ..record import dataset, origin_of
-from ..variables.table import FRICTION, MODELS, VARIABLES
-from .binding import ffi, text_of
-from .c_structs import RETURN, viewed
+from ..variables.table import FRICTION, MODELS, VARIABLES, Model
+from .members import Along
 from .quantities import LEDGER as LEDGER
-from .quantities import MEASURES, STRIDE_QUANTITIES, Quantities, weight_of
-from .return_map import Along, derivatives
+from .quantities import MEASURES, STRIDE_QUANTITIES
 from .runner import Runner
 from .section import COORDINATES, REDUCED
-from .word import Event, Letter, letters_of, recorded
+from .word import Event, Letter, letters_of
 
 if TYPE_CHECKING:
     import xarray
@@ -88,21 +86,26 @@ class Gait:
 
     def __repr__(self) -> str:
         """In a line: what tells one gait from another."""
-        stride, kind, label = self.stride, "stable" if self.stable else "unstable", self.runner.label
-        return (
-            f"<Gait {self.word} at {FRICTION} = {self.friction:.6g}: "
-            f"period {stride['period']:.6g} {label('s')}, speed {stride['speed']:.6g} {label('m/s')}, "
-            f"cost of transport {stride['cost_of_transport']:.6g}, {kind}, "
-            f"largest eigenvalue {self.lambda_max:.6g}>"
-        )
+        kind, label = "stable" if self.stable else "unstable", self.runner.label
+        at = f" at {FRICTION} = {self.friction:.6g}" if FRICTION in self.runner else ""
+        some = {"period": "s", "speed": "m/s", "cost_of_transport": ""}
+        told = [
+            f"{name.replace('_', ' ')} {self.stride[name]:.6g} {label(unit) if unit else ''}".rstrip()
+            for name, unit in some.items()
+            if name in self.stride
+        ]
+        return f"<Gait {self.word}{at}: {', '.join(told)}, {kind}, largest eigenvalue {self.lambda_max:.6g}>"
 
     def _repr_html_(self) -> str:
         """Box for a notebook: eight rows with units beside the eigenvalues in the unit circle."""
         label, stride = self.runner.label, self.stride
         stable = f"{'stable' if self.stable else 'unstable'}, largest eigenvalue {self.lambda_max:.4g}"
-        rows = {"friction": f"{self.friction:.6g}", "word": self.word, "stability": stable}
+        rows = {"friction": f"{self.friction:.6g}"} if FRICTION in self.runner else {}
+        rows |= {"word": self.word, "stability": stable}
         for name in ("period", "speed", "cost_of_transport", "duty_factor", "slip_distance"):
-            unit = label(MODELS["full"].quantities[name].unit)
+            if name not in stride:
+                continue
+            unit = label(self.runner.model.quantities[name].unit)
             rows[name.replace("_", " ")] = f"{stride[name]:.6g} {'' if unit == '1' else unit}".rstrip()
         cells = "".join(
             f"<tr><th>{name}</th><td>{html.escape(text)}</td></tr>" for name, text in rows.items()
@@ -182,7 +185,9 @@ class Gait:
 
     @cached_property
     def section(self) -> NDArray[np.float64]:
-        """The apex, shape (6,), in the order of `COORDINATES`; in the reduced map the leg is as placed."""
+        """The apex, in the order of the model's coordinates; in the reduced map also the leg as placed."""
+        if not self.runner.reduced:
+            return self.apex
         state = self.runner.state_at(self.apex)
         leg = (state[name.replace("leg_", "leg.")] for name in COORDINATES[len(REDUCED) :])
         return np.array([*self.apex[: len(REDUCED)], *leg])
@@ -224,10 +229,10 @@ class Gait:
         Of a gait of more than one stride, also how many, and the apexes in their order.
         """
         return {
-            **origin_of(reduced=self.runner.reduced),
-            "friction": self.friction,
+            **origin_of(self.runner),
+            **({"friction": self.friction} if FRICTION in self.runner else {}),
             "word": self.word,
-            **{name: self.stride[name] for name in (*REPORTED, *PARTS)},
+            **{name: self.stride[name] for name in (*REPORTED, *PARTS) if name in self.stride},
             "liftoff_angle": self.liftoff_angle,
             "apex": [float(value) for value in self.apex],
             "eigenvalues": [[float(v.real), float(v.imag)] for v in self.eigenvalues.astype(complex)],
@@ -243,26 +248,23 @@ def check_is_gait(given: object, what: str) -> None:
 
 
 def gait_of_stride(
-    runner: Runner, apex: NDArray[np.float64], stride: Any, log: Any, along: Along | None
+    runner: Runner,
+    apex: NDArray[np.float64],
+    derivatives: tuple[NDArray[np.float64], NDArray[np.float64]],
+    along: Along | None,
+    **reported: Any,
 ) -> Gait:
-    """A stride as the library gives it, whether it leads back to its apex or not."""
-    jacobian, by_parameter = derivatives(runner, stride)
-    struct = viewed(ffi.addressof(stride), RETURN)[0]
-    quantities = Quantities(struct, apex, weight_of(runner), is_measured=not runner.reduced)
-    names = (*STRIDE_QUANTITIES, *LEDGER, *(() if runner.reduced else MEASURES))
-    reported = {name: float(quantities[name]) for name in names}
+    """A stride as a gait, whether it leads back to its apex or not, from what its map reports."""
+    jacobian, by_parameter = derivatives
     return Gait(
         runner=runner,
         apex=apex,
-        word=text_of(stride.stride.word),
-        liftoff_angle=stride.liftoff_angle,
-        stride=reported,
         jacobian=jacobian,
         along=along,
         by_parameter=None if along is None else by_parameter,
         error=0.0,
         iterations=0,
-        events=recorded(log),
+        **reported,
     )
 
 
@@ -271,6 +273,7 @@ def gaits_dataset(
     record: Mapping[str, Any],
     gaits: Sequence[Gait | None],
     coordinates: Mapping[str, NDArray[np.float64]],
+    model: Model | None = None,
     **attributes: str | float,
 ) -> "xarray.Dataset":
     """Gaits on a grid as a dataset with units; NaN and an empty word where there is none.
@@ -278,7 +281,9 @@ def gaits_dataset(
     The gaits are in the order of the coordinates, the last one running fastest.
     """
     over, shape = tuple(coordinates), tuple(map(len, coordinates.values()))
-    modes = max((len(gait.apex) for gait in gaits if gait is not None), default=len(COORDINATES))
+    known = model or next(gait.runner.model for gait in gaits if gait is not None)
+    model = known if known.map_class else MODELS["full"]
+    modes = max((len(gait.apex) for gait in gaits if gait is not None), default=len(model.coordinates))
     spectra = np.full((len(gaits), modes), np.nan, complex)
     for row, gait in zip(spectra, gaits, strict=True):
         if gait is not None:
@@ -290,15 +295,17 @@ def gaits_dataset(
         return over, np.array(values, float).reshape(shape), attributes
 
     def quantity(name: str) -> tuple[Any, ...]:
-        return column(lambda gait: gait.stride.get(name, np.nan), MODELS["full"].quantities[name].attributes)
+        return column(lambda gait: gait.stride.get(name, np.nan), model.quantities[name].attributes)
 
     def coordinate(number: int) -> tuple[Any, ...]:
-        about = VARIABLES[f"apex.{COORDINATES[number]}"].attributes
+        about = model.coordinate(model.coordinates[number]).attributes
         return column(lambda gait: float(gait.section[number]), about)
 
-    names = dict.fromkeys((*STRIDE_QUANTITIES, *LEDGER, *MEASURES))
+    names = (
+        dict.fromkeys((*STRIDE_QUANTITIES, *LEDGER, *MEASURES)) if model.name in MODELS else known.quantities
+    )
     variables = {name: quantity(name) for name in names}
-    variables |= {f"apex_{name}": coordinate(number) for number, name in enumerate(COORDINATES)}
+    variables |= {f"apex_{name}": coordinate(number) for number, name in enumerate(model.coordinates)}
     variables["lambda_max"] = column(lambda gait: gait.lambda_max, {"units": "1"})
     for part in ("real", "imag"):
         about = {"units": "1", "long_name": f"{part} parts of the eigenvalues, the largest first"}
@@ -306,7 +313,7 @@ def gaits_dataset(
     words = np.array(["" if gait is None else gait.word for gait in gaits], dtype=object).reshape(shape)
     variables["word"] = over, words, VARIABLES["stride.word"].attributes
     labels = {
-        name: (name, values, VARIABLES[name].attributes if name in VARIABLES else {})
+        name: (name, values, model.variables[name].attributes if name in model.variables else {})
         for name, values in coordinates.items()
     }
     return dataset(kind, record, variables, labels, **attributes)

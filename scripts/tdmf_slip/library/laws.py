@@ -6,7 +6,7 @@ import inspect
 import json
 import zlib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import TypeAlias
 
@@ -17,11 +17,11 @@ from ..checks import checked_whole, refusal, shown
 from ..errors import InputError
 from ..given import numbers_of, row_of
 from ..record import without_record
-from ..variables.table import by_full_name, full_names
+from ..variables.table import MODELS, Model, by_full_name, full_names, model_named
 from .engine import AffineSettings
 from .ground import LAST_RUNNER, LAST_SEED, MAX_STEPS, RoughGround
 from .runner import Runner
-from .section import COORDINATES, REDUCED, Apex, checked_apex
+from .section import REDUCED, Apex, checked_apex
 from .settings import check_acts, check_settings, checked_values, setting_number
 
 LARGEST = 1e100
@@ -69,19 +69,23 @@ class AffineLaw:
     """Standard deviation of what is added to each coordinate, shape (n,); by default none is."""
     seed: int = 0
     """Seed of the noise."""
+    model: Model = field(default=MODELS["full"], repr=False, compare=False)
+    """The model of the runners that obey; by the full one's law go those of the reduced map, too."""
 
     def __post_init__(self) -> None:
         """Make all of it plain numbers; refuse values that are none, out of range or of another shape."""
         allowed = "one or more names in a list"
-        names = full_names(self.inputs, "inputs", allowed)
+        model = model_named(self.model)
+        names = full_names(self.inputs, "inputs", allowed, model.aliases)
         if not names:
             raise InputError(f"inputs = {shown(self.inputs)} is not allowed; allowed: {allowed}")
         for number, name in enumerate(names):
-            setting_number(name, "inputs")
+            setting_number(name, "inputs", model)
             if name in names[:number]:
                 raise InputError(f"inputs: {name} is there twice; allowed: once")
-        given = row_of(self.apex, "apex", f"numbers for {', '.join(COORDINATES)}")
-        coordinates = REDUCED if len(given) == len(REDUCED) else COORDINATES
+        given = row_of(self.apex, "apex", f"numbers for {', '.join(model.coordinates)}")
+        is_reduced = model is MODELS["full"] and len(given) == len(REDUCED)
+        coordinates = REDUCED if is_reduced else model.coordinates
         n, k = len(coordinates), len(names)
         rows = {
             "apex": _numbers("apex", checked_apex(self.apex, coordinates), (n,)),
@@ -94,8 +98,8 @@ class AffineLaw:
         if (rows["noise"] < 0.0).any():
             raise InputError(f"noise = {rows['noise'].tolist()} is not allowed; allowed: 0 or above")
         for name, low, high in zip(names, rows["low"], rows["high"], strict=True):
-            checked_values(name, low, "low", {})
-            checked_values(name, high, "high", {})
+            checked_values(name, low, "low", {}, model)
+            checked_values(name, high, "high", {}, model)
             if low > high:
                 raise InputError(f"low: {name} = {low:g} is not allowed; allowed: up to high = {high:g}")
         object.__setattr__(self, "inputs", names)
@@ -113,7 +117,7 @@ class AffineLaw:
     def settings(self) -> AffineSettings:
         """The law as the library takes it."""
         return AffineSettings(
-            [setting_number(name, "inputs") for name in self.inputs],
+            [setting_number(name, "inputs", self.model) for name in self.inputs],
             [*self.apex],
             {"nominal": self.nominal, "low": self.low, "high": self.high},
             self.gain,
@@ -144,7 +148,8 @@ class AffineLaw:
         dict of str to ndarray
             By the names of the settings, shape (runners,).
         """
-        values = self.settings.at(np.asarray(apices, float), first_number, stride_number)
+        runners = first_number + np.arange(len(apices))
+        values = self.settings.at(np.asarray(apices, float), runners, stride_number)
         return dict(zip(self.inputs, values.T, strict=True))
 
     def inputs_at(self, apex: Apex, runner: int = 0, stride: int = 0) -> dict[str, float]:
@@ -169,7 +174,7 @@ class AffineLaw:
         InputError
             Other coordinates, or a number is out of range.
         """
-        coordinates = COORDINATES[: len(self.apex)]
+        coordinates = self.model.coordinates[: len(self.apex)]
         section = _numbers("apex", checked_apex(apex, coordinates), (len(coordinates),))
         runner = checked_whole("runner", runner, 0, LAST_RUNNER)
         stride = checked_whole("stride", stride, 0, MAX_STEPS)
@@ -177,11 +182,12 @@ class AffineLaw:
 
     def as_json(self) -> dict[str, object]:
         """The law as a plain object, by the names of its arguments."""
-        return asdict(self)
+        return {f.name: getattr(self, f.name) for f in fields(self) if f.name != "model"}
 
     def check_fits(self, runner: Runner) -> None:
         """Refuse a runner whose apices are of other coordinates, or on whom a setting does not act."""
-        if len(self.apex) != len(runner.coordinates):
+        fits = self.model.names == runner.model.names
+        if not fits or len(self.apex) != len(runner.coordinates):
             raise InputError(
                 f"law: of {len(self.apex)} coordinates; allowed, as the runner has: "
                 f"{', '.join(runner.coordinates)}"
@@ -238,9 +244,8 @@ class CheckedLaw:
     ) -> dict[str, NDArray[np.float64]]:
         """Settings at apices, shape (runners,); the runner's own values where a run is over."""
         what = f"law: stride {stride_number}"
-        given = by_full_name(
-            self.law(apices, stride_number), f"{what}: what it gives", "numbers or arrays by name"
-        )
+        allowed, aliases = "numbers or arrays by name", self.runner.model.aliases
+        given = by_full_name(self.law(apices, stride_number), f"{what}: what it gives", allowed, aliases)
         if self.names is None:
             names = tuple(given)
             check_settings(names, self.runner, self.ground, "law", set_too=self.set_too, inputs=self.inputs)
@@ -259,7 +264,9 @@ class CheckedLaw:
             )
         of_all = np.broadcast_to(values, under_way.shape)
         usual = self.runner[name]
-        return checked_values(name, np.where(under_way, of_all, usual), what, {"runner": 0})
+        return checked_values(
+            name, np.where(under_way, of_all, usual), what, {"runner": 0}, self.runner.model
+        )
 
 
 def numbers_up_to(what: str, given: object, dimensions: int) -> NDArray[np.float64]:

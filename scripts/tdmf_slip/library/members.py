@@ -1,14 +1,19 @@
 """Values in the C library's structs, by the unit's names: parameters and inputs."""
 
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from ..checks import is_one_of, near_matches, shown
 from ..errors import GaitNotFoundError, InputError
-from ..variables.table import ALIASES, by_full_name
+from ..variables.table import FRICTION, MODELS, Model, by_full_name
 from .binding import ffi
+
+Along: TypeAlias = str | Mapping[str, float]
+"""A direction of parameters and inputs: the name of one, or how much of each, in its unit."""
+PUSH = "body.external_fy"
+"""Name of the vertical force that may carry a runner."""
 
 
 def _members(struct: Any, prefix: str = "", begin: int = 0) -> Iterator[tuple[str, str, int]]:
@@ -38,34 +43,39 @@ INPUTS = _layout(ffi.typeof("tdmf_inputs"))
 """The library's inputs."""
 FLAGS = tuple(name for name in names_of(PARAMETERS) if PARAMETERS[name].kind == "b")
 """Boolean parameters."""
-VARIED = tuple(name for name in (*names_of(PARAMETERS), *names_of(INPUTS)) if name not in FLAGS)
+VARIED = MODELS["full"].varied
 """Numeric parameters and inputs: those that a continuation or a derivative can vary."""
 MOVING = (*VARIED, *FLAGS)
 """All parameters and inputs. A runner's motion depends on these and on its start."""
 
 
-def check_varied(name: object, what: str) -> None:
+def check_varied(name: object, what: str, model: Model = MODELS["full"]) -> None:
     """Refuse a name that a gait cannot be followed along."""
-    if not is_one_of(name, VARIED):
+    if not is_one_of(name, model.varied):
         raise InputError(
             f"{what} {shown(name)} is not allowed; allowed: a parameter or input of the model"
-            f"{near_matches(name, (*VARIED, *ALIASES))}"
+            f"{near_matches(name, (*model.varied, *model.aliases))}"
         )
 
 
-def varied_alone(vary: object, allowed: str) -> tuple[str, Any]:
+def varied_alone(vary: object, allowed: str, model: Model = MODELS["full"]) -> tuple[str, Any]:
     """The one name that varies, and what is given of it."""
-    given = by_full_name(vary, "vary", allowed)
+    given = by_full_name(vary, "vary", allowed, model.aliases)
     if len(given) != 1:
         raise InputError(f"vary: {len(given)} names; allowed: {allowed}")
     ((name, values),) = given.items()
-    check_varied(name, "vary")
+    check_varied(name, "vary", model)
     return name, values
 
 
-def check_has_gaits(friction: float) -> None:
+def at_friction(values: Mapping[str, Any]) -> str:
+    """The friction of a runner's ground, for a message; empty for a model without one."""
+    return f" at friction {values[FRICTION]:g}" if FRICTION in values else ""
+
+
+def check_has_gaits(values: Mapping[str, Any]) -> None:
     """Refuse friction 0: nothing then fixes the speed, and gaits of any speed are neighbours."""
-    if friction == 0.0:
+    if values.get(FRICTION) == 0.0:
         raise InputError(
             "ground.friction = 0: nothing fixes a runner's speed, so that no gait is one of its own; "
             "allowed for gaits: above 0"
@@ -74,9 +84,25 @@ def check_has_gaits(friction: float) -> None:
 
 def check_comes_down(values: Mapping[str, float]) -> None:
     """Refuse to search for a gait of a runner that an external force carries: it has no apex in flight."""
-    push, weight = values["body.external_fy"], values["gravity"] * (values["body.mass"] + values["foot.mass"])
+    if PUSH not in values:
+        return
+    push, weight = values[PUSH], values["gravity"] * (values["body.mass"] + values["foot.mass"])
     if push >= weight:
         raise GaitNotFoundError(
             f"no gait: body.external_fy = {push:g} N carries the runner, which weighs {weight:g} N, so that "
             "it never comes down; allowed for gaits: less than its weight"
         )
+
+
+def seed_of(along: Along | None) -> Any:
+    """The direction of a parameter or input, or of several, as the library's `tdmf_seed *`; NULL for none."""
+    if along is None:
+        nothing: Any = ffi.NULL
+        return nothing
+    seed: Any = ffi.new("tdmf_seed *")
+    shares = along.items() if isinstance(along, Mapping) else [(along, 1.0)]
+    for name, share in shares:
+        check_varied(name, "along")
+        layout, part = (PARAMETERS, "parameters") if name in names_of(PARAMETERS) else (INPUTS, "inputs")
+        np.frombuffer(ffi.buffer(ffi.addressof(seed[0], part)), layout)[name] = share
+    return seed

@@ -12,18 +12,12 @@ from numpy.typing import NDArray
 from ..checks import shown
 from ..errors import InputError
 from ..variables import units
-from ..variables.table import MODELS, scale
+from ..variables.table import MODELS
 from .runner import Runner
 from .section import COORDINATES, REDUCED, Apex
 
 if TYPE_CHECKING:
     from .gait import Gait
-
-
-def scale_of(runner: Runner, unit: str) -> float:
-    """The scale of a runner's quantities in a unit."""
-    scales = runner.c_model.scales
-    return scale(unit, scales.length, scales.time, scales.energy / scales.speed**2)
 
 
 STRIDE_QUANTITIES = (

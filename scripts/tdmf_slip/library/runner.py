@@ -9,15 +9,15 @@ from numpy.typing import NDArray
 
 from ..errors import InputError
 from ..record import record_of
-from ..variables.table import STATES
-from ..variables.values import POSITIONS, RunnerValues
+from ..variables.table import MODELS, STATES, scale
+from ..variables.values import RunnerValues
 from . import members
 from .binding import c, check_accepted, ffi
 from .section import Apex, checked_apex
 from .shared_steps import search_under_way
 
 _PARAMETERS_OF, _INPUTS_OF, _STATES_OF = (
-    itemgetter(*map(POSITIONS.__getitem__, names))
+    itemgetter(*map(MODELS["full"].positions.__getitem__, names))
     for names in (members.names_of(members.PARAMETERS), members.names_of(members.INPUTS), STATES)
 )
 
@@ -86,6 +86,11 @@ class Runner(RunnerValues):
         scales = ffi.new("double[]", c.TDMF_SECTION_COUNT)
         c.tdmf_section_scales(self.c_model, scales)
         return _fixed(np.array(list(scales)[: len(self.coordinates)]))
+
+    def scale_of(self, unit: str) -> float:
+        """The scale of quantities in a unit."""
+        scales = self.c_model.scales
+        return scale(unit, scales.length, scales.time, scales.energy / scales.speed**2)
 
     def solver(self, log: Any | None = None) -> Any:
         """A native solver, the library's `tdmf_solver *`, which writes its events to a log."""

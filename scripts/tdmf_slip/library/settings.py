@@ -7,13 +7,12 @@ from numpy.typing import NDArray
 
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
-from ..variables.table import ALIASES, VARIABLES
+from ..variables.table import MODELS, Model
 from .binding import c
 from .ground import RoughGround
-from .members import VARIED
 from .runner import Runner
 
-SETTINGS = tuple(name for name in VARIED if c.tdmf_setting_of(name.encode()) >= 0)
+SETTINGS = MODELS["full"].settings
 """By the unit's names."""
 OF_FLIGHT = ("hip.kp", "hip.kd", "hip.liftoff_angle_factor", "hip.swing_clamp")
 """Parameters of the leg's motion in flight, which has no part in the reduced map."""
@@ -28,18 +27,22 @@ CONSTANT_ON_TERRAIN = ("ground.height", "ground.slope", "body.external_fx", "bod
 """Settings that no law may change on a terrain."""
 
 
-def setting_number(name: object, what: str) -> int:
-    """A setting as the library knows it."""
-    if is_one_of(name, SETTINGS):
-        return int(c.tdmf_setting_of(name.encode()))
-    if is_one_of(name, VARIED):
-        raise InputError(f"{what}: {name} cannot change in a run; allowed: {', '.join(SETTINGS)}")
-    near = near_matches(name, (*SETTINGS, *ALIASES))
-    raise InputError(f"{what}: {shown(name)} is not a setting{near}; allowed: {', '.join(SETTINGS)}")
+def setting_number(name: object, what: str, model: Model = MODELS["full"]) -> int:
+    """A setting as the library knows it; of a model of one's own, its place among a runner's values."""
+    known = model.settings
+    if is_one_of(name, known):
+        return model.positions[name] if model.map_class else int(c.tdmf_setting_of(name.encode()))
+    allowed = ", ".join(known) or "none; a page declares settings, and parameters that are tunable"
+    if is_one_of(name, model.varied):
+        raise InputError(f"{what}: {name} cannot change in a run; allowed: {allowed}")
+    near = near_matches(name, (*known, *model.aliases))
+    raise InputError(f"{what}: {shown(name)} is not a setting{near}; allowed: {allowed}")
 
 
 def check_acts(name: str, runner: Runner, set_too: Sequence[str], what: str) -> None:
     """Refuse a setting that changes nothing in a runner's motion, whatever its value."""
+    if runner.model.map_class:
+        return
     if runner.reduced:
         if name in OF_FLIGHT:
             raise InputError(
@@ -55,10 +58,14 @@ def check_acts(name: str, runner: Runner, set_too: Sequence[str], what: str) -> 
 
 
 def checked_values(
-    name: str, values: NDArray[np.float64], what: str, first: Mapping[str, int]
+    name: str,
+    values: NDArray[np.float64],
+    what: str,
+    first: Mapping[str, int],
+    model: Model = MODELS["full"],
 ) -> NDArray[np.float64]:
     """Values of a setting, all within its range."""
-    variable = VARIABLES[name]
+    variable = model.variables[name]
     within = (values >= variable.minimum) & (values <= variable.maximum)
     if not within.all():
         index = tuple(int(index) for index in np.argwhere(~within)[0])
@@ -86,7 +93,7 @@ def check_settings(
     `set_too` are names of what is set or varies besides; of these, `inputs` are set from stride to stride.
     """
     for name in names:
-        setting_number(name, what)
+        setting_number(name, what, runner.model)
         check_acts(name, runner, (*names, *set_too), what)
         if name in inputs:
             raise InputError(f"{what}: {name} is in the inputs, too; allowed: in one of them")

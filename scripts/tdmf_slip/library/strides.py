@@ -8,14 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import RunError
-from ..variables.table import FRICTION
 from .batch import Batch
 from .binding import ffi
 from .c_structs import LONGEST_STRIDE
 from .gait import Gait, gait_of_stride
 from .members import check_comes_down, check_has_gaits
-from .quantities import APEX_QUANTITIES, check_quantities, weight_of
-from .return_map import Along, map_of, seed_of, why_no_return
+from .quantities import check_quantities, weight_of
+from .return_map import Along, derivatives, map_of, why_no_return
 from .runner import Runner
 from .section import Apex, checked_apex
 from .tables import Table
@@ -73,7 +72,7 @@ def _varied_stride(
     parameters: Sequence[str] = (),
 ) -> Table:
     check_quantities(runner, names)
-    check_has_gaits(runner[FRICTION])
+    check_has_gaits(runner)
     check_comes_down(runner)
     stride = Batch(runner, apex).stride(derivatives, parameters)
     why_not = why_no_return(stride)
@@ -125,7 +124,7 @@ BETWEEN_WORDS = " "
 
 def strides_from(runner: Runner, apex: Apex, strides: int = 1, *, along: Along | None = None) -> Gait:
     """Strides in a row from an apex, whether they lead back to it or not."""
-    check_has_gaits(runner[FRICTION])
+    check_has_gaits(runner)
     check_comes_down(runner)
     made = [_stride(runner, checked_apex(apex, runner.coordinates), along)]
     while len(made) < strides:
@@ -135,7 +134,7 @@ def strides_from(runner: Runner, apex: Apex, strides: int = 1, *, along: Along |
 
 def longest_stride(runner: Runner) -> float:
     """The time, s, after which a stride counts as none."""
-    return float(LONGEST_STRIDE * (runner["body.mass"] / runner["leg.stiffness"]) ** 0.5)
+    return LONGEST_STRIDE * runner.scale_of("s")
 
 
 def _stride(
@@ -143,21 +142,13 @@ def _stride(
 ) -> tuple[NDArray[np.float64], Gait]:
     """The next apex, and the stride as a gait that need not close."""
     log: Any = ffi.new("tdmf_event_log *")
-    seed, map = seed_of(along), map_of(runner)
-    stride = map.measured_stride(
-        runner.solver(log),
-        runner.c_system,
-        list(apex),
-        longest_stride(runner),
-        True,
-        seed,
-        along is not None,
-    )
-    why_not = why_no_return(stride)
+    map = map_of(runner)
+    stride = map.stride(apex, longest_stride(runner), varied=True, along=along, log=log)
+    why_not = map.why_not(stride)
     if why_not is not None:
         raise RunError(why_not)
-    next_apex = np.array(list(stride.apex)[: len(apex)])
-    return next_apex, gait_of_stride(runner, apex, stride, log, along)
+    gait = gait_of_stride(runner, apex, derivatives(map, stride), along, **map.reported(apex, stride, log))
+    return map.next_apex(stride), gait
 
 
 def _joined(gaits: Sequence[Gait], last_apex: NDArray[np.float64]) -> Gait:
@@ -188,15 +179,16 @@ def _together(runner: Runner, strides: Sequence[Mapping[str, float]]) -> dict[st
     if len(strides) == 1:
         return dict(strides[0])
     found = {name: sum(stride[name] for stride in strides) for name in strides[0]}
-    distance = weight_of(runner) * found["length"]
+    distance = weight_of(runner) * found["length"] if "cost_of_transport" in found else 0.0
     greatest = ("peak_force", "peak_vertical_force", "greatest_foot_height", "greatest_slip_velocity")
     ratios = {"cost_of_transport": "work", "positive_cost_of_transport": "positive_work"}
+    rates = {"speed": "length", "duty_factor": "stance_time"}
+    of_first = (*(name for name, of in runner.model.quantities.items() if of.coordinate), "foot_clearance")
     return found | {
-        "speed": found["length"] / found["period"],
-        "duty_factor": found["stance_time"] / found["period"],
+        **{name: found[of] / found["period"] for name, of in rates.items() if name in found},
         **{name: found[of] / distance if distance else 0.0 for name, of in ratios.items() if name in found},
         **{name: max(stride[name] for stride in strides) for name in greatest if name in found},
-        **{name: strides[0][name] for name in (*APEX_QUANTITIES, "foot_clearance") if name in found},
+        **{name: strides[0][name] for name in of_first if name in found},
     }
 
 

@@ -10,6 +10,8 @@ from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
+from ..variables.table import Model
+from ..variables.values import model_of
 from ..variables.variable import Given
 from .optimizer import Optimizer
 from .optimum import Optimum
@@ -28,7 +30,7 @@ def optimize(
     target: Mapping[str, float] | None = None,
     stable: bool | float = False,
     starts: int = STARTS,
-    model: str | None = None,
+    model: str | Model | None = None,
     progress: bool = False,
 ) -> Optimum:
     """The best runner: parameters within bounds whose gait has the least or the most of a quantity.
@@ -95,7 +97,7 @@ def optimize(
     {'hip.touchdown_angle': 'upper'}
     """
     objective, sign = checked_objective(minimize, maximize)
-    space = checked_space(vary)
+    space = checked_space(vary, model_of(runner, model))
     prescribed = checked_values(target, (objective,), space)
     goal = Goal(objective, sign, prescribed, radius=checked_radius(stable))
     count = checked_whole("starts", starts, 1, MAX_STARTS)

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ..library.gait import Gait
-from ..library.quantities import known_quantities, quantities_of, scale_of
+from ..library.quantities import known_quantities, quantities_of
 from ..record import origin_of
 
 FOLD, STABILITY = "fold", "stability"
@@ -76,7 +76,7 @@ class Optimum:
         """
         if not self.is_minimum or self.objective not in NEVER_NEGATIVE:
             return True
-        return self.value > NONE * scale_of(self.gait.runner, NEVER_NEGATIVE[self.objective])
+        return self.value > NONE * self.gait.runner.scale_of(NEVER_NEGATIVE[self.objective])
 
     @property
     def value(self) -> float:
@@ -101,7 +101,7 @@ class Optimum:
     def as_json(self) -> dict[str, object]:
         """Dictionary for JSON; `before` and `after` hold the quantities of the two gaits."""
         return {
-            **origin_of(reduced=self.gait.runner.reduced),
+            **origin_of(self.gait.runner),
             "objective": self.objective,
             "is_least": self.is_minimum,
             "parameters": dict(self.parameters),

@@ -17,6 +17,8 @@ from ..library.shared_steps import shares_steps
 from ..record import origin_of
 from ..terminal.progress import Bar, progress_bar
 from ..variables.parameters import RunnerLike
+from ..variables.table import Model
+from ..variables.values import model_of
 from ..variables.variable import Given
 from .optimize import MAX_STARTS, STARTS
 from .optimizer import Optimizer, Start
@@ -42,7 +44,7 @@ class Front:
     def as_json(self) -> dict[str, object]:
         """As a plain object."""
         return {
-            **origin_of(reduced=self.optima[0].gait.runner.reduced),
+            **origin_of(self.optima[0].gait.runner),
             "objectives": list(self.objectives),
             "front": [best.as_json() for best in self.optima],
         }
@@ -59,7 +61,7 @@ def pareto_front(
     stable: bool | float = False,
     points: int = POINTS,
     starts: int = STARTS,
-    model: str | None = None,
+    model: str | Model | None = None,
     progress: bool = False,
 ) -> Front:
     """The best compromises between two quantities, from the best in one to the best in the other.
@@ -113,7 +115,7 @@ def pareto_front(
     [0.15, 0.25]
     """
     signs = _checked_objectives(minimize, maximize)
-    (first, second), space = tuple(signs), checked_space(vary)
+    (first, second), space = tuple(signs), checked_space(vary, model_of(runner, model))
     prescribed = checked_values(target, (first, second), space)
     radius = checked_radius(stable)
     goals = [Goal(name, signs[name], prescribed, radius=radius) for name in (first, second)]

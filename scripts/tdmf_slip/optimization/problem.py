@@ -24,7 +24,7 @@ from ..errors import InputError, RunError
 from ..given import mapping_of, row_of
 from ..library.members import check_varied
 from ..library.quantities import QUANTITIES, quantity_given
-from ..variables.table import VARIABLES, by_full_name
+from ..variables.table import Model, by_full_name
 from .gaits import Candidate, Space, Spectrum
 
 FROM_ZERO = ("slip_distance",)
@@ -54,21 +54,21 @@ def checked_objective(minimize: str | None, maximize: str | None) -> tuple[str, 
     return checked_quantity(maximize, "maximize"), -1.0
 
 
-def checked_space(vary: object) -> Space:
+def checked_space(vary: object, model: Model) -> Space:
     """The parameters that are varied, between bounds that the unit allows."""
-    given = by_full_name(vary, "vary", "bounds (A, B) by the names of parameters and inputs")
+    given = by_full_name(vary, "vary", "bounds (A, B) by the names of parameters and inputs", model.aliases)
     if not 1 <= len(given) <= MAX_PARAMETERS:
         raise InputError(
             f"vary: {len(given)} parameters; allowed: 1 to {MAX_PARAMETERS} parameters and inputs"
         )
     bounds = {}
     for name, pair in given.items():
-        check_varied(name, "vary")
+        check_varied(name, "vary", model)
         where = f"vary {name}"
         bounds_given = row_of(pair, where, "two bounds, A below B")
         if len(bounds_given) != 2:
             raise InputError(f"{where} = {shown(pair)} is not allowed; allowed: two bounds, A below B")
-        low, high = (float(VARIABLES[name].value_of(value, where)) for value in bounds_given)
+        low, high = (float(model.variables[name].value_of(value, where)) for value in bounds_given)
         if not low < high:
             raise InputError(f"{where} = {low:g}:{high:g} is not allowed; allowed: A:B with A below B")
         bounds[name] = low, high

@@ -39,6 +39,8 @@ FACTOR = 50.0
 
 def mixture(values: Mapping[str, Any]) -> str:
     """A sentence about values in different systems of units; empty if none are suspected."""
+    if any(name not in values for name in COMPARED):
+        return ""
     own = {name: float(values[name]) for name in COMPARED}
     paper = {name: VARIABLES.start_of(name) for name in own}
     scales = _scales(own)

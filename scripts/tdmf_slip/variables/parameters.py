@@ -12,7 +12,7 @@ from typing import Any, Protocol, TypeAlias
 from ..checks import near_matches, path_of, shown
 from ..errors import InputError, reason
 from ..given import LabelledRow
-from .table import by_full_name
+from .table import ALIASES, by_full_name
 from .variable import Given
 
 
@@ -43,7 +43,7 @@ def preset_names() -> list[str]:
     return sorted(path.stem for path in PRESETS.glob("*.toml"))
 
 
-def read_parameters(name: str | os.PathLike[str]) -> dict[str, Any]:
+def read_parameters(name: str | os.PathLike[str], aliases: Mapping[str, str] = ALIASES) -> dict[str, Any]:
     """Start values from a file, or from one of the package's presets, as `human` or `human.toml`.
 
     The keys are names of the unit's variables, either whole (`"leg.stiffness"`), nested by their groups
@@ -68,7 +68,7 @@ def read_parameters(name: str | os.PathLike[str]) -> dict[str, Any]:
     try:
         content = parsed(path.read_text(encoding="utf-8-sig"), readers[path.suffix], "names with values")
         once = _keys_once(list(_flat(content)))  # a name may be given whole and nested
-        return by_full_name(once, f"parameters {path}", "names with values")
+        return by_full_name(once, f"parameters {path}", "names with values", aliases)
     except RecursionError:
         raise InputError(f"parameters {path}: is nested too deeply; allowed: names with values") from None
     except (OSError, ValueError) as problem:
@@ -82,14 +82,14 @@ def _path_of(given: Path) -> Path:
     return preset if names_one and not (given.suffix and given.is_file()) else given
 
 
-def start_values_of(runner: object) -> Mapping[str, Any]:
+def start_values_of(runner: object, aliases: Mapping[str, str] = ALIASES) -> Mapping[str, Any]:
     """Start values of a runner, given in any way."""
     if isinstance(runner, str | os.PathLike):
-        return read_parameters(runner)
+        return read_parameters(runner, aliases)
     own = getattr(runner, "start_values", None)  # of a Gait
     if isinstance(own, Mapping):
         return own
-    return by_full_name(runner, "runner", RUNNER)
+    return by_full_name(runner, "runner", RUNNER, aliases)
 
 
 def parsed(text: str, loads: Callable[[str], object], allowed: str) -> Mapping[str, Any]:

@@ -5,6 +5,7 @@ The build writes its data from modelDescription.xml. Nothing is parsed at import
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any
 
@@ -34,9 +35,10 @@ STATES: tuple[str, ...] = data.STATES
 class Variables(Mapping[str, Variable]):
     """Variables of a unit by their names, in the unit's order."""
 
-    def __init__(self, variables: Iterable[Variable]) -> None:
-        """Keep variables in their order."""
+    def __init__(self, variables: Iterable[Variable], aliases: Mapping[str, str] = ALIASES) -> None:
+        """Keep variables in their order, and their short names."""
         self._by_name = {variable.name: variable for variable in variables}
+        self._aliases = aliases
 
     def __getitem__(self, name: str) -> Variable:
         """The variable with this name; short names go through `find`."""
@@ -53,16 +55,17 @@ class Variables(Mapping[str, Variable]):
     def find(self, name: object, where: str) -> Variable:
         """The variable with this name or short name; `where`, in messages, says where it was given."""
         check_kind(name, str, where, "a variable's name")
-        full = full_name(name)
+        full = full_name(name, self._aliases)
         if full in self._by_name:
             return self._by_name[full]
-        near = near_matches(name, (*self._by_name, *ALIASES))
+        near = near_matches(name, (*self._by_name, *self._aliases))
         raise InputError(f"{where}: the unit has no variable {shown(name)}{near}")
 
     def start_values(self, given: Mapping[str, Given] | None, where: str) -> dict[str, Value]:
         """Checked start values by the variables' own names, each in the variable's unit."""
         checked = {}
-        for name, value in by_full_name(given, where, "values by the names of variables").items():
+        allowed = "values by the names of variables"
+        for name, value in by_full_name(given, where, allowed, self._aliases).items():
             variable = self.find(name, where)
             if not variable.settable:
                 raise InputError(f"{where}: {name} takes no start value, the unit computes it")
@@ -91,6 +94,10 @@ class Variables(Mapping[str, Variable]):
 
 VARIABLES = Variables(Variable(*row) for row in data.VARIABLES)
 """Every variable of the package's unit."""
+NAMES = (*PARAMETERS, *INPUTS, *STATES)
+"""Names of a runner's values, in their order."""
+VARIED = tuple(name for name in (*PARAMETERS, *INPUTS) if VARIABLES[name].type != "Boolean")
+"""Numeric parameters and inputs."""
 
 
 @dataclass(frozen=True)
@@ -114,7 +121,7 @@ class Quantity:
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """A map from apex to apex: the return map of the full model, or the reduced map."""
+    """A map from apex to apex: the return map of the full model, the reduced map, or that of a page."""
 
     name: str
     """`full` or `reduced`."""
@@ -124,15 +131,62 @@ class Model:
     """Quantities of a stride, by name."""
     scales: tuple[str, ...]
     """Names of the values that are 1 in the model's own units: a mass, a stiffness and a length."""
+    variables: Variables
+    """Its variables."""
+    aliases: Mapping[str, str]
+    """From short names of variables to their own."""
+    names: tuple[str, ...]
+    """Names of a runner's values, in their order: parameters, inputs, and states that take a start value."""
+    varied: tuple[str, ...]
+    """Numeric parameters and inputs, which a continuation or a derivative can vary."""
 
-    def __reduce__(self) -> tuple[Any, tuple[str]]:
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]:
         """Pickle by name: there is one object for each model."""
         return model_named, (self.name,)
 
     @property
+    def runner_class(self) -> type[Any] | None:
+        """The class of its runners; None for that of the package's own models."""
+        return None
+
+    @property
+    def map_class(self) -> type[Any] | None:
+        """The class of its map; None for that of the package's own models."""
+        return None
+
+    @property
     def units(self) -> tuple[str, ...]:
         """Units of the coordinates."""
-        return tuple(VARIABLES[f"apex.{name}"].unit for name in self.coordinates)
+        return tuple(self.coordinate(name).unit for name in self.coordinates)
+
+    def coordinate(self, name: str) -> Variable:
+        """The variable that is a coordinate of the apex."""
+        return self.variables[f"apex.{name}"]
+
+    @cached_property
+    def positions(self) -> Mapping[str, int]:
+        """Place of each value of a runner."""
+        return {name: position for position, name in enumerate(self.names)}
+
+    @cached_property
+    def states(self) -> tuple[str, ...]:
+        """Names of the values of a runner that are states."""
+        of = ("parameter", "input")
+        return tuple(name for name in self.names if self.variables[name].causality not in of)
+
+    @cached_property
+    def starts(self) -> tuple[Value, ...]:
+        """Default of each value of a runner."""
+        return tuple(self.variables.start_of(name) for name in self.names)
+
+    @cached_property
+    def settings(self) -> tuple[str, ...]:
+        """Parameters of the control law and inputs, which may change at each apex."""
+        return tuple(name for name in self.varied if self.variables[name].variability != "fixed")
+
+    def full_name(self, name: Any) -> Any:
+        """A variable's own name for its short one; anything else as it is."""
+        return full_name(name, self.aliases)
 
 
 def _models() -> dict[str, Model]:
@@ -140,39 +194,59 @@ def _models() -> dict[str, Model]:
     for row in data.QUANTITIES:
         quantities.setdefault(row[0], Quantity(*row))
     return {
-        name: Model(name, coordinates, MappingProxyType({of: quantities[of] for of in those}), scales)
+        name: Model(
+            name=name,
+            coordinates=coordinates,
+            quantities=MappingProxyType({of: quantities[of] for of in those}),
+            scales=scales,
+            variables=VARIABLES,
+            aliases=ALIASES,
+            names=NAMES,
+            varied=VARIED,
+        )
         for name, coordinates, those, scales in data.MODELS
     }
 
 
 MODELS: Mapping[str, Model] = MappingProxyType(_models())
-"""The models, by name."""
+"""The package's own models, by name."""
+OWN_MODELS: dict[str, Model] = {}
+"""Models of users' own pages that were loaded last under a name, which results record."""
 
 
 def model_named(name: object) -> Model:
-    """The model with this name."""
-    if not is_one_of(name, MODELS):
-        raise InputError(f"model {shown(name)} is not allowed; allowed: {', '.join(MODELS)}")
-    return MODELS[name]
+    """The model with this name, or the given one."""
+    if isinstance(name, Model):
+        return name
+    known = {**OWN_MODELS, **MODELS}
+    if not is_one_of(name, known):
+        allowed = f"{', '.join(known)}, or a model that load_model gives"
+        raise InputError(f"model {shown(name)} is not allowed; allowed: {allowed}")
+    return known[name]
 
 
-def full_name(name: Any) -> Any:
+def full_name(name: Any, aliases: Mapping[str, str] = ALIASES) -> Any:
     """A variable's own name for its short one; anything else as it is, for others to check."""
-    return ALIASES.get(name, name) if isinstance(name, str) else name
+    return aliases.get(name, name) if isinstance(name, str) else name
 
 
-def full_names(given: object, what: str, allowed: str) -> tuple[Any, ...]:
+def full_names(
+    given: object, what: str, allowed: str, aliases: Mapping[str, str] = ALIASES
+) -> tuple[Any, ...]:
     """Variables' own names for names in a row."""
-    return tuple(map(full_name, row_of(given, what, allowed)))
+    return tuple(full_name(name, aliases) for name in row_of(given, what, allowed))
 
 
-def by_full_name(given: object, what: str, allowed: str) -> dict[Any, Any]:
+def by_full_name(
+    given: object, what: str, allowed: str, aliases: Mapping[str, str] = ALIASES
+) -> dict[Any, Any]:
     """Values given by name, keyed by the variables' own names; a name may not be given both ways."""
     found: dict[Any, Any] = {}
     for name, value in mapping_of(given, what, allowed).items():
-        full = full_name(name)
+        full = full_name(name, aliases)
         if full in found:
-            raise InputError(f"{what}: {full} and {SHORT_NAMES[full]} are the same; allowed: one of them")
+            short = next(short for short, own in aliases.items() if own == full)
+            raise InputError(f"{what}: {full} and {short} are the same; allowed: one of them")
         found[full] = value
     return found
 

@@ -7,27 +7,12 @@ from ..checks import near_matches, number_of, refusal, shown
 from ..errors import InputError
 from . import paper_units
 from .parameters import RUNNER, RunnerLike, start_values_of
-from .table import (
-    ALIASES,
-    INPUTS,
-    MODELS,
-    PARAMETERS,
-    STATES,
-    VARIABLES,
-    Model,
-    by_full_name,
-    model_named,
-)
+from .table import MODELS, Model, by_full_name, model_named
 from .variable import Given, Value
 
 TOLERANCE = 1e-13
 """Relative tolerance of the native solver: the next apex is then that of a gait to 1e-11 of the scales, and
 so is the gait itself, unless it is very sensitive, as near a fold."""
-NAMES = (*PARAMETERS, *INPUTS, *STATES)
-"""Names of a runner's values, in their order."""
-POSITIONS = {name: position for position, name in enumerate(NAMES)}
-"""Place of each value."""
-_STARTS = tuple(VARIABLES.start_of(name) for name in NAMES)
 _SOME = ("ground.friction", "body.mass", "leg.stiffness", "hip.stance_torque", "hip.touchdown_angle")
 
 
@@ -45,21 +30,25 @@ class RunnerValues(Mapping[str, Value]):
 
     def __new__(
         cls,
-        given: RunnerLike = None,
+        given: RunnerLike | Model = None,
         *,
-        model: str | None = None,
+        model: str | Model | None = None,
         tolerance: float | None = None,
         **values: Given,
     ) -> Self:
         """Return the given runner itself where nothing changes."""
-        own = given if isinstance(given, cls) else getattr(given, "runner", None)  # of a gait
+        own = given if isinstance(given, RunnerValues) else getattr(given, "runner", None)  # of a gait
         if isinstance(own, cls):
             return own.replace(values, model=model, tolerance=tolerance)
-        by_name = {**start_values_of(given), **by_full_name(values, "start values", RUNNER)}
-        checked = VARIABLES.start_values(by_name, "start values")
+        of = model_of(given, model)
+        by_name = {
+            **start_values_of(None if given is of else given, of.aliases),
+            **by_full_name(values, "start values", RUNNER, of.aliases),
+        }
+        checked = of.variables.start_values(by_name, "start values")
         runner = cls._made(
-            tuple(checked.get(name, start) for name, start in zip(NAMES, _STARTS, strict=True)),
-            MODELS["full"] if model is None else model_named(model),
+            tuple(checked.get(name, start) for name, start in zip(of.names, of.starts, strict=True)),
+            of,
             TOLERANCE if tolerance is None else _checked_tolerance(tolerance),
         )
         paper_units.warn_of_mixture(runner)
@@ -69,7 +58,7 @@ class RunnerValues(Mapping[str, Value]):
         self,
         values: Mapping[str, Given] | None = None,
         *,
-        model: str | None = None,
+        model: str | Model | None = None,
         tolerance: float | None = None,
         **more: Given,
     ) -> Self:
@@ -96,41 +85,44 @@ class RunnerValues(Mapping[str, Value]):
         InputError
             A name that is none of a runner's values, or a value that is not allowed.
         """
-        own = list(self._values)
-        given = by_full_name(more, "runner", RUNNER)
+        own, of = list(self._values), self.model
+        new = of if model is None else model_named(model)
+        if new.names != of.names:
+            raise InputError(f"model {new.name}: the runner is one of {of.name}; allowed: that model")
+        given = by_full_name(more, "runner", RUNNER, of.aliases)
         if values is not None:
-            given = {**by_full_name(values, "runner", RUNNER), **given}
+            given = {**by_full_name(values, "runner", RUNNER, of.aliases), **given}
         for name, value in given.items():
-            if name not in POSITIONS:
-                near = near_matches(name, (*NAMES, *ALIASES))
+            if name not in of.positions:
+                near = near_matches(name, (*of.names, *of.aliases))
                 raise InputError(f"runner: {shown(name)} is not a name in the runner's values{near}")
-            own[POSITIONS[name]] = VARIABLES[name].value_of(value, "runner")
+            own[of.positions[name]] = of.variables[name].value_of(value, "runner")
         changed = (
             tuple(own),
-            self.model if model is None else model_named(model),
+            new,
             self.tolerance if tolerance is None else _checked_tolerance(tolerance),
         )
         return self if changed == (self._values, self.model, self.tolerance) else self._made(*changed)
 
     def __getitem__(self, name: str) -> Value:
         """A value by its name or short name, in the variable's unit."""
-        position = POSITIONS.get(ALIASES.get(name, name))
+        position = self.model.positions.get(self.model.aliases.get(name, name))
         if position is None:
-            near = near_matches(name, (*NAMES, *ALIASES))
+            near = near_matches(name, (*self.model.names, *self.model.aliases))
             raise KeyError(f"{shown(name)} is not a name in the runner's values{near}")
         return self._values[position]
 
     def __iter__(self) -> Iterator[str]:
         """Iterate over the names of all values."""
-        return iter(NAMES)
+        return iter(self.model.names)
 
     def __len__(self) -> int:
         """Number of values."""
-        return len(NAMES)
+        return len(self.model.names)
 
     def __contains__(self, name: object) -> bool:
         """Whether a value has this name or short name."""
-        return isinstance(name, str) and ALIASES.get(name, name) in POSITIONS
+        return isinstance(name, str) and self.model.aliases.get(name, name) in self.model.positions
 
     def __hash__(self) -> int:
         """Hash of values, model and tolerance."""
@@ -155,7 +147,8 @@ class RunnerValues(Mapping[str, Value]):
 
     def __repr__(self) -> str:
         """One line with the values that tell runners apart at first sight."""
-        some = ", ".join(f"{name} {self[name]:.6g}" for name in _SOME)
+        known = [name for name in _SOME if name in self] or self.model.names[: len(_SOME)]
+        some = ", ".join(f"{name} {self[name]:.6g}" for name in known)
         return f"<Runner, {self.model.name} model: {some}, ...>"
 
     @property
@@ -175,7 +168,7 @@ class RunnerValues(Mapping[str, Value]):
     @classmethod
     def _made(cls, values: tuple[Value, ...], model: Model, tolerance: float) -> Self:
         """A runner with values that are each within their range."""
-        runner = object.__new__(cls)
+        runner = object.__new__(model.runner_class or cls)
         runner._set(_values=values, model=model, tolerance=tolerance)
         runner._set(_hash=hash((values, model.name, tolerance)), **runner._prepared())
         return runner
@@ -187,6 +180,16 @@ class RunnerValues(Mapping[str, Value]):
     def _prepared(self) -> dict[str, object]:
         """Attributes made from the values; a subclass refuses values that do not go together."""
         return {}
+
+
+def model_of(given: object, model: str | Model | None) -> Model:
+    """The model of a runner that is given, or the one that is named, or the full one."""
+    own = getattr(given, "runner", given)
+    if model is None and isinstance(own, RunnerValues):
+        return own.model
+    if model is None and isinstance(given, Model):
+        return given
+    return MODELS["full"] if model is None else model_named(model)
 
 
 def _checked_tolerance(given: float) -> float:

@@ -1,0 +1,126 @@
+/* Strides of many runners on a page: runs from a section, some thousand at a time, as a batch of the kernel.
+ */
+#include "tdmf_slip/own_page.h"
+
+#include "batch.h"
+#include "page_map.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { RUNS_AT_ONCE = 4096 };
+
+/* Memory for the runs of a part of the batch. */
+typedef struct {
+    tdmf_page_run *runs;
+    tdmf_run_outcome *outcomes;
+    int64_t *numbers; /* of the runs in the batch */
+    double *until, *arrays;
+    tdmf_event_row *rows;
+} room;
+
+static const tdmf_model_kind *model_of(const tdmf_page_batch *batch) {
+    return (const tdmf_model_kind *)batch->map->page;
+}
+
+static bool open_room(const tdmf_page_batch *batch, size_t count, size_t size, room *of) {
+    const size_t events = batch->map->events ? (size_t)batch->map->event_room : 0;
+    *of = (room){malloc(count * sizeof *of->runs),          malloc(count * sizeof *of->outcomes),
+                 malloc(count * sizeof *of->numbers),       malloc(count * sizeof *of->until),
+                 malloc(count * size * sizeof *of->arrays), malloc((count * events + 1) * sizeof *of->rows)};
+    return of->runs && of->outcomes && of->numbers && of->until && of->arrays && of->rows;
+}
+
+static void close_room(room *of) {
+    free(of->runs);
+    free(of->outcomes);
+    free(of->numbers);
+    free(of->until);
+    free(of->arrays);
+    free(of->rows);
+}
+
+/* The map of one of the runs. */
+static tdmf_page_map map_of_run(const tdmf_page_batch *batch, int64_t number) {
+    tdmf_page_map map = *batch->map;
+    map.parameters += number * batch->parameters_of_each;
+    map.states += number * batch->states_of_each;
+    map.events = map.events ? map.events + number * map.event_room : NULL;
+    return map;
+}
+
+/* Begins a run in memory. False if its numbers are refused. */
+static bool begin(const tdmf_page_batch *batch, int64_t number, double *arrays, tdmf_page_run *r) {
+    const tdmf_model_kind *model = model_of(batch);
+    const tdmf_page_map map = map_of_run(batch, number);
+    const double *point = batch->points + number * model->sections[map.section].count;
+    if (!tdmf_is_page_point_sound(&map, point) ||
+        !tdmf_are_page_values_sound(model, map.parameters, map.states)) {
+        return false;
+    }
+    const tdmf_page_run run = tdmf_run_of_page_map(&map);
+    const tdmf_section_map section = {model, map.section, &run, map.longest, arrays};
+    *r = tdmf_run_from_section(&section, point, batch->d_states != NULL);
+    return true;
+}
+
+static void finish(const tdmf_page_batch *batch, int64_t number, const tdmf_page_run *r,
+                   tdmf_run_outcome outcome) {
+    const tdmf_model_kind *model = model_of(batch);
+    const tdmf_page_map map = map_of_run(batch, number);
+    const int64_t states = model->state_count, seeds = model->sections[map.section].count + map.seed_count;
+    double *d_states = batch->d_states ? batch->d_states + number * seeds * states : NULL;
+    const tdmf_section_map section = {.model = model, .section = map.section};
+    const tdmf_run_outcome crossed = tdmf_outcome_at_section(&section, r, outcome);
+    tdmf_read_page_run(model, r, batch->states + number * states, d_states);
+    batch->ends[number] = tdmf_end_of_page_run(&map, r, crossed, map.events);
+}
+
+/* Makes the strides of some runs, of which not all may be accepted. */
+static bool run_part(const tdmf_page_batch *batch, int64_t first, int64_t count, size_t size, room *of) {
+    const tdmf_page_map *map = batch->map;
+    int64_t begun = 0;
+    for (int64_t number = first; number < first + count; ++number) {
+        tdmf_page_run *r = &of->runs[begun];
+        if (!begin(batch, number, of->arrays + (size_t)begun * size, r)) {
+            batch->ends[number] = (tdmf_page_end){.outcome = TDMF_PAGE_REFUSED};
+            continue;
+        }
+        r->log = map->events ? of->rows + begun * map->event_room : NULL;
+        r->log_size = map->events ? map->event_room : 0;
+        of->until[begun] = map->longest;
+        of->numbers[begun++] = number;
+    }
+    tdmf_batch kernel = tdmf_batch_default();
+    kernel.runs = of->runs;
+    kernel.count = begun;
+    kernel.until = of->until;
+    kernel.outcomes = of->outcomes;
+    kernel.cancel = batch->cancel;
+    kernel.threads = batch->threads;
+    if (!tdmf_run_batch(model_of(batch), &kernel, NULL)) {
+        return false;
+    }
+    for (int64_t i = 0; i < begun; ++i) {
+        finish(batch, of->numbers[i], &of->runs[i], of->outcomes[i]);
+    }
+    return true;
+}
+
+bool tdmf_page_strides(const tdmf_page_batch *batch) {
+    if (!batch || !tdmf_is_page_map_sound(batch->map) || batch->count < 0 || batch->threads < 1 ||
+        (batch->count > 0 && (!batch->points || !batch->states || !batch->ends))) {
+        return false;
+    }
+    const tdmf_page_map *map = batch->map;
+    const size_t size = tdmf_section_run_size(model_of(batch), map->section, map->seed_count);
+    const int64_t most = batch->count < RUNS_AT_ONCE ? batch->count : RUNS_AT_ONCE;
+    room of;
+    bool is_made = open_room(batch, (size_t)most + 1, size, &of);
+    for (int64_t first = 0; is_made && first < batch->count; first += most) {
+        const int64_t left = batch->count - first;
+        is_made = run_part(batch, first, left < most ? left : most, size, &of);
+    }
+    close_room(&of);
+    return is_made;
+}

@@ -1,0 +1,10 @@
+/* The models that this library has as pages. */
+#include "page_map.h"
+
+extern const tdmf_model_kind tdmf_classic_slip_model, tdmf_reduced_runner_model;
+
+const tdmf_page_entry tdmf_pages[] = {
+    {"classic_slip", &tdmf_classic_slip_model},
+    {"reduced_runner", &tdmf_reduced_runner_model},
+};
+const int tdmf_page_count = sizeof tdmf_pages / sizeof *tdmf_pages;

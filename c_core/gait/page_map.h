@@ -1,0 +1,34 @@
+/* Return maps of pages as runs of the driver, between page.c and page_batch.c. */
+#ifndef TDMF_GAIT_PAGE_MAP_H
+#define TDMF_GAIT_PAGE_MAP_H
+
+#include "tdmf_slip/page.h"
+
+#include "section.h"
+
+/* The models of this library by name. */
+typedef struct {
+    const char *name;
+    const tdmf_model_kind *model;
+} tdmf_page_entry;
+
+extern const tdmf_page_entry tdmf_pages[];
+extern const int tdmf_page_count;
+
+/* Whether a map can be used, apart from its parameters and states; whether these can; and a point. */
+bool tdmf_is_page_map_sound(const tdmf_page_map *map);
+bool tdmf_are_page_values_sound(const tdmf_model_kind *model, const double *parameters, const double *states);
+bool tdmf_is_page_point_sound(const tdmf_page_map *map, const double *point);
+
+/* A run with the settings of a map, which a section starts. */
+tdmf_page_run tdmf_run_of_page_map(const tdmf_page_map *map);
+
+/* The states of a run and, unless `d_states` is NULL, their variations: a row for each. */
+void tdmf_read_page_run(const tdmf_model_kind *model, const tdmf_page_run *r, double *states,
+                        double *d_states);
+
+/* What a run has come to; its logged events go to `events`, which may be NULL. */
+tdmf_page_end tdmf_end_of_page_run(const tdmf_page_map *map, const tdmf_page_run *r, tdmf_run_outcome outcome,
+                                   tdmf_page_event *events);
+
+#endif

@@ -1,0 +1,1 @@
+"""Pages of one's own: beginning one, and building its library."""

@@ -1,0 +1,256 @@
+"""Building a page: the C that is derived from it, compiled as a shared library, with the model's table."""
+
+import hashlib
+import json
+import os
+import shutil
+import tempfile
+import threading
+from collections.abc import Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ..checks import path_of
+from ..errors import InputError, RunError, reason
+from ..version import __version__
+from .compilers import Compiler, compiler_for, host
+from .sources import page_file, page_in
+
+PACKAGE = Path(__file__).parents[1]
+KERNEL = PACKAGE / "hybrid" / "kernel", PACKAGE / "kernel"
+"""Folders of the driver and of what it includes."""
+HEADERS, MAPS = PACKAGE / "native", PACKAGE / "gait"
+"""The public headers, and the sources of return maps of pages."""
+FOLDER = "build"
+"""The folder of what is built, in the folder of a page."""
+TABLE = "model.json"
+"""The file of the model's table, which names its libraries."""
+FLAGS = (
+    "-std=c99",
+    "-ffp-contract=off",
+    "-fno-math-errno",
+    "-fPIC",
+    "-fvisibility=hidden",
+    "-DTDMF_BUILDS_SHARED_LIBRARY",
+    "-Wno-psabi",
+)
+LANES = "batch_lanes.c"
+"""The file that is compiled once for each number of lanes, beside the motions."""
+_one_at_a_time = threading.Lock()
+"""The generator keeps expressions of one page."""
+
+
+@dataclass(frozen=True)
+class Source:
+    """A file to compile, and its flags."""
+
+    path: Path
+    flags: tuple[str, ...]
+
+
+def build(
+    page: Any,
+    folder: str | os.PathLike[str] | None = None,
+    *,
+    platform: str | None = None,
+    unit: bool = True,
+) -> Path:
+    """Derive a page's equations to C, and compile them: a library that `load_model` loads, and FMI units.
+
+    Parameters
+    ----------
+    page : str, Path, or subclass of tdmf_slip.hybrid.Model
+        A folder with `page.py`, a file in Python, or the class itself.
+    folder : str or Path, optional
+        Where the result goes. By default the folder `build` beside the page's file.
+    platform : str, optional
+        Another platform, as `aarch64-linux`, which Zig compiles for. By default this machine's.
+    unit : bool, default True
+        Make FMI units, too, if the platform is this machine's.
+
+    Returns
+    -------
+    Path
+        The folder, with the model's table `model.json`, a library for each platform, and for a page MyRunner
+        its units `MyRunner.fmu` of FMI 2.0 and `MyRunner_FMI3.fmu`, with sources inside, and the
+        `modelDescription.xml` of the former.
+
+    Raises
+    ------
+    InputError
+        The page has an error, or there is no compiler; the message says where, and what is allowed.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> folder = tdmf_slip.new("my_ball", start="scratch")
+    >>> model = tdmf_slip.load_model(tdmf_slip.build(folder))
+    >>> print(model.coordinates)
+    ('apex_height',)
+    """
+    if isinstance(page, type):
+        model, beside = page, None
+    else:
+        path = page_file(page)
+        model, beside = page_in(path), path.parent / FOLDER
+    target = beside if folder is None else path_of(folder, "folder", "the path of a folder")
+    if target is None:
+        raise InputError("build: a class without a folder; allowed: build(page, folder)")
+    compiler = compiler_for(platform)
+    table, files = derived(model)
+    with _new_folder(target) as made:
+        _compile(table, files, compiler, made)
+        known = _libraries_of_other_platforms(target, table["id"], made)
+        table["libraries"] = {**known, compiler.platform: _library_name(table, compiler)}
+        if unit and compiler.platform == host():
+            _make_units(model, compiler, made)
+        (made / TABLE).write_text(json.dumps(table, indent=1), encoding="utf-8")
+    return target
+
+
+def derived(model: Any) -> tuple[dict[str, Any], dict[str, str]]:
+    """The table of a page and its C by file."""
+    from ..hybrid.errors import PageError
+    from ..hybrid.generate import generate, seeds_of
+    from ..hybrid.model_table import table_of
+    from ..hybrid.page import Page
+
+    with _one_at_a_time:
+        try:
+            page: Any = Page(model)
+            files: dict[str, str] = generate(page) | seeds_of(page)
+            table: dict[str, Any] = table_of(page)
+        except PageError as problem:
+            raise InputError(str(problem)) from None
+    text = repr((__version__, sorted(files.items()), table, _digest_of_kernel()))
+    table |= {"version": __version__, "id": hashlib.sha256(text.encode()).hexdigest()[:16]}
+    files[f"{table['c_name']}_list.c"] = _list_in_c(table)
+    return table, files
+
+
+def _make_units(model: Any, compiler: Compiler, made: Path) -> None:
+    """Make the FMI units of a page."""
+    from ..hybrid.errors import PageError
+    from ..hybrid.unit_files import build_units
+
+    with _one_at_a_time, tempfile.TemporaryDirectory(prefix="tdmf_slip_") as temporary:
+        try:
+            built: list[Path] = build_units(model, temporary, __version__, compiler.command)
+        except PageError as problem:
+            raise InputError(f"{problem} (without FMI units: unit=False, --no-unit)") from None
+        except RuntimeError as problem:
+            raise RunError(str(problem)) from None
+        for file in (*built, Path(temporary) / "fmi2" / "modelDescription.xml"):
+            shutil.copy2(file, made / file.name)
+
+
+def _digest_of_kernel() -> str:
+    """Digest of the C that every page is compiled with."""
+    digest = hashlib.sha256()
+    for folder in (*KERNEL, HEADERS / "tdmf_slip", MAPS):
+        for file in sorted(folder.glob("*.[ch]")):
+            digest.update(file.read_bytes())
+    return digest.hexdigest()
+
+
+def _list_in_c(table: Mapping[str, Any]) -> str:
+    """C that names the model of the library, with the identity of the build."""
+    name = table["c_name"]
+    return f"""/* The model of this library. */
+#include "tdmf_slip/own_page.h"
+
+#include "page_map.h"
+#include "{name}.h"
+
+const tdmf_page_entry tdmf_pages[] = {{{{"{name}", &tdmf_{name}_model}}}};
+const int tdmf_page_count = 1;
+
+const char *tdmf_page_build(void) {{
+    return "{table["id"]}";
+}}
+"""
+
+
+def _sources(table: Mapping[str, Any], folder: Path, compiler: Compiler) -> Iterator[Source]:
+    """All files to compile, those that take longest first."""
+    name, lanes = table["c_name"], compiler.lanes
+    motions = folder / f"{name}_motions.c"
+    has = *(f"-D{macro}" for macro, _ in lanes.values()), "-DTDMF_HAS_SEED_LANES"
+    for width, (_, flags) in sorted(lanes.items(), reverse=True):
+        wide = ("-O2", f"-DTDMF_LANES={width}", *flags)
+        yield Source(motions, wide)
+        yield Source(KERNEL[0] / LANES, wide)
+    scalar = ("-O2", "-fno-tree-vectorize", *has)
+    yield Source(motions, scalar)
+    yield Source(folder / f"{name}_seeds.c", scalar)
+    yield Source(folder / f"{name}.c", ("-O1", *has))
+    yield Source(folder / f"{name}_list.c", has)
+    for file in sorted(file for of in (*KERNEL, MAPS) for file in of.glob("*.c")):
+        if file.name != LANES:
+            yield Source(file, scalar)
+
+
+def _library_name(table: Mapping[str, Any], compiler: Compiler) -> str:
+    """The library's file. Another build has another name, so that a loaded library is never overwritten."""
+    return f"{table['c_name']}-{compiler.platform}-{table['id']}{compiler.suffix}"
+
+
+def _compile(table: Mapping[str, Any], files: Mapping[str, str], compiler: Compiler, made: Path) -> None:
+    """Compile the C of a page into a library in a folder."""
+    with tempfile.TemporaryDirectory(prefix="tdmf_slip_") as temporary:
+        folder = Path(temporary)
+        for name, text in files.items():
+            (folder / name).write_text(text, encoding="utf-8")
+        includes = [f"-I{path}" for path in (folder, *KERNEL, HEADERS, MAPS)]
+        sources = list(_sources(table, folder, compiler))
+        objects = [folder / f"{number}.o" for number in range(len(sources))]
+
+        def compiled(number: int) -> None:
+            source = sources[number]
+            compiler.run([*FLAGS, *source.flags, *includes, "-c", source.path, "-o", objects[number]])
+
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            list(pool.map(compiled, range(len(sources))))
+        threads = () if compiler.platform.endswith("windows") else ("-pthread", "-lm")
+        compiler.run(["-shared", *objects, *threads, "-o", made / _library_name(table, compiler)])
+
+
+def _libraries_of_other_platforms(target: Path, id: str, made: Path) -> dict[str, str]:
+    """Take over libraries that the same page was compiled to for other platforms."""
+    try:
+        before = json.loads((target / TABLE).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    if before.get("id") != id:
+        return {}
+    for name in before["libraries"].values():
+        if not (made / name).exists():
+            shutil.copy2(target / name, made / name)
+    return dict(before["libraries"])
+
+
+@contextmanager
+def _new_folder(target: Path) -> Iterator[Path]:
+    """A folder that takes the place of the target in the end; where something goes wrong, nothing changes."""
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if target.exists() and not (target / TABLE).exists() and any(target.iterdir()):
+            raise InputError(
+                f"folder {target}: has other files in it; allowed: a new folder, or one of a build"
+            )
+        made = Path(tempfile.mkdtemp(prefix=f".{target.name}-", dir=target.parent))
+    except OSError as problem:
+        raise InputError(f"folder {target}: {reason(problem)}") from None
+    try:
+        yield made
+        made.chmod(0o755)  # mkdtemp makes it private
+        old = Path(tempfile.mkdtemp(prefix=f".{target.name}-old-", dir=target.parent))
+        if target.exists():
+            target.rename(old / target.name)
+        made.rename(target)
+        shutil.rmtree(old, ignore_errors=True)  # a library that is loaded stays on Windows
+    finally:
+        shutil.rmtree(made, ignore_errors=True)

@@ -1,0 +1,324 @@
+"""Models of one's own: libraries that `build` made of pages, with their tables."""
+
+import json
+import os
+import sys
+import threading
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..checks import is_one_of, path_of, shown
+from ..errors import InputError, reason
+from ..variables.table import ALIASES, MODELS, OWN_MODELS, Model, Quantity, Variables
+from ..variables.variable import Value, Variable
+from ..version import __version__
+from .binding import ffi, text_of
+
+FOLDER, TABLE = "build", "model.json"
+"""Where `build` leaves the model in the folder of a page, and the file of its table."""
+WORD, LIFTOFF = "stride.word", "hip.liftoff_angle"
+"""Names in a unit of a stride's word and of the leg's angle at lift-off."""
+OF_A_STRIDE, OF_ENERGY, OF_APEX = "stride.", "energy.", "apex."
+"""Beginnings of the names of states whose values at the next crossing are quantities of a stride."""
+PERIOD = Quantity("period", "s", "Time from one crossing of the section to the next", "")
+FREQUENCY = Quantity("frequency", "1/s", "Strides in a second", "")
+_loaded: dict[tuple[Path, str, str], "OwnModel"] = {}
+_lock = threading.Lock()
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class OwnModel(Model):
+    """A model of one's own, as `load_model` gives it. As a runner it stands for the page's own values."""
+
+    folder: Path
+    """The folder of the build."""
+    section: int
+    """Number of the section of its return map; -1 for a page without one."""
+    table: Mapping[str, Any]
+    """The model's table, as `build` wrote it."""
+    library: Any
+    """The functions of its library."""
+    page: Any
+    """The model as its library's `tdmf_page *`."""
+
+    def __reduce__(self) -> tuple[Any, tuple[str, str | None]]:
+        """Pickle by the folder, which the other process has to have."""
+        return _unpickled, (str(self.folder), self.section_name)
+
+    def __repr__(self) -> str:
+        """One line: the page's name, and the coordinates of its section."""
+        return (
+            f"<Model {self.name}: {self.table['about']} Coordinates: {', '.join(self.coordinates) or 'none'}>"
+        )
+
+    @property
+    def runner_class(self) -> type[Any]:
+        """The class of its runners."""
+        from .own_runner import OwnRunner  # knows models
+
+        return OwnRunner
+
+    @property
+    def map_class(self) -> type[Any]:
+        """The class of its return map."""
+        from .own_runner import OwnMap  # knows models
+
+        return OwnMap
+
+    @property
+    def section_name(self) -> str | None:
+        """Name of the section; None for a page without one."""
+        return self.table["sections"][self.section]["name"] if self.section >= 0 else None
+
+    def coordinate(self, name: str) -> Variable:
+        """The variable that is a coordinate of the section."""
+        return self._coordinates[name]
+
+    @cached_property
+    def _coordinates(self) -> Mapping[str, Variable]:
+        states = self.table["states"]
+        return {
+            name: _variable(states[number])
+            for name, number in zip(self.coordinates, self.coordinate_numbers, strict=True)
+        }
+
+    @cached_property
+    def coordinate_numbers(self) -> tuple[int, ...]:
+        """Numbers of the states that are coordinates of the section."""
+        if self.section < 0:
+            return ()
+        names = [state["name"] for state in self.table["states"]]
+        return tuple(names.index(name) for name in self.table["sections"][self.section]["coordinates"])
+
+    @cached_property
+    def value_places(self) -> tuple[tuple[bool, int], ...]:
+        """Of each value of a runner, whether it is a state, and its number."""
+        places = {
+            of["public"]: (kind == "states", number)
+            for kind in ("parameters", "states")
+            for number, of in enumerate(self.table[kind])
+        }
+        return tuple(places[name] for name in self.names)
+
+    @cached_property
+    def state_numbers(self) -> Mapping[str, int]:
+        """Numbers of states by their names in a unit."""
+        return {state["public"]: number for number, state in enumerate(self.table["states"])}
+
+    @cached_property
+    def clock(self) -> int | None:
+        """Number of the state that is the time."""
+        roles = [state["role"] for state in self.table["states"]]
+        return roles.index("clock") if "clock" in roles else None
+
+    def numbers(self, values: Sequence[Value]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Parameters and states in the order of their numbers, for values of a runner."""
+        found = tuple(
+            np.array([one["start"] for one in self.table[kind]], float) for kind in ("parameters", "states")
+        )
+        for (is_state, number), value in zip(self.value_places, values, strict=True):
+            found[is_state][number] = value
+        return found[0], found[1]
+
+    def seed(self, along: Mapping[str, float]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """A direction of parameters and inputs, as changes of parameters and states."""
+        found = np.zeros(len(self.table["parameters"])), np.zeros(len(self.table["states"]))
+        for name, share in along.items():
+            is_state, number = self.value_places[self.positions[name]]
+            found[is_state][number] = share
+        return found
+
+    def check_current(self) -> None:
+        """Refuse to go on with a library that was built anew meanwhile."""
+        if _identity(self.folder)["id"] != self.table["id"]:
+            raise InputError(
+                f"model {self.name}: {self.folder} was built anew while it was loaded; "
+                "load it again by load_model"
+            )
+
+
+def load_model(path: str | os.PathLike[str], *, section: str | None = None) -> OwnModel:
+    """A model of one's own, as `build` or `tdmf-slip build` made it.
+
+    It stands where a runner is taken, for one with the page's own values, and where a model's name is taken:
+    `find_gait(model, stiffness=2)`, `Runner("parameters.toml", model=model)`.
+
+    Parameters
+    ----------
+    path : str or Path
+        The folder of the page, or that of the build.
+    section : str, optional
+        The section of the return map, by default the page's first.
+
+    Returns
+    -------
+    Model
+        With `coordinates` of the section, `quantities` of a stride, and the table of its `variables`.
+
+    Raises
+    ------
+    InputError
+        There is no build for this machine, another version of this package made it, or it has no such
+        section.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> folder = tdmf_slip.new("my_ball", start="scratch")
+    >>> build = tdmf_slip.build(folder)
+    >>> ball = tdmf_slip.load_model(folder)
+    >>> gait = tdmf_slip.find_gait(ball, restitution=0.5)
+    >>> print(gait.jacobian.round(10))
+    [[0.5]]
+    """
+    given = path_of(path, "load_model", "the folder of a page, or of a build")
+    folder = next((one for one in (given / FOLDER, given) if (one / TABLE).is_file()), None)
+    if folder is None:
+        raise InputError(
+            f"load_model {shown(str(given))}: has no build in it; first make one: tdmf-slip build {given}"
+        )
+    folder = folder.resolve()
+    table = _identity(folder)
+    names = [of["name"] for of in table["sections"]]
+    if section is not None and not is_one_of(section, names):
+        allowed = ", ".join(names) or "none, the page has no section"
+        raise InputError(f"load_model: section {shown(section)} is not allowed; allowed: {allowed}")
+    number = names.index(section) if section is not None else 0 if names else -1
+    with _lock:
+        key = folder, str(table["id"]), str(number)
+        if key not in _loaded:
+            _loaded[key] = _model(folder, table, number)
+        OWN_MODELS[_loaded[key].name] = _loaded[key]
+        return _loaded[key]
+
+
+def _unpickled(folder: str, section: str | None) -> OwnModel:
+    return load_model(folder, section=section)
+
+
+def _identity(folder: Path) -> Mapping[str, Any]:
+    """The table in the folder of a build, made by this version."""
+    try:
+        table: Mapping[str, Any] = json.loads((folder / TABLE).read_text(encoding="utf-8"))
+        version = table["version"]
+    except (OSError, ValueError, KeyError, TypeError) as problem:
+        raise InputError(f"model {folder}: {reason(problem)}; build it anew") from None
+    if version != __version__:
+        raise InputError(
+            f"model {folder}: was built by tdmf-slip {version}, this is {__version__}; build it anew"
+        )
+    return table
+
+
+def _model(folder: Path, table: Mapping[str, Any], section: int) -> OwnModel:
+    library = _library(folder, table)
+    page = library.tdmf_page_named(table["c_name"].encode())
+    quantities = [*table["parameters"], *(s for s in table["states"] if s["role"] in ("input", "start"))]
+    variables = {of["public"]: _variable(of) for of in quantities}
+    aliases = {of["name"]: of["public"] for of in quantities if of["name"] not in variables}
+    aliases |= {
+        short: own
+        for short, own in ALIASES.items()
+        if own in variables and short not in variables and short not in aliases
+    }
+    coordinates = _coordinates_of(table, section)
+    varied = (of["public"] for of in quantities if of["role"] != "start" and not of["is_boolean"])
+    return OwnModel(
+        name=table["c_name"],
+        coordinates=tuple(coordinates),
+        quantities=_quantities_of(table, coordinates),
+        scales=tuple(name for name in MODELS["full"].scales if name in variables),
+        variables=Variables(variables.values(), aliases),
+        aliases=MappingProxyType(aliases),
+        names=tuple(variables),
+        varied=tuple(varied),
+        folder=folder,
+        section=section,
+        table=table,
+        library=library,
+        page=page,
+    )
+
+
+def _library(folder: Path, table: Mapping[str, Any]) -> Any:
+    """The library for this machine, loaded."""
+    made = table["libraries"]
+    own = _host()
+    if own not in made:
+        raise InputError(
+            f"model {folder}: was built for {', '.join(made)}, this is {own}; build it here, too"
+        )
+    path = folder / made[own]
+    try:
+        library = ffi.dlopen(str(path))
+    except OSError as problem:
+        raise InputError(f"{path}: cannot be loaded as a library: {problem}; build it anew") from None
+    found = text_of(library.tdmf_page_build())
+    if found != table["id"]:
+        raise InputError(f"{path}: is build {found}, not {table['id']} as {TABLE} says; build it anew")
+    return library
+
+
+def _host() -> str:
+    """The name of this machine's platform in FMI 3.0."""
+    import platform
+
+    machine = platform.machine().lower()
+    system = {"win32": "windows"}.get(sys.platform, sys.platform)
+    return f"{ {'amd64': 'x86_64', 'arm64': 'aarch64'}.get(machine, machine) }-{system}"
+
+
+def _variable(of: Mapping[str, Any]) -> Variable:
+    """A quantity of the page as a variable."""
+    role = of["role"]
+    return Variable(
+        name=of["public"],
+        reference=0,
+        type="Boolean" if of["is_boolean"] else "Real",
+        unit=of["unit"] or "1",
+        description=of["meaning"],
+        causality="parameter" if role in ("fixed", "tunable") else "local" if role == "start" else "input",
+        variability={"fixed": "fixed", "tunable": "tunable", "setting": "discrete"}.get(role, "continuous"),
+        settable=True,
+        minimum=of["least"],
+        maximum=of["most"],
+        start=bool(of["start"]) if of["is_boolean"] else of["start"],
+        items={},
+        display_units={},
+    )
+
+
+def _coordinates_of(table: Mapping[str, Any], section: int) -> Mapping[str, Mapping[str, Any]]:
+    """States that are coordinates of the section, by names without `apex.` or `apex_`."""
+    if section < 0:
+        return {}
+    states = {state["name"]: state for state in table["states"]}
+    found = (states[name] for name in table["sections"][section]["coordinates"])
+    return {of["public"].removeprefix(OF_APEX).removeprefix("apex_"): of for of in found}
+
+
+def _quantities_of(
+    table: Mapping[str, Any], coordinates: Mapping[str, Mapping[str, Any]]
+) -> Mapping[str, Quantity]:
+    """Quantities of a stride: the period, states named for a stride or an energy, and coordinates."""
+    of_apex = {q.coordinate: name for name, q in MODELS["full"].quantities.items() if q.coordinate}
+    found = {"period": PERIOD}
+    for of in table["states"]:
+        begin = next((b for b in (OF_A_STRIDE, OF_ENERGY) if of["public"].startswith(b)), None)
+        if begin and of["is_named"] and not of["letters"]:
+            name = of["public"].removeprefix(begin)
+            found[name] = Quantity(name, of["unit"] or "1", of["meaning"], "")
+        if of["public"] == LIFTOFF:
+            found["liftoff_angle"] = Quantity("liftoff_angle", of["unit"], of["meaning"], "")
+    found["frequency"] = FREQUENCY
+    for name, of in coordinates.items():
+        own = of_apex.get(name, f"apex_{name}")
+        found[own] = Quantity(own, of["unit"] or "1", of["meaning"], name)
+    return MappingProxyType(found)

@@ -1,0 +1,176 @@
+"""Runners of models of one's own, and the maps that they go by."""
+
+import math
+from functools import cached_property
+from typing import Any, NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import GaitNotFoundError, InputError
+from ..variables.table import DIMENSIONS
+from .binding import c, ffi
+from .members import Along
+from .own_model import OwnModel
+from .own_runs import EVENT_ROOM, MapRequest, OwnStrides, seeds_of, strides_of
+from .return_map import Map
+from .runner import Runner
+from .section import Apex, checked_apex
+from .word import Event
+
+
+class OwnRunner(Runner):
+    """A runner of a model of one's own."""
+
+    model: OwnModel
+    parameters: NDArray[np.float64]  # type: ignore[assignment]
+    """Parameters in the order of their numbers, shape (1, number of them)."""
+    states: NDArray[np.float64]
+    """States at the start in the order of their numbers, shape (1, number of them)."""
+
+    def _prepared(self) -> dict[str, object]:
+        """Parameters and states as the library takes them."""
+        self.model.check_current()
+        numbers = zip(("parameters", "states"), self.model.numbers(self._values), strict=True)
+        return {name: row[None] for name, row in numbers}
+
+    @cached_property
+    def request(self) -> MapRequest:
+        """The map of the runner as its library takes it."""
+        return MapRequest(self.model, self.parameters, self.states, self.tolerance)
+
+    @cached_property
+    def state_scales(self) -> NDArray[np.float64]:
+        """Typical sizes of all states."""
+        found = np.zeros(self.states.shape[1])
+        arrays = (ffi.from_buffer("double[]", array) for array in (self.parameters, found))
+        self.model.library.tdmf_page_scales(self.model.page, *arrays)
+        return found
+
+    @cached_property
+    def scales(self) -> NDArray[np.float64]:
+        """Scales of the coordinates of the section."""
+        return self.state_scales[list(self.model.coordinate_numbers)]
+
+    def scale_of(self, unit: str) -> float:
+        """The scale of quantities in a unit: that of the page's first state in the unit, else 1."""
+        units = [state["unit"] for state in self.model.table["states"]]
+        return float(self.state_scales[units.index(unit)]) if unit in units else 1.0
+
+    def label(self, unit: str) -> str:
+        """The label of a unit: that of the paper's only for runners of the paper's kind."""
+        return super().label(unit) if unit in DIMENSIONS else unit
+
+    def start_apex(self) -> NDArray[np.float64]:
+        """The first crossing of the section by a run from the start values; refused if there is none."""
+        states = np.zeros(self.states.shape[1])
+        end: Any = self.model.library.tdmf_page_begin(
+            self.request.map, ffi.from_buffer("double[]", states), ffi.NULL, ffi.NULL
+        )
+        if end.outcome != c.TDMF_PAGE_CROSSED:
+            mode = " ".join(self.model.table["modes"][end.mode])
+            raise GaitNotFoundError(
+                f"no gait: the run from the start values does not come to the section; it is in the mode "
+                f"`{mode}` after {end.time:.6g} s"
+            )
+        return states[list(self.model.coordinate_numbers)]
+
+    apex = start_apex
+
+    def state_at(self, apex: Apex) -> dict[str, float]:
+        """The states that take a start value at a point of the section, by their names in a unit."""
+        point, states = checked_apex(apex, self.coordinates), np.zeros(self.states.shape[1])
+        arrays = (ffi.from_buffer("double[]", array) for array in (point, states))
+        if not self.model.library.tdmf_page_place(self.request.map, *arrays):
+            raise InputError(f"an apex {point.tolist()}: allowed: finite numbers")
+        places = zip(self.model.names, self.model.value_places, strict=True)
+        found = {name: float(states[number]) for name, (is_state, number) in places if is_state}
+        return {name: value for name, value in found.items() if name not in self.model.varied}
+
+    def _refuse(self, what: str) -> NoReturn:
+        raise InputError(f"{what}: is for the package's own models; this is the model {self.model.name}")
+
+    @property
+    def c_system(self) -> Any:
+        """Nothing: other libraries do not take the runner."""
+        self._refuse("a system of the package's library")
+
+    def solver(self, log: Any | None = None) -> Any:
+        """Nothing: other libraries do not solve the runner."""
+        self._refuse("the package's solver")
+
+
+class OwnMap(Map):
+    """The return map of a model of one's own."""
+
+    runner: OwnRunner
+
+    def __init__(self, runner: OwnRunner) -> None:
+        self.runner = runner
+
+    def stride(
+        self,
+        apex: NDArray[np.float64],
+        until: float,
+        *,
+        varied: bool = False,
+        along: Along | None = None,
+        log: Any = None,
+    ) -> OwnStrides:
+        """One stride."""
+        runner = self.runner
+        return strides_of(
+            runner.model,
+            runner.parameters,
+            runner.states,
+            np.asarray(apex, float)[None],
+            tolerance=runner.tolerance,
+            longest=until if math.isfinite(until) else None,
+            seeds=seeds_of(runner.model, [] if along is None else [along]) if varied else None,
+        )
+
+    def settle(self, apex: NDArray[np.float64], strides: int) -> tuple[NDArray[np.float64], int]:
+        """The last apex of some strides from an apex, and how many of them closed."""
+        for closed in range(strides):
+            stride = self.stride(apex, np.inf)
+            if stride.outcome[0]:
+                return apex, closed
+            apex = stride.next_points[0]
+        return apex, strides
+
+    def next_apex(self, stride: OwnStrides) -> NDArray[np.float64]:
+        """The apex at which a stride closes."""
+        point: NDArray[np.float64] = stride.next_points[0]
+        return point
+
+    def derivatives(self, stride: OwnStrides) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Derivatives of the next apex by the apex, and along the direction of the stride, else zero."""
+        by, count = stride.next_points_by[0], len(self.runner.coordinates)
+        return by[:, :count], by[:, count] if by.shape[1] > count else np.zeros(count)
+
+    def word(self, stride: OwnStrides) -> str:
+        """Word of a stride."""
+        return stride.words[0]
+
+    def reported(self, apex: NDArray[np.float64], stride: OwnStrides, log: Any) -> dict[str, Any]:
+        """Word, angle at lift-off, quantities by name, and events of a stride."""
+        quantities = self.runner.model.quantities
+        values = {name: float(stride.quantity(name)[0]) for name in quantities}
+        events = stride.events[0, : min(stride.ends["event_count"][0], EVENT_ROOM)]
+        return {
+            "word": self.word(stride),
+            "liftoff_angle": values.pop("liftoff_angle", math.nan),
+            "stride": {name: value for name, value in values.items() if name != "frequency"},
+            "events": tuple(
+                Event(float(e["time"]), int(e["event"]), int(e["before"]), int(e["after"]), ())
+                for e in events
+            ),
+        }
+
+    def why_not(self, stride: OwnStrides) -> str | None:
+        """Reason why a stride did not close, in words; None where it did."""
+        return stride.why_not()
+
+    def is_unsolved(self, stride: OwnStrides) -> bool:
+        """Whether the solver gave the stride up."""
+        return bool(stride.outcome[0] == c.TDMF_RETURN_UNSOLVED)

@@ -1,0 +1,214 @@
+"""Runs of models of one's own: strides with derivatives, many at a time, and runs from the start."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError
+from ..uninterrupted import stop_flag
+from .binding import c, ffi
+from .c_structs import dtype_of
+from .members import Along
+from .own_model import LIFTOFF, OF_A_STRIDE, OF_ENERGY, WORD, OwnModel
+
+EVENT_ROOM = 64
+"""Events of a stride that are kept."""
+BETWEEN_EVENTS = "-"
+"""Between the events in the word of a stride."""
+LONGEST = 1e6
+"""Duration of a stride at the most, over the scale of the time."""
+SEEDS = 8
+"""Parameters and inputs by which one call differentiates."""
+END, EVENT = dtype_of("tdmf_page_end"), dtype_of("tdmf_page_event")
+CLOSED: int = c.TDMF_RETURN_CLOSED
+OUTCOMES = np.full(7, c.TDMF_RETURN_UNSOLVED)
+"""Outcomes of strides, by those of runs."""
+for _page, _own in (
+    (c.TDMF_PAGE_CROSSED, CLOSED),
+    (c.TDMF_PAGE_ENDED, c.TDMF_RETURN_FELL),
+    (c.TDMF_PAGE_TOO_LONG, c.TDMF_RETURN_TOO_LONG),
+    (c.TDMF_PAGE_REFUSED, c.TDMF_RETURN_REFUSED),
+):
+    OUTCOMES[_page] = _own
+
+
+def seeds_of(model: OwnModel, along: Sequence[Along]) -> NDArray[np.float64]:
+    """Directions as changes of parameters and then of states, shape (seeds, parameters + states)."""
+    rows = [model.seed({one: 1.0} if isinstance(one, str) else one) for one in along]
+    width = len(model.table["parameters"]) + len(model.table["states"])
+    return np.array([np.concatenate(row) for row in rows]).reshape(len(rows), width)
+
+
+@dataclass(frozen=True, eq=False)
+class OwnStrides:
+    """One stride of each of some runners."""
+
+    model: OwnModel
+    points: NDArray[np.float64]
+    """Where they begin, shape (runners, n)."""
+    ends: NDArray[Any]
+    """Ends of the runs, shape (runners,)."""
+    states: NDArray[np.float64]
+    """States at the next crossing, shape (runners, states)."""
+    d_states: NDArray[np.float64] | None
+    """Their derivatives by coordinates and seeds, shape (runners, by, states); None where not asked for."""
+    events: NDArray[Any]
+    """Events, shape (runners, `EVENT_ROOM`)."""
+
+    @property
+    def outcome(self) -> NDArray[np.int64]:
+        """Outcomes, by the library's numbers of strides; 0 where it closed."""
+        found: NDArray[np.int64] = OUTCOMES[self.ends["outcome"]]
+        return found
+
+    @property
+    def next_points(self) -> NDArray[np.float64]:
+        """The next points of the section, shape (runners, n)."""
+        return self.states[:, list(self.model.coordinate_numbers)]
+
+    @property
+    def next_points_by(self) -> NDArray[np.float64]:
+        """Their derivatives, shape (runners, n, by)."""
+        assert self.d_states is not None
+        return self.d_states[:, :, list(self.model.coordinate_numbers)].swapaxes(1, 2)
+
+    def quantity(self, name: str) -> NDArray[np.float64]:
+        """A quantity of the strides, shape (runners,)."""
+        place = self._place(name)
+        if name == "frequency":
+            return 1.0 / self.quantity("period")
+        if isinstance(place, str):
+            return self.points[:, self.model.coordinates.index(place)]
+        return self.ends["time"] if place is None else self.states[:, place]
+
+    def derivative(self, name: str) -> NDArray[np.float64]:
+        """Derivatives of a quantity by coordinates and seeds, shape (runners, by)."""
+        assert self.d_states is not None
+        if name == "frequency":
+            return -self.derivative("period") / self.quantity("period")[:, None] ** 2
+        place = self._place(name)
+        if isinstance(place, str):
+            row = np.zeros(self.d_states.shape[:2])
+            row[:, self.model.coordinates.index(place)] = 1.0
+            return row
+        at = self.model.clock if place is None else place
+        return np.full(self.d_states.shape[:2], np.nan) if at is None else self.d_states[:, :, at]
+
+    def _place(self, name: str) -> int | str | None:
+        """Number of the state that is a quantity, or name of the coordinate; None for the time."""
+        quantity, of = self.model.quantities[name], self.model.state_numbers
+        if quantity.coordinate:
+            return quantity.coordinate
+        own = LIFTOFF if name == "liftoff_angle" else f"{OF_A_STRIDE}{name}"
+        return of.get(own, of.get(f"{OF_ENERGY}{name}"))
+
+    @property
+    def words(self) -> list[str]:
+        """Words of the strides: that of the page, or the names of their events."""
+        number = self.model.state_numbers.get(WORD)
+        letters = "" if number is None else self.model.table["states"][number]["letters"]
+        if letters:
+            return [_text(code, letters) for code in self.states[:, number]]
+        names, counts = self.model.table["events"], np.minimum(self.ends["event_count"], EVENT_ROOM)
+        return [
+            BETWEEN_EVENTS.join(names[event] for event in row["event"][:count])
+            for row, count in zip(self.events, counts, strict=True)
+        ]
+
+    def why_not(self, number: int = 0) -> str | None:
+        """Reason why a stride did not close, in words; None where it did."""
+        end = self.ends[number]
+        table = self.model.table
+        mode, event = " ".join(table["modes"][end["mode"]]), table["sections"][self.model.section]["event"]
+        at = f"in the mode `{mode}` after {end['time']:.6g} s"
+        return {
+            c.TDMF_PAGE_CROSSED: None,
+            c.TDMF_PAGE_ENDED: f"the run ends {at}",
+            c.TDMF_PAGE_TOO_LONG: f"the run comes to no `{event}` and is {at}",
+            c.TDMF_PAGE_REFUSED: "a number is out of its range or not finite",
+        }.get(end["outcome"], f"the run cannot be followed {at}")
+
+
+def _text(code: float, letters: str) -> str:
+    """A text whose letters are the digits of a number; empty for a number below 0."""
+    digits, rest = [], int(code)
+    while rest > 0:
+        rest, digit = divmod(rest, len(letters))
+        digits.append(letters[digit])
+    return "".join(reversed(digits))
+
+
+def strides_of(
+    model: OwnModel,
+    parameters: NDArray[np.float64],
+    states: NDArray[np.float64],
+    points: NDArray[np.float64],
+    *,
+    tolerance: float,
+    longest: float | None = None,
+    seeds: NDArray[np.float64] | None = None,
+    step_limit: int = 0,
+    threads: int = 1,
+) -> OwnStrides:
+    """One stride of each of many runners from points of the section, shape (runners, n).
+
+    Parameters and states have a row for each runner, or one for all. With `seeds`, shape (seeds, parameters
+    + states), strides are differentiated by the coordinates and along these directions. `longest` is the
+    duration of a stride at the most, s.
+    """
+    count, width = len(points), len(states[0])
+    request = MapRequest(model, parameters, states, tolerance, longest, seeds)
+    request.map.step_limit, request.map.event_room = step_limit, EVENT_ROOM
+    ends, rows = np.zeros(count, END), np.zeros((count, EVENT_ROOM), EVENT)
+    request.map.events = ffi.from_buffer("tdmf_page_event[]", rows)
+    made, by = np.zeros((count, width)), None
+    points = np.ascontiguousarray(points, float)
+    flag = stop_flag()
+    batch = ffi.new("tdmf_page_batch *")
+    batch.map, batch.count, batch.threads = request.map, count, threads
+    batch.parameters_of_each = parameters.shape[1] if len(parameters) > 1 else 0
+    batch.states_of_each = width if len(states) > 1 else 0
+    batch.points, batch.states = (ffi.from_buffer("double[]", array) for array in (points, made))
+    batch.ends, batch.cancel = ffi.from_buffer("tdmf_page_end[]", ends), ffi.from_buffer("int[]", flag)
+    if seeds is not None:
+        by = np.zeros((count, points.shape[1] + len(seeds), width))
+        batch.d_states = ffi.from_buffer("double[]", by)
+    if not model.library.tdmf_page_strides(batch):
+        raise MemoryError("the engine found no memory, or its request was not sound")
+    if flag[0]:
+        raise KeyboardInterrupt
+    return OwnStrides(model, points, ends, made, by, rows)
+
+
+class MapRequest:
+    """A return map as the library takes it, with the memory that it points to."""
+
+    def __init__(
+        self,
+        model: OwnModel,
+        parameters: NDArray[np.float64],
+        states: NDArray[np.float64],
+        tolerance: float,
+        longest: float | None = None,
+        seeds: NDArray[np.float64] | None = None,
+    ) -> None:
+        if model.section < 0:
+            raise InputError(
+                f"model {model.name}: its page has no section, so that it has no strides; "
+                "allowed: simulate, or a page with @section"
+            )
+        self.map = ffi.new("tdmf_page_map *")
+        self._kept = [np.ascontiguousarray(array, float) for array in (parameters, states)]
+        self.map.page, self.map.section = model.page, model.section
+        self.map.parameters, self.map.states = (ffi.from_buffer("double[]", array) for array in self._kept)
+        self.map.tolerance = tolerance
+        self.map.longest = LONGEST if longest is None else longest
+        if seeds is not None and len(seeds):
+            columns = np.split(seeds, [parameters.shape[1]], axis=1)
+            of_seeds = [np.ascontiguousarray(part) for part in columns]
+            self._kept += of_seeds
+            self.map.seed_count = len(seeds)
+            self.map.d_parameters, self.map.d_states = (ffi.from_buffer("double[]", a) for a in of_seeds)

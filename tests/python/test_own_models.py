@@ -1,0 +1,199 @@
+"""Models of users' own: from a page to a library, and what the package's analyses say of them."""
+
+import json
+import pickle
+import shutil
+
+import numpy as np
+import pytest
+import tdmf_slip
+from conftest import ROOT
+from independent_runner import Stride
+from own_pages import loaded
+from page_runs import COMPILER
+from tdmf_slip import Batch, InputError, Runner, find_gait, load_model, stride_map
+from test_page_laws import STATES
+from test_page_runner import world_of
+
+pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
+GAINS = {"stance_kp": 0.02, "stance_kd": 0.03, "stance_target": -0.3}
+
+
+@pytest.fixture(scope="module")
+def ball(tmp_path_factory):
+    return loaded(tdmf_slip.new(tmp_path_factory.mktemp("new") / "my_ball", start="scratch") / "page.py")
+
+
+@pytest.fixture(scope="module")
+def pd_runner():
+    return loaded(ROOT / "examples" / "pages" / "pd_runner.py")
+
+
+def ball_gait(gravity, restitution, push):
+    """Height, period, and derivatives of the next height by height, gravity, restitution and push."""
+    speed = push / (1 - restitution)
+    height = speed**2 / 2 / gravity
+    by_all = [restitution, -height * (1 - restitution) / gravity, speed * speed / gravity, speed / gravity]
+    return height, 2 * speed / gravity, by_all
+
+
+@pytest.mark.parametrize("values", [(9.81, 0.8, 1.0), (1.62, 0.5, 2.0), (9.81, 0.0, 3.0)])
+def test_the_gait_of_a_ball_is_that_of_the_closed_form(ball, values):
+    given = dict(zip(("gravity", "restitution", "push"), values, strict=True))
+    height, period, by_all = ball_gait(*values)
+    gait = find_gait(ball, **given)
+    assert gait.apex == pytest.approx([height], rel=1e-12)
+    assert gait.period == pytest.approx(period, rel=1e-12)
+    assert gait.impact_speed == pytest.approx(given["push"] / (1 - given["restitution"]), rel=1e-12)
+    stride = Batch(gait, gait.apex).stride(along=list(given))
+    assert stride.next_apex_by[0] == pytest.approx(by_all, abs=1e-11)
+    assert gait.word == "lands-apex" and gait.stable
+
+
+def test_strides_of_many_balls_are_those_of_the_closed_form(ball):
+    heights = np.linspace(0.1, 3, 40)
+    found = stride_map(ball, heights[:, None], strides=4, derivatives=["push"])
+    speeds = np.sqrt(2 * 9.81 * heights)
+    for stride in range(4):
+        speeds = 1 + 0.8 * speeds
+        assert found["next_apex"][:, stride, 0].values == pytest.approx(speeds**2 / 2 / 9.81, rel=1e-9)
+    assert found["next_apex_by"][:, 3, 0, 1].values == pytest.approx(speeds / 9.81, rel=1e-9)
+    assert found["fate"].values.max() == 0
+
+
+def scipys(gains):
+    """The hip's torque in stance for an independent program."""
+
+    def torque(_time, angle, turn, drives):
+        servo = gains["stance_kp"] * (angle - gains["stance_target"]) + gains["stance_kd"] * turn
+        return -0.2 * drives - servo
+
+    return torque
+
+
+def test_a_stride_under_a_law_of_one_s_own_is_scipy_s(pd_runner):
+    apex = (1.4, 1.05, 1.0, -0.55, 0.0, 0.0)
+    stride = Batch(Runner(pd_runner, friction=0.43, **GAINS), apex).stride()
+    world = world_of(apex)
+    time, wanted, work = Stride(0.43, torque=scipys(GAINS)).run([world[name] for name in STATES])
+    assert stride.next_apex == pytest.approx(wanted, abs=1e-9)
+    assert (stride.period, stride.work) == pytest.approx((time, work), abs=1e-9)
+
+
+def test_the_gait_under_a_law_of_one_s_own_closes_in_scipy_and_its_jacobian_is_differences(pd_runner):
+    gait = find_gait(pd_runner, friction=0.6, **GAINS)
+    world = world_of(gait.apex)
+    _, again, _ = Stride(0.6, torque=scipys(GAINS)).run([world[name] for name in STATES])
+    assert again == pytest.approx(gait.apex, abs=1e-9)
+    names = ["hip.stance_kp", "stance_kd", "friction", "hip.stance_torque"]
+    exact = Batch(gait, gait.apex).stride(along=names)
+    step = 1e-6 * gait.runner.scales
+    for k in range(6):
+        ends = gait.apex + np.outer([1, -1], np.eye(6)[k] * step)
+        ahead, behind = Batch(gait, ends).stride().next_apex
+        assert (ahead - behind) / 2 / step[k] == pytest.approx(gait.jacobian[:, k], abs=1e-7)
+    for k, name in enumerate(names):
+        changed = [gait.runner.replace({name: gait.runner[name] + way * 1e-6}) for way in (1, -1)]
+        ahead, behind = Batch(changed, gait.apex).stride().next_apex
+        assert (ahead - behind) / 2e-6 == pytest.approx(exact.next_apex_by[:, 6 + k], abs=1e-7)
+
+
+def test_without_gains_it_is_the_built_in_runner_with_all_its_quantities(pd_runner):
+    none = dict.fromkeys(GAINS, 0.0)
+    mine, own = find_gait(pd_runner, friction=0.43, **none), find_gait(friction=0.43)
+    assert mine.apex == pytest.approx(own.apex, abs=1e-10) and mine.word == own.word
+    shared = set(mine.stride) & set(own.stride)
+    assert len(shared) >= 18
+    for name in shared:
+        assert mine.stride[name] == pytest.approx(own.stride[name], abs=1e-9), name
+    assert np.sort(np.abs(mine.eigenvalues)) == pytest.approx(np.sort(np.abs(own.eigenvalues)), abs=1e-7)
+
+
+def test_what_new_writes_works_as_it_stands(tmp_path, ball):
+    """With a build of the same page that is there already."""
+    folder = tdmf_slip.new(tmp_path / "my_ball", start="scratch")
+    shutil.copytree(ball.folder, folder / "build")
+    program = (folder / "test_my_ball.py").read_text(encoding="utf-8")
+    names = {"__file__": str(folder / "test_my_ball.py")}
+    exec(program, names)
+    names["test_the_gait_is_that_of_the_closed_form"]()
+
+
+def test_a_model_is_one_object_and_survives_pickling(ball):
+    assert load_model(ball.folder) is ball
+    runner = Runner(ball, push=2)
+    again = pickle.loads(pickle.dumps(runner))
+    assert again == runner and again.model is ball and again["push"] == 2.0
+
+
+def test_a_library_of_another_version_or_built_anew_is_refused(ball, tmp_path):
+    folder = tmp_path / "build"
+    shutil.copytree(ball.folder, folder)
+    model = load_model(folder)
+    table = json.loads((folder / "model.json").read_text(encoding="utf-8"))
+    (folder / "model.json").write_text(json.dumps(table | {"id": "another"}), encoding="utf-8")
+    with pytest.raises(InputError, match="was built anew while it was loaded; load it again"):
+        Runner(model, push=3)
+    with pytest.raises(InputError, match=r"is build .*, not another as model.json says; build it anew"):
+        load_model(folder)
+    (folder / "model.json").write_text(json.dumps(table | {"version": "0.0.9"}), encoding="utf-8")
+    with pytest.raises(InputError, match=r"was built by tdmf-slip 0\.0\.9, this is .*; build it anew"):
+        load_model(folder)
+    (tmp_path / "other").mkdir()
+    text = json.dumps(table | {"libraries": {"z80-cpm": "x"}})
+    (tmp_path / "other" / "model.json").write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match="was built for z80-cpm, this is"):
+        load_model(tmp_path / "other")
+    with pytest.raises(InputError, match="has no build in it; first make one: tdmf-slip build"):
+        load_model(tmp_path / "other" / "nothing")
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("def (", r"page.py:1: invalid syntax"),
+        ("import nothing_of_the_kind", r"page.py:1: ModuleNotFoundError: .*nothing_of_the_kind"),
+        ("x = 1", r"page.py: declares as models: none; allowed: one subclass of Model"),
+        (
+            "from tdmf_slip.hybrid import *\nclass A(Model):\n    start = 'f', {}\n    h = state(1, 'metre')",
+            r"page.py:4: `h` has the unit `metre`, in which `metre` is no unit",
+        ),
+        (
+            "from tdmf_slip.hybrid import *\nclass A(Model):\n    start = 'fall', {}\n    h = state(1, 'm')\n"
+            "    @mode()\n    def fall(b):\n        return dict(h=b.speed)",
+            r"page.py:7: `fall` reads `speed`, which it does not have here",
+        ),
+    ],
+)
+def test_an_error_on_a_page_is_one_message_and_nothing_is_left(tmp_path, text, message):
+    (tmp_path / "page.py").write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=message) as problem:
+        tdmf_slip.build(tmp_path)
+    assert "\n" not in str(problem.value)
+    assert [path.name for path in tmp_path.iterdir()] == ["page.py"]
+
+
+def test_a_failing_or_missing_compiler_leaves_nothing_and_says_what_to_install(tmp_path, monkeypatch):
+    folder = tdmf_slip.new(tmp_path / "my_ball", start="scratch")
+    before = sorted(path.name for path in folder.iterdir())
+    monkeypatch.setenv("CC", "false")
+    with pytest.raises(tdmf_slip.RunError, match="the C compiler failed: false"):
+        tdmf_slip.build(folder)
+    monkeypatch.setenv("CC", "no-such-compiler")
+    with pytest.raises(InputError, match=r"no-such-compiler: cannot be run: .*pip install 'ziglang"):
+        tdmf_slip.build(folder)
+    monkeypatch.delenv("CC")
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    with pytest.raises(InputError, match=r"no C compiler was found .*pip install 'ziglang"):
+        tdmf_slip.build(folder)
+    with pytest.raises(InputError, match="platform 'mars-linux' is not allowed; allowed: x86_64-linux"):
+        tdmf_slip.build(folder, platform="mars-linux")
+    assert sorted(path.name for path in folder.iterdir()) == before
+
+
+@pytest.mark.parametrize("name", ["My_Ball", "my-ball", "9balls", "class"])
+def test_a_name_that_cannot_be_a_model_s_is_refused(tmp_path, name):
+    with pytest.raises(InputError, match=f"new '{name}' is not allowed"):
+        tdmf_slip.new(tmp_path / name)
+    assert not any(tmp_path.iterdir())
