@@ -101,15 +101,21 @@ def _enclosed(operand, least):
     return text if precedence >= least else f"({text})"
 
 
+def place_to_break(line, after):
+    """Where a line of C is broken: behind a comma or before a sum's operator, else at any space; -1: nowhere."""
+    good = [m.start() for m in re.finditer(r"(?<=,) | (?=[-+?:] )", line[: WIDTH + 1]) if m.start() > after]
+    return good[-1] if good else line.rfind(" ", after + 1, WIDTH + 1)
+
+
 def wrapped(line):
-    """A line of C, broken at spaces into lines of at most WIDTH characters."""
+    """A line of C, broken into lines of at most WIDTH characters."""
     if len(line) <= WIDTH:
         return line
     indent, lines = len(line) - len(line.lstrip()), []
     more = " " * (indent + 4)
     is_comment = line.lstrip().startswith("/*")
     while len(line) > WIDTH:
-        at = line.rfind(" ", indent + 4, WIDTH)
+        at = line.rfind(" ", indent + 4, WIDTH) if is_comment else place_to_break(line, indent + 20)
         if at < 0 or not line[:at].strip():
             break
         lines.append(line[:at])
@@ -154,6 +160,8 @@ def name_of(node):
     for part in ordered([node], own):
         of = [names[o] for o in part.operands[-2:]] if part not in own else []
         word = NAMES.get(part.operation, f"{part.operation}_of_")
+        if part.operation == "/" and part.operands[0].is_number(1):
+            of, word = of[1:], "inverse_"
         text = own[part] or (word.join(of) if len(of) > 1 else word + of[0])
         names[part] = text if not of or len(text) < 40 else SHORT_NAMES.get(part.operation, part.operation)
     return names[node]

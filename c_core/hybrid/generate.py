@@ -24,8 +24,8 @@ SEEDS = """\
 
 #include "seeds.h"
 
-const tdmf_seed_kind tdmf_{page}_seeds = {{TDMF_OF_WIDTH(tdmf_{page}_motions), fill_seed_lanes,
-                                           vary_seed_lanes, read_seed_lane}};
+const tdmf_seed_kind tdmf_{page}_seeds = {{
+    TDMF_OF_WIDTH(tdmf_{page}_motions), fill_seed_lanes, vary_seed_lanes, read_seed_lane}};
 """
 TOP = "/* Derived from the page {name}: edit the page, not this. */\n"
 
@@ -60,7 +60,8 @@ def motion_row(page, motion):
 
 def seeds_of(page):
     """The file that varies two seeds of a page at once, for a library that has the C of `generate`, too."""
-    return {f"{page.c}_seeds.c": SEEDS.format(name=page.model.__name__, page=page.c)}
+    text = SEEDS.format(name=page.model.__name__, page=page.c)
+    return {f"{page.c}_seeds.c": wrapped_text(text)}
 
 
 def derive(model):
@@ -68,11 +69,11 @@ def derive(model):
     return generate(Page(model))
 
 
-def generate(page):
-    """The C of a page that has been read, by file."""
+def generate(page, for_unit=True):
+    """The C of a page that has been read, by file. Only a unit needs the rates of the world's states."""
     page.c = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", page.model.__name__).lower()
     functions, names = Functions(page.c), [c_name(key) for key in page.keys]
-    instants, top = Instants(page, functions), TOP.format(name=page.model.__name__)
+    instants, top = Instants(page, functions, for_unit), TOP.format(name=page.model.__name__)
     header = [
         f'{top}#ifndef {page.c.upper()}_H\n#define {page.c.upper()}_H\n\n#include "driver.h"\n',
         enumeration("MODE", names) + enumeration("EVENT", page.events) + enumeration("OUTPUT", page.outputs),

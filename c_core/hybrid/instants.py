@@ -170,8 +170,8 @@ def coordinates_in_c(names):
 class Instants:
     """Functions of an instant in C, and the tables that list them."""
 
-    def __init__(self, page, functions):
-        self.page, self.functions = page, functions
+    def __init__(self, page, functions, for_unit=True):
+        self.page, self.functions, self.for_unit = page, functions, for_unit
 
     def guard_row(self, key, event_name):
         """An event as a mode watches it: the row of its table."""
@@ -180,7 +180,7 @@ class Instants:
         next_keys, about = keys_of(tree), f"{event_name}: {event.__doc__ or ''}"
         if len(next_keys) > LIMITS["NEXT"]:
             raise page_error(event, event_name, f"leads to more than {LIMITS['NEXT']} modes")
-        row = {"event": f"EVENT_{event_name}", "is_counted": c_boolean(event.counted)}
+        row = {"event": f"EVENT_{event_name}"} | ({"is_counted": "true"} if event.counted else {})
         row["react"] = add(f"react_{of}", "react", decision_in_c(tree, page.c_names, next_keys, None), about)
         varied = decision_in_c(tree, page.c_names, next_keys, InstantVariation()).removesuffix(
             "    return;\n"
@@ -254,6 +254,8 @@ class Instants:
             seen = {n: lift(value) for n, value in seen.items() if n in page.states}
             values = {n: value for n, value in seen.items() if value is not getattr(before, n)}
             row |= self.changes(key, "map", name, values, f"{name.replace('_', ' ')}, in {key[0]}.")
+        if not self.for_unit:
+            return row
         rates, moving = page.rates(key), InstantVariation()
         moving.found |= {page.symbol_of(n, "x"): rates.get(n, lift(0)) for n in page.states}
         moving.found |= {page.symbol_of(n, "p", True): lift(0) for n in page.parameters}
@@ -284,7 +286,8 @@ class Instants:
         if len(motion.observed) > LIMITS["WATCH"]:
             text = f"observes {len(motion.observed)} quantities; at most {LIMITS['WATCH']} are allowed"
             raise page_error(motion.function, key[0], text)
-        row = {"motion": f"&tdmf_{self.page.c}_motions[MODE_{name}]", "ends": c_boolean(motion.function.ends)}
+        row = {"motion": f"&tdmf_{self.page.c}_motions[MODE_{name}]"}
+        row |= {"ends": "true"} if motion.function.ends else {}
         row |= self.constants(motion)
         guards = [row_in_c(self.guard_row(key, event)) for event in motion.watched]
         observed = [(o.part.upper().replace(" ", "_"), o.into) for o in motion.observed.values()]

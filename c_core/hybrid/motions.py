@@ -18,8 +18,8 @@ KERNEL void begin_{mode}_sums(const {mode}_series *s, int i, {mode}_sums *sum) {
 {middle}}}
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_{mode}(const {mode}_constants *c, const {mode}_factors *by, int k, const {mode}_sums *sum,
-                        int odd, {mode}_series *s) {{
+KERNEL void step_{mode}(const {mode}_constants *c, const {mode}_factors *by, int k, const {mode}_sums *sum, \
+int odd, {mode}_series *s) {{
 {step}}}
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
@@ -46,6 +46,7 @@ static void expand_{mode}(const real *constants, int order, real *series) {{
 CASTS = {
     "constants": ("c", "constants", "const "),
     "series": ("s", "series", "const "),
+    "expanded": ("s", "series", ""),
     "d_constants": ("d", "constants", "const "),
     "varied": ("t", "series", ""),
     "d_series": ("t", "series", "const "),
@@ -56,13 +57,18 @@ TURNS = {"sin": "true", "cos": "false"}
 INTERVALS = {"+": "interval_sum", "-": "interval_difference", "*": "interval_product"}
 
 
+def loop_in_c(found):
+    """A loop over the coefficients of the series that an expansion adds, if it adds any."""
+    step = lines_of(found.step(), "        ")
+    return f"    for (int k = 0; k < order; ++k) {{\n{step}    }}\n" if step else ""
+
+
 def expansion_in_c(found, first=()):
     """The series that an expansion adds, and a loop over their coefficients."""
     own = [f"real {array}[TERMS];" for array in found.arrays.values() if "->" not in array]
     new = [n for n in found.ahead if n in found.arrays and n not in found.known]
     lines = own + list(first) + [found.define(n, "0")[-1] for n in new]
-    loop = lines_of(found.step(), "        ")
-    return f"{lines_of(lines)}    for (int k = 0; k < order; ++k) {{\n{loop}    }}\n"
+    return lines_of(lines) + loop_in_c(found)
 
 
 class Motion:
@@ -181,21 +187,24 @@ class Motion:
         pairs, middle = [], []
         for node in summed:
             a, b = (arrays[series] for series in value.series_in(node))
-            is_ahead, half, n = node in value.ahead, "0.5 * " if a == b else "", node.name
-            j = "j + 1" if is_ahead else "j"
-            terms = dict.fromkeys([f"{a} + i - 1, {b}[{j}]", f"{b} + i - 1, {a}[{j}]"])
-            pairs += [f"add_products(&sum->{n}, {term});" for term in terms]
-            both = " + ".join(dict.fromkeys([f"{a}[i] * {b}[i + 1]", f"{b}[i] * {a}[i + 1]"]))
-            low = both if is_ahead else f"{half}({a}[i] * {b}[i])"
-            high = f"{half}({a}[i + 1] * {b}[i + 1])" if is_ahead else "broadcast(0.0)"
-            middle.append(f"sum->{n} = pair_of({low}, {high});")
-        if not summed:
-            pairs = [f"(void){n};" for n in ("s", "i", "j", "sum")]
-            middle = [f"(void){n};" for n in ("s", "i", "sum")]
+            j, ahead = ("j + 1", "next_") if node in value.ahead else ("j", "")
+            if a == b:
+                pairs.append(f"add_products(&sum->{node.name}, {a} + i - 1, {a}[{j}]);")
+                middle.append(f"sum->{node.name} = {ahead}middle_of_square({a}, i);")
+            else:
+                pairs.append(f"add_both_products(&sum->{node.name}, {a}, {b}, i, {j});")
+                middle.append(f"sum->{node.name} = {ahead}middle_of_product({a}, {b}, i);")
         step = lines_of(value.step())
+        yield self.struct("series", self.series, "[TERMS]")
+        if not summed:
+            given, body = (
+                "const real *constants, int order, real *expanded",
+                lines_of(first) + loop_in_c(value),
+            )
+            yield self.function_of(f"expand_{self.name}", given, body, "All coefficients.")
+            return
         quiet = [f"(void){n};" for n in ("c", "by", "sum", "s") if not re.search(rf"\b{n}(->|\[)", step)]
         quiet += [f"(void){n};" for n in ("k", "odd") if not re.search(rf"\b{n}\b", step)]
-        yield self.struct("series", self.series, "[TERMS]")
         yield self.struct("sums", [node.name for node in summed], of="pair")
         yield self.struct("factors", [f"inverse_{name_of(node)}" for node in divisors])
         yield EXPAND.format(

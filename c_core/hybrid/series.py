@@ -205,10 +205,15 @@ def refuse_kinks(root):
 
 
 def with_recursions(rates, guards):
-    """Rewrite functions without a recursion; atan2 becomes a state, with a start and a rate."""
+    """Rewrite functions without a recursion; atan2 becomes a state, with a start and a rate.
+
+    A division by a constant becomes a product, so that no coefficient is divided.
+    """
     starts, given = {}, list(rates)
 
     def change(node, operands):
+        if not node.is_constant and node.operation == "/" and operands[1].is_constant:
+            return operands[0] * (1 / operands[1])
         if node.is_constant or node.operation not in ("atan2", "expm1", "log1p"):
             return remade(node, operands)
         if node.operation == "expm1":

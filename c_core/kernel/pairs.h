@@ -74,4 +74,28 @@ KERNEL void add_magnitudes(pair *sum, const real *a, const real *b) {
 }
 #endif
 
+/* Adds the terms of coefficients i - 1 and i of one factor of a product and j of the other. */
+KERNEL void add_both_products(pair *sum, const real *a, const real *b, int i, int j) {
+    add_products(sum, a + i - 1, b[j]);
+    add_products(sum, b + i - 1, a[j]);
+}
+
+/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1 of a product, and of half a square. */
+KERNEL pair middle_of_product(const real *a, const real *b, int i) {
+    return pair_of(a[i] * b[i], broadcast(0.0));
+}
+
+KERNEL pair middle_of_square(const real *a, int i) {
+    return pair_of(0.5 * (a[i] * a[i]), broadcast(0.0));
+}
+
+/* The terms in the middle of those of coefficients 2 i + 1 and 2 i + 2. */
+KERNEL pair next_middle_of_product(const real *a, const real *b, int i) {
+    return pair_of(a[i] * b[i + 1] + b[i] * a[i + 1], a[i + 1] * b[i + 1]);
+}
+
+KERNEL pair next_middle_of_square(const real *a, int i) {
+    return pair_of(a[i] * a[i + 1], 0.5 * (a[i + 1] * a[i + 1]));
+}
+
 #endif

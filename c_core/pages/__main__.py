@@ -6,6 +6,7 @@
 import sys
 from pathlib import Path
 
+from ..hybrid.c_text import wrapped_text
 from ..hybrid.generate import generate, seeds_of
 from ..hybrid.page import Page
 from ..hybrid.tables import list_in_c
@@ -28,6 +29,7 @@ def places_in(whole, part, prefix=""):
         of_whole = list(getattr(whole, what))
         places[what] = [of_whole.index(n) if n in of_whole else -1 for n in getattr(part, what)]
     tables = "".join(list_in_c("int", f"{prefix}{what}_in_whole", of) for what, of in places.items())
+    tables = wrapped_text(tables)
     guard = f"{part.c.upper()}_IN_{whole.c.upper()}_H"
     about = f"/* Places of what {part.model.__name__} has in the tables of {whole.model.__name__}. */\n"
     return f"{about}#ifndef {guard}\n#define {guard}\n\n{tables}\n#endif\n"
@@ -38,7 +40,9 @@ folder.mkdir(exist_ok=True)
 pages = {model: Page(model) for model in PAGES}
 texts: dict[str, str] = {}
 for page in pages.values():
-    texts |= generate(page) | seeds_of(page)
+    if page.model in (PlainRunner, PlainReducedRunner):
+        page.outputs = {}  # other pages have them
+    texts |= generate(page, for_unit=page.model is Runner) | seeds_of(page)
 prefixes = {PlainRunner: "", ReducedRunner: "reduced_", PlainReducedRunner: "plain_reduced_"}
 for model, prefix in prefixes.items():
     texts[f"{pages[model].c}_in_runner.h"] = places_in(pages[Runner], pages[model], prefix)

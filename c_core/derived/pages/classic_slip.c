@@ -10,7 +10,7 @@ static void open_start_of_run(const real *parameters, const real *states, real *
 
 /* First variation of open_start_of_run. */
 static void vary_open_start_of_run(const real *parameters, const real *states, const real *d_parameters,
-                                   const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -20,7 +20,7 @@ static void vary_open_start_of_run(const real *parameters, const real *states, c
 
 /* begins: Every run begins at an apex, with the foot above the ground. */
 static int react_start_of_run_begins(const real *parameters, const real *states, const tdmf_table *tables,
-                                     real *after, const int *next) {
+    real *after, const int *next) {
     const classic_slip_parameters *p = (const void *)parameters;
     const classic_slip_states *x = (const void *)states;
     (void)tables;
@@ -33,9 +33,8 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
         return next[0]; /* no_start */
     }
     y->angle = p->touchdown_angle;
-    if (x->y_ - p->free_length * real_cos(p->touchdown_angle) -
-            sin_of_slope_over_cos_of_slope * (x->x_ + p->free_length * real_sin(p->touchdown_angle)) >
-        0.0) {
+    if (x->y_ - p->free_length * real_cos(p->touchdown_angle) - sin_of_slope_over_cos_of_slope * (x->x_
+        + p->free_length * real_sin(p->touchdown_angle)) > 0.0) {
         return next[1]; /* flight */
     }
     return next[0]; /* no_start */
@@ -43,8 +42,7 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
 
 /* First variation of begins. */
 static void vary_react_start_of_run_begins(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states,
-                                           const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const classic_slip_parameters *p = (const void *)parameters;
     const classic_slip_states *x = (const void *)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
@@ -55,10 +53,9 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     const real cos_of_slope = real_cos(p->slope);
     const real sin_of_slope = real_sin(p->slope);
     const real sin_of_slope_over_cos_of_slope = sin_of_slope / cos_of_slope;
-    const real d_above_ground =
-        dx->y_ - ((cos_of_slope * dp->slope + sin_of_slope_over_cos_of_slope * (sin_of_slope * dp->slope)) /
-                      cos_of_slope * x->x_ +
-                  sin_of_slope_over_cos_of_slope * dx->x_);
+    const real d_above_ground = dx->y_ - ((cos_of_slope * dp->slope
+        + sin_of_slope_over_cos_of_slope * (sin_of_slope * dp->slope)) / cos_of_slope * x->x_
+        + sin_of_slope_over_cos_of_slope * dx->x_);
     y->apex_x = dx->x_;
     y->apex_height = d_above_ground;
     if (x->vx <= 0.0) {
@@ -69,7 +66,7 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
 
 /* First variation of the guard of begins. */
 static real vary_guard_start_of_run_begins(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -86,7 +83,7 @@ static void outputs_start_of_run(const real *parameters, const real *states, rea
 
 /* First variation of outputs_start_of_run. */
 static void vary_outputs_start_of_run(const real *parameters, const real *states, const real *d_parameters,
-                                      const real *d_states, real *outputs) {
+    const real *d_states, real *outputs) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -111,7 +108,7 @@ static void open_flight_down(const real *parameters, const real *states, real *c
 
 /* First variation of open_flight_down. */
 static void vary_open_flight_down(const real *parameters, const real *states, const real *d_parameters,
-                                  const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const classic_slip_parameters *p = (const void *)parameters;
     (void)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
@@ -122,9 +119,8 @@ static void vary_open_flight_down(const real *parameters, const real *states, co
     const real cos_of_slope = real_cos(p->slope);
     const real sin_of_slope = real_sin(p->slope);
     const real sin_of_slope_over_cos_of_slope = sin_of_slope / cos_of_slope;
-    const real d_sin_of_slope_over_cos_of_slope =
-        (cos_of_slope * dp->slope + sin_of_slope_over_cos_of_slope * (sin_of_slope * dp->slope)) /
-        cos_of_slope;
+    const real d_sin_of_slope_over_cos_of_slope = (cos_of_slope * dp->slope
+        + sin_of_slope_over_cos_of_slope * (sin_of_slope * dp->slope)) / cos_of_slope;
     c->vx = dx->vx;
     c->minus_gravity = d_minus_gravity;
     c->minus_retraction_rate = d_minus_retraction_rate;
@@ -134,7 +130,7 @@ static void vary_open_flight_down(const real *parameters, const real *states, co
 
 /* touchdown: The foot reaches the ground. It slides at once outside the friction cone. */
 static int react_flight_down_touchdown(const real *parameters, const real *states, const tdmf_table *tables,
-                                       real *after, const int *next) {
+    real *after, const int *next) {
     const classic_slip_parameters *p = (const void *)parameters;
     const classic_slip_states *x = (const void *)states;
     (void)tables;
@@ -172,8 +168,7 @@ static int react_flight_down_touchdown(const real *parameters, const real *state
 
 /* First variation of touchdown. */
 static void vary_react_flight_down_touchdown(const real *parameters, const real *states,
-                                             const real *d_parameters, const real *d_states,
-                                             const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const classic_slip_parameters *p = (const void *)parameters;
     const classic_slip_states *x = (const void *)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
@@ -183,10 +178,10 @@ static void vary_react_flight_down_touchdown(const real *parameters, const real 
     classic_slip_states *y = (void *)after;
     const real sin_of_angle = real_sin(x->angle);
     const real cos_of_angle = real_cos(x->angle);
-    const real d_foot_x =
-        dx->x_ + (dp->free_length * sin_of_angle + p->free_length * (cos_of_angle * dx->angle));
-    const real d_foot_y =
-        dx->y_ - (dp->free_length * cos_of_angle - p->free_length * (sin_of_angle * dx->angle));
+    const real d_foot_x = dx->x_ + (dp->free_length * sin_of_angle
+        + p->free_length * (cos_of_angle * dx->angle));
+    const real d_foot_y = dx->y_ - (dp->free_length * cos_of_angle
+        - p->free_length * (sin_of_angle * dx->angle));
     const real cos_of_slope = real_cos(p->slope);
     const real foot_y = x->y_ - p->free_length * cos_of_angle;
     const real y__minus_foot_y = x->y_ - foot_y;
@@ -199,40 +194,40 @@ static void vary_react_flight_down_touchdown(const real *parameters, const real 
     const real fall = cos_of_slope * foot_vy - sin_of_slope * foot_vx;
     const real slip_over_fall = slip / fall;
     const real y__minus_d_foot_y = dx->y_ - d_foot_y;
-    const real d_foot_vx =
-        dx->vx - (dp->retraction_rate * y__minus_foot_y + p->retraction_rate * y__minus_d_foot_y);
+    const real d_foot_vx = dx->vx - (dp->retraction_rate * y__minus_foot_y
+        + p->retraction_rate * y__minus_d_foot_y);
     const real sin_of_slope_times_slope = sin_of_slope * dp->slope;
     const real cos_of_slope_times_slope = cos_of_slope * dp->slope;
     const real x__minus_d_foot_x = dx->x_ - d_foot_x;
-    const real d_foot_vy =
-        dx->vy + (dp->retraction_rate * x__minus_foot_x + p->retraction_rate * x__minus_d_foot_x);
-    const real d_slip = cos_of_slope * d_foot_vx - sin_of_slope_times_slope * foot_vx +
-                        (cos_of_slope_times_slope * foot_vy + sin_of_slope * d_foot_vy);
-    const real d_fall = cos_of_slope * d_foot_vy - sin_of_slope_times_slope * foot_vy -
-                        (cos_of_slope_times_slope * foot_vx + sin_of_slope * d_foot_vx);
+    const real d_foot_vy = dx->vy + (dp->retraction_rate * x__minus_foot_x
+        + p->retraction_rate * x__minus_d_foot_x);
+    const real d_slip = cos_of_slope * d_foot_vx - sin_of_slope_times_slope * foot_vx
+        + (cos_of_slope_times_slope * foot_vy + sin_of_slope * d_foot_vy);
+    const real d_fall = cos_of_slope * d_foot_vy - sin_of_slope_times_slope * foot_vy
+        - (cos_of_slope_times_slope * foot_vx + sin_of_slope * d_foot_vx);
     const real along = cos_of_slope * x__minus_foot_x + sin_of_slope * y__minus_foot_y;
     const real off = cos_of_slope * y__minus_foot_y - sin_of_slope * x__minus_foot_x;
     const real along_over_off = along / off;
-    const real d_along = cos_of_slope * x__minus_d_foot_x - sin_of_slope_times_slope * x__minus_foot_x +
-                         (cos_of_slope_times_slope * y__minus_foot_y + sin_of_slope * y__minus_d_foot_y);
-    const real d_off = cos_of_slope * y__minus_d_foot_y - sin_of_slope_times_slope * y__minus_foot_y -
-                       (cos_of_slope_times_slope * x__minus_foot_x + sin_of_slope * x__minus_d_foot_x);
+    const real d_along = cos_of_slope * x__minus_d_foot_x - sin_of_slope_times_slope * x__minus_foot_x
+        + (cos_of_slope_times_slope * y__minus_foot_y + sin_of_slope * y__minus_d_foot_y);
+    const real d_off = cos_of_slope * y__minus_d_foot_y - sin_of_slope_times_slope * y__minus_foot_y
+        - (cos_of_slope_times_slope * x__minus_foot_x + sin_of_slope * x__minus_d_foot_x);
     const real along_over_free_length = along / p->free_length;
     y->foot_x = d_foot_x;
     y->foot_y = d_foot_y;
     y->touchdown_time = dx->time;
-    y->impact_friction =
-        slip_over_fall / real_abs(slip_over_fall) * ((d_slip - slip_over_fall * d_fall) / fall);
-    y->stance_friction =
-        along_over_off / real_abs(along_over_off) * ((d_along - along_over_off * d_off) / off);
-    y->tilt = along_over_free_length / real_abs(along_over_free_length) *
-              ((d_along - along_over_free_length * dp->free_length) / p->free_length);
+    y->impact_friction = slip_over_fall / real_abs(slip_over_fall) * ((d_slip
+        - slip_over_fall * d_fall) / fall);
+    y->stance_friction = along_over_off / real_abs(along_over_off) * ((d_along
+        - along_over_off * d_off) / off);
+    y->tilt = along_over_free_length / real_abs(along_over_free_length) * ((d_along
+        - along_over_free_length * dp->free_length) / p->free_length);
     y->left_early = 0.0;
 }
 
 /* First variation of the guard of touchdown. */
 static real vary_guard_flight_down_touchdown(const real *parameters, const real *states,
-                                             const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const classic_slip_parameters *p = (const void *)parameters;
     const classic_slip_states *x = (const void *)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
@@ -242,18 +237,17 @@ static real vary_guard_flight_down_touchdown(const real *parameters, const real 
     const real cos_of_slope = real_cos(p->slope);
     const real sin_of_slope = real_sin(p->slope);
     const real sin_of_slope_over_cos_of_slope = sin_of_slope / cos_of_slope;
-    const real d_above_ground =
-        dx->y_ - (dp->free_length * cos_of_angle - p->free_length * (sin_of_angle * dx->angle)) -
-        ((cos_of_slope * dp->slope + sin_of_slope_over_cos_of_slope * (sin_of_slope * dp->slope)) /
-             cos_of_slope * (x->x_ + p->free_length * sin_of_angle) +
-         sin_of_slope_over_cos_of_slope *
-             (dx->x_ + (dp->free_length * sin_of_angle + p->free_length * (cos_of_angle * dx->angle))));
+    const real d_above_ground = dx->y_ - (dp->free_length * cos_of_angle
+        - p->free_length * (sin_of_angle * dx->angle)) - ((cos_of_slope * dp->slope
+        + sin_of_slope_over_cos_of_slope * (sin_of_slope * dp->slope)) / cos_of_slope * (x->x_
+        + p->free_length * sin_of_angle) + sin_of_slope_over_cos_of_slope * (dx->x_
+        + (dp->free_length * sin_of_angle + p->free_length * (cos_of_angle * dx->angle))));
     return d_above_ground;
 }
 
 /* falls: The mass reaches the ground. */
 static int react_flight_down_falls(const real *parameters, const real *states, const tdmf_table *tables,
-                                   real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -263,8 +257,7 @@ static int react_flight_down_falls(const real *parameters, const real *states, c
 
 /* First variation of falls. */
 static void vary_react_flight_down_falls(const real *parameters, const real *states, const real *d_parameters,
-                                         const real *d_states, const tdmf_table *tables, int seed,
-                                         real *after) {
+    const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -276,7 +269,7 @@ static void vary_react_flight_down_falls(const real *parameters, const real *sta
 
 /* First variation of the guard of falls. */
 static real vary_guard_flight_down_falls(const real *parameters, const real *states, const real *d_parameters,
-                                         const real *d_states) {
+    const real *d_states) {
     const classic_slip_parameters *p = (const void *)parameters;
     const classic_slip_states *x = (const void *)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
@@ -284,10 +277,9 @@ static real vary_guard_flight_down_falls(const real *parameters, const real *sta
     const real cos_of_slope = real_cos(p->slope);
     const real sin_of_slope = real_sin(p->slope);
     const real sin_of_slope_over_cos_of_slope = sin_of_slope / cos_of_slope;
-    const real d_above_ground =
-        dx->y_ - ((cos_of_slope * dp->slope + sin_of_slope_over_cos_of_slope * (sin_of_slope * dp->slope)) /
-                      cos_of_slope * x->x_ +
-                  sin_of_slope_over_cos_of_slope * dx->x_);
+    const real d_above_ground = dx->y_ - ((cos_of_slope * dp->slope
+        + sin_of_slope_over_cos_of_slope * (sin_of_slope * dp->slope)) / cos_of_slope * x->x_
+        + sin_of_slope_over_cos_of_slope * dx->x_);
     return d_above_ground;
 }
 
@@ -298,9 +290,9 @@ static void open_stance(const real *parameters, const real *states, real *consta
     stance_constants *c = (void *)constants;
     const real stiffness_over_mass = p->stiffness / p->mass;
     const real free_length_times_free_length = p->free_length * p->free_length;
+    const real inverse_by_1_plus_friction = 1.0 / (1.0 + p->friction);
     const real cos_of_slope = real_cos(p->slope);
     const real sin_of_slope = real_sin(p->slope);
-    const real by_1_plus_friction = 1.0 + p->friction;
     c->stiffness_over_mass = stiffness_over_mass;
     c->free_length = p->free_length;
     c->foot_x = x->foot_x;
@@ -308,14 +300,14 @@ static void open_stance(const real *parameters, const real *states, real *consta
     c->gravity = p->gravity;
     c->free_length_times_free_length = free_length_times_free_length;
     c->friction = p->friction;
+    c->inverse_by_1_plus_friction = inverse_by_1_plus_friction;
     c->cos_of_slope = cos_of_slope;
     c->sin_of_slope = sin_of_slope;
-    c->by_1_plus_friction = by_1_plus_friction;
 }
 
 /* First variation of open_stance. */
 static void vary_open_stance(const real *parameters, const real *states, const real *d_parameters,
-                             const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const classic_slip_parameters *p = (const void *)parameters;
     (void)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
@@ -324,6 +316,10 @@ static void vary_open_stance(const real *parameters, const real *states, const r
     const real stiffness_over_mass = p->stiffness / p->mass;
     const real d_stiffness_over_mass = (dp->stiffness - stiffness_over_mass * dp->mass) / p->mass;
     const real d_free_length_times_free_length = 2.0 * (p->free_length * dp->free_length);
+    const real by_1_plus_friction = 1.0 + p->friction;
+    const real inverse_by_1_plus_friction = 1.0 / by_1_plus_friction;
+    const real d_inverse_by_1_plus_friction = -(inverse_by_1_plus_friction * dp->friction /
+        by_1_plus_friction);
     const real sin_of_slope = real_sin(p->slope);
     const real d_cos_of_slope = -(sin_of_slope * dp->slope);
     const real cos_of_slope = real_cos(p->slope);
@@ -335,14 +331,14 @@ static void vary_open_stance(const real *parameters, const real *states, const r
     c->gravity = dp->gravity;
     c->free_length_times_free_length = d_free_length_times_free_length;
     c->friction = dp->friction;
+    c->inverse_by_1_plus_friction = d_inverse_by_1_plus_friction;
     c->cos_of_slope = d_cos_of_slope;
     c->sin_of_slope = d_sin_of_slope;
-    c->by_1_plus_friction = dp->friction;
 }
 
 /* take_off: The spring is relaxed. */
 static int react_stance_take_off(const real *parameters, const real *states, const tdmf_table *tables,
-                                 real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     const classic_slip_states *x = (const void *)states;
     (void)tables;
@@ -361,8 +357,7 @@ static int react_stance_take_off(const real *parameters, const real *states, con
 
 /* First variation of take_off. */
 static void vary_react_stance_take_off(const real *parameters, const real *states, const real *d_parameters,
-                                       const real *d_states, const tdmf_table *tables, int seed,
-                                       real *after) {
+    const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     const classic_slip_states *x = (const void *)states;
     (void)d_parameters;
@@ -380,18 +375,18 @@ static void vary_react_stance_take_off(const real *parameters, const real *state
 
 /* First variation of the guard of take_off. */
 static real vary_guard_stance_take_off(const real *parameters, const real *states, const real *d_parameters,
-                                       const real *d_states) {
+    const real *d_states) {
     const classic_slip_parameters *p = (const void *)parameters;
     const classic_slip_states *x = (const void *)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
     const classic_slip_states *dx = (const void *)d_states;
-    return 2.0 * (p->free_length * dp->free_length) - 2.0 * ((x->x_ - x->foot_x) * (dx->x_ - dx->foot_x)) -
-           2.0 * ((x->y_ - x->foot_y) * (dx->y_ - dx->foot_y));
+    return 2.0 * (p->free_length * dp->free_length) - 2.0 * ((x->x_ - x->foot_x) * (dx->x_ - dx->foot_x))
+        - 2.0 * ((x->y_ - x->foot_y) * (dx->y_ - dx->foot_y));
 }
 
 /* leaves_cone: The leg reaches theta = -arctan mu: the energy left in the spring is lost. */
 static int react_stance_leaves_cone(const real *parameters, const real *states, const tdmf_table *tables,
-                                    real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     const classic_slip_states *x = (const void *)states;
     (void)tables;
@@ -411,8 +406,7 @@ static int react_stance_leaves_cone(const real *parameters, const real *states, 
 
 /* First variation of leaves_cone. */
 static void vary_react_stance_leaves_cone(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states,
-                                          const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     const classic_slip_states *x = (const void *)states;
     (void)d_parameters;
@@ -431,7 +425,7 @@ static void vary_react_stance_leaves_cone(const real *parameters, const real *st
 
 /* First variation of the guard of leaves_cone. */
 static real vary_guard_stance_leaves_cone(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const classic_slip_parameters *p = (const void *)parameters;
     const classic_slip_states *x = (const void *)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
@@ -445,21 +439,21 @@ static real vary_guard_stance_leaves_cone(const real *parameters, const real *st
     const real sin_of_slope_times_slope = sin_of_slope * dp->slope;
     const real cos_of_slope_times_slope = cos_of_slope * dp->slope;
     const real x__minus_foot_x_2 = dx->x_ - dx->foot_x;
-    const real d_off = cos_of_slope * y__minus_foot_y_2 - sin_of_slope_times_slope * y__minus_foot_y -
-                       (cos_of_slope_times_slope * x__minus_foot_x + sin_of_slope * x__minus_foot_x_2);
-    const real d_along = cos_of_slope * x__minus_foot_x_2 - sin_of_slope_times_slope * x__minus_foot_x +
-                         (cos_of_slope_times_slope * y__minus_foot_y + sin_of_slope * y__minus_foot_y_2);
+    const real d_off = cos_of_slope * y__minus_foot_y_2 - sin_of_slope_times_slope * y__minus_foot_y
+        - (cos_of_slope_times_slope * x__minus_foot_x + sin_of_slope * x__minus_foot_x_2);
+    const real d_along = cos_of_slope * x__minus_foot_x_2 - sin_of_slope_times_slope * x__minus_foot_x
+        + (cos_of_slope_times_slope * y__minus_foot_y + sin_of_slope * y__minus_foot_y_2);
     const real along = cos_of_slope * x__minus_foot_x + sin_of_slope * y__minus_foot_y;
     const real by_1_plus_friction = 1.0 + p->friction;
     const real in_cone = (p->friction * off - along) / by_1_plus_friction;
-    const real d_in_cone =
-        (dp->friction * off + p->friction * d_off - d_along - in_cone * dp->friction) / by_1_plus_friction;
+    const real d_in_cone = (dp->friction * off + p->friction * d_off - d_along
+        - in_cone * dp->friction) / by_1_plus_friction;
     return d_in_cone;
 }
 
 /* slides_out: The leg turns back and leaves the friction cone. */
 static int react_stance_slides_out(const real *parameters, const real *states, const tdmf_table *tables,
-                                   real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     const classic_slip_states *x = (const void *)states;
     (void)tables;
@@ -473,7 +467,7 @@ static int react_stance_slides_out(const real *parameters, const real *states, c
 
 /* First variation of the guard of slides_out. */
 static real vary_guard_stance_slides_out(const real *parameters, const real *states, const real *d_parameters,
-                                         const real *d_states) {
+    const real *d_states) {
     const classic_slip_parameters *p = (const void *)parameters;
     const classic_slip_states *x = (const void *)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
@@ -487,30 +481,29 @@ static real vary_guard_stance_slides_out(const real *parameters, const real *sta
     const real sin_of_slope_times_slope = sin_of_slope * dp->slope;
     const real cos_of_slope_times_slope = cos_of_slope * dp->slope;
     const real x__minus_foot_x_2 = dx->x_ - dx->foot_x;
-    const real d_off = cos_of_slope * y__minus_foot_y_2 - sin_of_slope_times_slope * y__minus_foot_y -
-                       (cos_of_slope_times_slope * x__minus_foot_x + sin_of_slope * x__minus_foot_x_2);
-    const real d_along = cos_of_slope * x__minus_foot_x_2 - sin_of_slope_times_slope * x__minus_foot_x +
-                         (cos_of_slope_times_slope * y__minus_foot_y + sin_of_slope * y__minus_foot_y_2);
+    const real d_off = cos_of_slope * y__minus_foot_y_2 - sin_of_slope_times_slope * y__minus_foot_y
+        - (cos_of_slope_times_slope * x__minus_foot_x + sin_of_slope * x__minus_foot_x_2);
+    const real d_along = cos_of_slope * x__minus_foot_x_2 - sin_of_slope_times_slope * x__minus_foot_x
+        + (cos_of_slope_times_slope * y__minus_foot_y + sin_of_slope * y__minus_foot_y_2);
     const real along = cos_of_slope * x__minus_foot_x + sin_of_slope * y__minus_foot_y;
     const real by_1_plus_friction = 1.0 + p->friction;
     const real in_cone = (p->friction * off + along) / by_1_plus_friction;
-    const real d_in_cone =
-        (dp->friction * off + p->friction * d_off + d_along - in_cone * dp->friction) / by_1_plus_friction;
+    const real d_in_cone = (dp->friction * off + p->friction * d_off + d_along
+        - in_cone * dp->friction) / by_1_plus_friction;
     return d_in_cone;
 }
 
 /* First variation of the guard of collapses. */
 static real vary_guard_stance_collapses(const real *parameters, const real *states, const real *d_parameters,
-                                        const real *d_states) {
+    const real *d_states) {
     const classic_slip_parameters *p = (const void *)parameters;
     const classic_slip_states *x = (const void *)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
     const classic_slip_states *dx = (const void *)d_states;
     const real cos_of_slope = real_cos(p->slope);
     const real sin_of_slope = real_sin(p->slope);
-    const real d_off =
-        cos_of_slope * (dx->y_ - dx->foot_y) - sin_of_slope * dp->slope * (x->y_ - x->foot_y) -
-        (cos_of_slope * dp->slope * (x->x_ - x->foot_x) + sin_of_slope * (dx->x_ - dx->foot_x));
+    const real d_off = cos_of_slope * (dx->y_ - dx->foot_y) - sin_of_slope * dp->slope * (x->y_ - x->foot_y)
+        - (cos_of_slope * dp->slope * (x->x_ - x->foot_x) + sin_of_slope * (dx->x_ - dx->foot_x));
     return d_off;
 }
 
@@ -528,7 +521,7 @@ static void open_flight_up(const real *parameters, const real *states, real *con
 
 /* First variation of open_flight_up. */
 static void vary_open_flight_up(const real *parameters, const real *states, const real *d_parameters,
-                                const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const classic_slip_parameters *p = (const void *)parameters;
     (void)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
@@ -538,9 +531,8 @@ static void vary_open_flight_up(const real *parameters, const real *states, cons
     const real cos_of_slope = real_cos(p->slope);
     const real sin_of_slope = real_sin(p->slope);
     const real sin_of_slope_over_cos_of_slope = sin_of_slope / cos_of_slope;
-    const real d_sin_of_slope_over_cos_of_slope =
-        (cos_of_slope * dp->slope + sin_of_slope_over_cos_of_slope * (sin_of_slope * dp->slope)) /
-        cos_of_slope;
+    const real d_sin_of_slope_over_cos_of_slope = (cos_of_slope * dp->slope
+        + sin_of_slope_over_cos_of_slope * (sin_of_slope * dp->slope)) / cos_of_slope;
     c->vx = dx->vx;
     c->minus_gravity = d_minus_gravity;
     c->sin_of_slope_over_cos_of_slope = d_sin_of_slope_over_cos_of_slope;
@@ -548,7 +540,7 @@ static void vary_open_flight_up(const real *parameters, const real *states, cons
 
 /* apex: The mass rises no more, and the leg is put to its angle. */
 static int react_flight_up_apex(const real *parameters, const real *states, const tdmf_table *tables,
-                                real *after, const int *next) {
+    real *after, const int *next) {
     const classic_slip_parameters *p = (const void *)parameters;
     const classic_slip_states *x = (const void *)states;
     (void)tables;
@@ -562,9 +554,8 @@ static int react_flight_up_apex(const real *parameters, const real *states, cons
     y->apex_height = above_ground;
     y->apex_energy = energy;
     y->step_length = x__minus_apex_x;
-    if (x->y_ - p->free_length * real_cos(p->touchdown_angle) -
-            sin_of_slope_over_cos_of_slope * (x->x_ + p->free_length * real_sin(p->touchdown_angle)) >
-        0.0) {
+    if (x->y_ - p->free_length * real_cos(p->touchdown_angle) - sin_of_slope_over_cos_of_slope * (x->x_
+        + p->free_length * real_sin(p->touchdown_angle)) > 0.0) {
         return next[0]; /* flight */
     }
     return next[1]; /* no_start */
@@ -572,7 +563,7 @@ static int react_flight_up_apex(const real *parameters, const real *states, cons
 
 /* First variation of apex. */
 static void vary_react_flight_up_apex(const real *parameters, const real *states, const real *d_parameters,
-                                      const real *d_states, const tdmf_table *tables, int seed, real *after) {
+    const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const classic_slip_parameters *p = (const void *)parameters;
     const classic_slip_states *x = (const void *)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
@@ -583,14 +574,13 @@ static void vary_react_flight_up_apex(const real *parameters, const real *states
     const real cos_of_slope = real_cos(p->slope);
     const real sin_of_slope = real_sin(p->slope);
     const real sin_of_slope_over_cos_of_slope = sin_of_slope / cos_of_slope;
-    const real d_above_ground =
-        dx->y_ - ((cos_of_slope * dp->slope + sin_of_slope_over_cos_of_slope * (sin_of_slope * dp->slope)) /
-                      cos_of_slope * x->x_ +
-                  sin_of_slope_over_cos_of_slope * dx->x_);
+    const real d_above_ground = dx->y_ - ((cos_of_slope * dp->slope
+        + sin_of_slope_over_cos_of_slope * (sin_of_slope * dp->slope)) / cos_of_slope * x->x_
+        + sin_of_slope_over_cos_of_slope * dx->x_);
     const real above_ground = x->y_ - sin_of_slope_over_cos_of_slope * x->x_;
-    const real d_energy = dp->mass * (0.5 * (x->vx * x->vx) + p->gravity * above_ground) +
-                          p->mass * (0.5 * (2.0 * (x->vx * dx->vx)) +
-                                     (dp->gravity * above_ground + p->gravity * d_above_ground));
+    const real d_energy = dp->mass * (0.5 * (x->vx * x->vx) + p->gravity * above_ground)
+        + p->mass * (0.5 * (2.0 * (x->vx * dx->vx)) + (dp->gravity * above_ground
+        + p->gravity * d_above_ground));
     y->angle = dp->touchdown_angle;
     y->apex_x = dx->x_;
     y->apex_height = d_above_ground;
@@ -600,7 +590,7 @@ static void vary_react_flight_up_apex(const real *parameters, const real *states
 
 /* First variation of the guard of apex. */
 static real vary_guard_flight_up_apex(const real *parameters, const real *states, const real *d_parameters,
-                                      const real *d_states) {
+    const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -624,7 +614,7 @@ static void enter_at_energy(const real *parameters, const real *states, const re
 
 /* First variation of enter_at_energy. */
 static void vary_enter_at_energy(const real *parameters, const real *states, const real *d_parameters,
-                                 const real *d_states, const real *at, const real *d_at, real *after) {
+    const real *d_states, const real *at, const real *d_at, real *after) {
     const classic_slip_parameters *p = (const void *)parameters;
     (void)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
@@ -634,8 +624,8 @@ static void vary_enter_at_energy(const real *parameters, const real *states, con
     const real d_at_apex_height = d_at[0];
     const real energy_over_mass = p->energy / p->mass;
     const real kinetic = energy_over_mass - p->gravity * at_apex_height;
-    const real d_kinetic = (dp->energy - energy_over_mass * dp->mass) / p->mass -
-                           (dp->gravity * at_apex_height + p->gravity * d_at_apex_height);
+    const real d_kinetic = (dp->energy - energy_over_mass * dp->mass) / p->mass
+        - (dp->gravity * at_apex_height + p->gravity * d_at_apex_height);
     const real speed = real_sqrt(2.0 * select(kinetic > 0.0, kinetic, 0.0));
     const real d_speed = 0.5 * (2.0 * select(kinetic > 0.0, d_kinetic, 0.0)) / speed;
     y->y_ = d_at_apex_height;
@@ -661,7 +651,7 @@ static void enter_at_apex(const real *parameters, const real *states, const real
 
 /* First variation of enter_at_apex. */
 static void vary_enter_at_apex(const real *parameters, const real *states, const real *d_parameters,
-                               const real *d_states, const real *at, const real *d_at, real *after) {
+    const real *d_states, const real *at, const real *d_at, real *after) {
     const classic_slip_parameters *p = (const void *)parameters;
     (void)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
@@ -673,8 +663,8 @@ static void vary_enter_at_apex(const real *parameters, const real *states, const
     const real d_at_apex_energy = d_at[1];
     const real at_apex_energy_over_mass = at_apex_energy / p->mass;
     const real kinetic = at_apex_energy_over_mass - p->gravity * at_apex_height;
-    const real d_kinetic = (d_at_apex_energy - at_apex_energy_over_mass * dp->mass) / p->mass -
-                           (dp->gravity * at_apex_height + p->gravity * d_at_apex_height);
+    const real d_kinetic = (d_at_apex_energy - at_apex_energy_over_mass * dp->mass) / p->mass
+        - (dp->gravity * at_apex_height + p->gravity * d_at_apex_height);
     const real speed = real_sqrt(2.0 * select(kinetic > 0.0, kinetic, 0.0));
     const real d_speed = 0.5 * (2.0 * select(kinetic > 0.0, d_kinetic, 0.0)) / speed;
     y->y_ = d_at_apex_height;
@@ -715,12 +705,8 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
 }
 
 static const tdmf_guard_kind guards_start_of_run[] = {
-    {.event = EVENT_begins,
-     .is_counted = false,
-     .react = react_start_of_run_begins,
-     .vary_react = vary_react_start_of_run_begins,
-     .vary_guard = vary_guard_start_of_run_begins,
-     .next = {MODE_no_start, MODE_flight_down}},
+    {.event = EVENT_begins, .react = react_start_of_run_begins, .vary_react = vary_react_start_of_run_begins,
+        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_no_start, MODE_flight_down}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_start_of_run[] = {
@@ -733,18 +719,12 @@ static const tdmf_watch_kind watches_no_start[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_down[] = {
-    {.event = EVENT_touchdown,
-     .is_counted = true,
-     .react = react_flight_down_touchdown,
-     .vary_react = vary_react_flight_down_touchdown,
-     .vary_guard = vary_guard_flight_down_touchdown,
-     .next = {MODE_fallen, MODE_slides, MODE_stance}},
-    {.event = EVENT_falls,
-     .is_counted = true,
-     .react = react_flight_down_falls,
-     .vary_react = vary_react_flight_down_falls,
-     .vary_guard = vary_guard_flight_down_falls,
-     .next = {MODE_fallen}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_down_touchdown,
+        .vary_react = vary_react_flight_down_touchdown, .vary_guard = vary_guard_flight_down_touchdown,
+        .next = {MODE_fallen, MODE_slides, MODE_stance}},
+    {.event = EVENT_falls, .is_counted = true, .react = react_flight_down_falls,
+        .vary_react = vary_react_flight_down_falls, .vary_guard = vary_guard_flight_down_falls,
+        .next = {MODE_fallen}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_down[] = {
@@ -763,30 +743,18 @@ static const tdmf_watch_kind watches_slides[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_stance[] = {
-    {.event = EVENT_take_off,
-     .is_counted = true,
-     .react = react_stance_take_off,
-     .vary_react = vary_react_stance_take_off,
-     .vary_guard = vary_guard_stance_take_off,
-     .next = {MODE_fallen, MODE_flight_up}},
-    {.event = EVENT_leaves_cone,
-     .is_counted = true,
-     .react = react_stance_leaves_cone,
-     .vary_react = vary_react_stance_leaves_cone,
-     .vary_guard = vary_guard_stance_leaves_cone,
-     .next = {MODE_fallen, MODE_flight_up}},
-    {.event = EVENT_slides_out,
-     .is_counted = true,
-     .react = react_stance_slides_out,
-     .vary_react = vary_react_stance_take_off,
-     .vary_guard = vary_guard_stance_slides_out,
-     .next = {MODE_slides}},
-    {.event = EVENT_collapses,
-     .is_counted = true,
-     .react = react_flight_down_falls,
-     .vary_react = vary_react_flight_down_falls,
-     .vary_guard = vary_guard_stance_collapses,
-     .next = {MODE_fallen}},
+    {.event = EVENT_take_off, .is_counted = true, .react = react_stance_take_off,
+        .vary_react = vary_react_stance_take_off, .vary_guard = vary_guard_stance_take_off,
+        .next = {MODE_fallen, MODE_flight_up}},
+    {.event = EVENT_leaves_cone, .is_counted = true, .react = react_stance_leaves_cone,
+        .vary_react = vary_react_stance_leaves_cone, .vary_guard = vary_guard_stance_leaves_cone,
+        .next = {MODE_fallen, MODE_flight_up}},
+    {.event = EVENT_slides_out, .is_counted = true, .react = react_stance_slides_out,
+        .vary_react = vary_react_stance_take_off, .vary_guard = vary_guard_stance_slides_out,
+        .next = {MODE_slides}},
+    {.event = EVENT_collapses, .is_counted = true, .react = react_flight_down_falls,
+        .vary_react = vary_react_flight_down_falls, .vary_guard = vary_guard_stance_collapses,
+        .next = {MODE_fallen}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_stance[] = {
@@ -795,18 +763,12 @@ static const tdmf_watch_kind watches_stance[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_up[] = {
-    {.event = EVENT_falls,
-     .is_counted = true,
-     .react = react_flight_down_falls,
-     .vary_react = vary_react_flight_down_falls,
-     .vary_guard = vary_guard_flight_down_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_apex,
-     .is_counted = true,
-     .react = react_flight_up_apex,
-     .vary_react = vary_react_flight_up_apex,
-     .vary_guard = vary_guard_flight_up_apex,
-     .next = {MODE_flight_down, MODE_no_start}},
+    {.event = EVENT_falls, .is_counted = true, .react = react_flight_down_falls,
+        .vary_react = vary_react_flight_down_falls, .vary_guard = vary_guard_flight_down_falls,
+        .next = {MODE_fallen}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_up_apex,
+        .vary_react = vary_react_flight_up_apex, .vary_guard = vary_guard_flight_up_apex,
+        .next = {MODE_flight_down, MODE_no_start}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_up[] = {
@@ -816,132 +778,66 @@ static const int coordinates_at_energy[] = {15};
 static const int coordinates_at_apex[] = {15, 16};
 
 static const tdmf_mode_kind modes[] = {
-    {.motion = &tdmf_classic_slip_motions[MODE_start_of_run],
-     .ends = false,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 1,
-     .guards = guards_start_of_run,
-     .watch_count = 0,
-     .watches = watches_start_of_run,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run},
-    {.motion = &tdmf_classic_slip_motions[MODE_no_start],
-     .ends = true,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 0,
-     .guards = guards_no_start,
-     .watch_count = 0,
-     .watches = watches_no_start,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run},
-    {.motion = &tdmf_classic_slip_motions[MODE_flight_down],
-     .ends = false,
-     .open = open_flight_down,
-     .vary_open = vary_open_flight_down,
-     .guard_count = 2,
-     .guards = guards_flight_down,
-     .watch_count = 0,
-     .watches = watches_flight_down,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run},
-    {.motion = &tdmf_classic_slip_motions[MODE_fallen],
-     .ends = true,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 0,
-     .guards = guards_fallen,
-     .watch_count = 0,
-     .watches = watches_fallen,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run},
-    {.motion = &tdmf_classic_slip_motions[MODE_slides],
-     .ends = true,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 0,
-     .guards = guards_slides,
-     .watch_count = 0,
-     .watches = watches_slides,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run},
-    {.motion = &tdmf_classic_slip_motions[MODE_stance],
-     .ends = false,
-     .open = open_stance,
-     .vary_open = vary_open_stance,
-     .guard_count = 4,
-     .guards = guards_stance,
-     .watch_count = 2,
-     .watches = watches_stance,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run},
-    {.motion = &tdmf_classic_slip_motions[MODE_flight_up],
-     .ends = false,
-     .open = open_flight_up,
-     .vary_open = vary_open_flight_up,
-     .guard_count = 2,
-     .guards = guards_flight_up,
-     .watch_count = 0,
-     .watches = watches_flight_up,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run},
+    {.motion = &tdmf_classic_slip_motions[MODE_start_of_run], .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 1, .guards = guards_start_of_run,
+        .watch_count = 0, .watches = watches_start_of_run, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run},
+    {.motion = &tdmf_classic_slip_motions[MODE_no_start], .ends = true, .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_no_start, .watch_count = 0,
+        .watches = watches_no_start, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run},
+    {.motion = &tdmf_classic_slip_motions[MODE_flight_down], .open = open_flight_down,
+        .vary_open = vary_open_flight_down, .guard_count = 2, .guards = guards_flight_down, .watch_count = 0,
+        .watches = watches_flight_down, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run},
+    {.motion = &tdmf_classic_slip_motions[MODE_fallen], .ends = true, .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_fallen, .watch_count = 0,
+        .watches = watches_fallen, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run},
+    {.motion = &tdmf_classic_slip_motions[MODE_slides], .ends = true, .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_slides, .watch_count = 0,
+        .watches = watches_slides, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run},
+    {.motion = &tdmf_classic_slip_motions[MODE_stance], .open = open_stance, .vary_open = vary_open_stance,
+        .guard_count = 4, .guards = guards_stance, .watch_count = 2, .watches = watches_stance,
+        .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run},
+    {.motion = &tdmf_classic_slip_motions[MODE_flight_up], .open = open_flight_up,
+        .vary_open = vary_open_flight_up, .guard_count = 2, .guards = guards_flight_up, .watch_count = 0,
+        .watches = watches_flight_up, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run},
 };
 
 static const tdmf_set_kind sets[] = {
     {.index = -1},
 };
 static const tdmf_section_kind sections[] = {
-    {.enter = enter_at_energy,
-     .vary_enter = vary_enter_at_energy,
-     .event = EVENT_apex,
-     .count = 1,
-     .coordinates = coordinates_at_energy},
-    {.enter = enter_at_apex,
-     .vary_enter = vary_enter_at_apex,
-     .event = EVENT_apex,
-     .count = 2,
-     .coordinates = coordinates_at_apex},
+    {.enter = enter_at_energy, .vary_enter = vary_enter_at_energy, .event = EVENT_apex, .count = 1,
+        .coordinates = coordinates_at_energy},
+    {.enter = enter_at_apex, .vary_enter = vary_enter_at_apex, .event = EVENT_apex, .count = 2,
+        .coordinates = coordinates_at_apex},
     {.event = -1},
 };
 
-static const char *const mode_names[] = {"start_of_run", "no_start", "flight_down", "fallen",
-                                         "slides",       "stance",   "flight_up"};
-static const char *const state_names[] = {"time",
-                                          "x",
-                                          "y",
-                                          "vx",
-                                          "vy",
-                                          "angle",
-                                          "foot_x",
-                                          "foot_y",
-                                          "touchdown_time",
-                                          "stance_time",
-                                          "impact_friction",
-                                          "stance_friction",
-                                          "tilt",
-                                          "left_early",
-                                          "apex_x",
-                                          "apex_height",
-                                          "apex_energy",
-                                          "step_length"};
-static const char *const parameter_names[] = {"mass",     "stiffness",       "free_length",
-                                              "gravity",  "touchdown_angle", "retraction_rate",
-                                              "friction", "slope",           "energy"};
-static const char *const event_names[] = {"begins",      "touchdown",  "falls",     "take_off",
-                                          "leaves_cone", "slides_out", "collapses", "apex"};
+static const char *const mode_names[] = {"start_of_run", "no_start", "flight_down", "fallen", "slides",
+    "stance", "flight_up"};
+static const char *const state_names[] = {"time", "x", "y", "vx", "vy", "angle", "foot_x", "foot_y",
+    "touchdown_time", "stance_time", "impact_friction", "stance_friction", "tilt", "left_early", "apex_x",
+    "apex_height", "apex_energy", "step_length"};
+static const char *const parameter_names[] = {"mass", "stiffness", "free_length", "gravity",
+    "touchdown_angle", "retraction_rate", "friction", "slope", "energy"};
+static const char *const event_names[] = {"begins", "touchdown", "falls", "take_off", "leaves_cone",
+    "slides_out", "collapses", "apex"};
 static const char *const output_names[] = {0};
 static const char *const table_names[] = {0};
 static const char *const section_names[] = {"at_energy", "at_apex"};
-static const double state_defaults[] = {
-    0.0, 0.0, 1.04, 5.0, 0.0, 0.6981317007977318, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-static const double parameter_defaults[] = {80.0, 20000.0,      1.0, 9.81,  0.6981317007977318,
-                                            0.0,  1000000000.0, 0.0, 6000.0};
-static const double parameter_least[] = {
-    1e-09, 1e-09, 1e-06, 1e-09, -1.5707963267948963, -1000000000.0, 0.0, -0.9999999999999999, 0.0};
-static const double parameter_most[] = {1000000000.0, 1000000000000.0,    1000000.0,
-                                        1000000.0,    1.5707963267948963, 1000000000.0,
-                                        1000000000.0, 0.9999999999999999, 1.7976931348623157e+308};
+static const double state_defaults[] = {0.0, 0.0, 1.04, 5.0, 0.0, 0.6981317007977318, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+static const double parameter_defaults[] = {80.0, 20000.0, 1.0, 9.81, 0.6981317007977318, 0.0, 1000000000.0,
+    0.0, 6000.0};
+static const double parameter_least[] = {1e-09, 1e-09, 1e-06, 1e-09, -1.5707963267948963, -1000000000.0, 0.0,
+    -0.9999999999999999, 0.0};
+static const double parameter_most[] = {1000000000.0, 1000000000000.0, 1000000.0, 1000000.0,
+    1.5707963267948963, 1000000000.0, 1000000000.0, 0.9999999999999999, 1.7976931348623157e+308};
 
 const tdmf_model_kind tdmf_classic_slip_model = {
     .modes = modes,
@@ -952,7 +848,7 @@ const tdmf_model_kind tdmf_classic_slip_model = {
     .series_count = 13,
     .constant_count = 10,
     .lanes = {TDMF_TWO_LANES(tdmf_classic_slip_motions_of_2), TDMF_FOUR_LANES(tdmf_classic_slip_motions_of_4),
-              TDMF_EIGHT_LANES(tdmf_classic_slip_motions_of_8)},
+        TDMF_EIGHT_LANES(tdmf_classic_slip_motions_of_8)},
     .seeds = TDMF_FOR_SEEDS(tdmf_classic_slip_seeds),
     .mode_count = 7,
     .mode_names = mode_names,

@@ -8,65 +8,17 @@ typedef struct {
     real time[TERMS];
 } start_of_run_series;
 
-typedef struct {
-    pair none;
-} start_of_run_sums;
-
-typedef struct {
-    real none;
-} start_of_run_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_start_of_run_sums(const start_of_run_series *s, int i, int j, start_of_run_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_start_of_run_sums(const start_of_run_series *s, int i, start_of_run_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_start_of_run(const start_of_run_constants *c, const start_of_run_factors *by, int k,
-                              const start_of_run_sums *sum, int odd, start_of_run_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)s;
-    (void)k;
-    (void)odd;
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_start_of_run(const real *constants, int order, real *series) {
-    const start_of_run_constants copy = *(const start_of_run_constants *)(const void *)constants, *c = &copy;
-    start_of_run_series *s = (void *)series;
-    static const start_of_run_sums none;
-    start_of_run_sums sum = none;
+/* All coefficients. */
+static void expand_start_of_run(const real *constants, int order, real *expanded) {
+    (void)constants;
+    (void)order;
+    start_of_run_series *s = (void *)expanded;
     s->time[1] = broadcast(1.0);
-    const start_of_run_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_start_of_run(c, by, 0, &sum, 0, s);
-    begin_start_of_run_sums(s, 0, &sum);
-    step_start_of_run(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_start_of_run_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_start_of_run_sums(s, i, j, &sum);
-        }
-        step_start_of_run(c, by, k, &sum, 0, s);
-        add_start_of_run_sums(s, 1, k, &sum);
-        step_start_of_run(c, by, k + 1, &sum, 1, s);
-    }
 }
 
 /* First variation of the series. */
 static void vary_start_of_run(const real *constants, const real *series, const real *d_constants, int order,
-                              real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -87,7 +39,7 @@ static void guard_start_of_run_begins(const real *constants, const real *series,
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_start_of_run(const real *constants, const real *series, const real *power, int order,
-                                uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     (void)constants;
     (void)series;
     (void)power;
@@ -104,70 +56,21 @@ typedef struct {
     real none[TERMS];
 } no_start_series;
 
-typedef struct {
-    pair none;
-} no_start_sums;
-
-typedef struct {
-    real none;
-} no_start_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_no_start_sums(const no_start_series *s, int i, int j, no_start_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_no_start_sums(const no_start_series *s, int i, no_start_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_no_start(const no_start_constants *c, const no_start_factors *by, int k,
-                          const no_start_sums *sum, int odd, no_start_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)s;
-    (void)k;
-    (void)odd;
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_no_start(const real *constants, int order, real *series) {
-    const no_start_constants copy = *(const no_start_constants *)(const void *)constants, *c = &copy;
-    no_start_series *s = (void *)series;
-    static const no_start_sums none;
-    no_start_sums sum = none;
-    const no_start_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_no_start(c, by, 0, &sum, 0, s);
-    begin_no_start_sums(s, 0, &sum);
-    step_no_start(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_no_start_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_no_start_sums(s, i, j, &sum);
-        }
-        step_no_start(c, by, k, &sum, 0, s);
-        add_no_start_sums(s, 1, k, &sum);
-        step_no_start(c, by, k + 1, &sum, 1, s);
-    }
+/* All coefficients. */
+static void expand_no_start(const real *constants, int order, real *expanded) {
+    (void)constants;
+    (void)order;
+    (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_no_start(const real *constants, const real *series, const real *d_constants, int order,
-                          real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     (void)d_constants;
+    (void)order;
     (void)varied;
-    for (int k = 0; k < order; ++k) {
-    }
 }
 
 /* ---- flight_down */
@@ -181,67 +84,22 @@ typedef struct {
     real angle[TERMS];
 } flight_down_series;
 
-typedef struct {
-    pair none;
-} flight_down_sums;
-
-typedef struct {
-    real none;
-} flight_down_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_flight_down_sums(const flight_down_series *s, int i, int j, flight_down_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_flight_down_sums(const flight_down_series *s, int i, flight_down_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_flight_down(const flight_down_constants *c, const flight_down_factors *by, int k,
-                             const flight_down_sums *sum, int odd, flight_down_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)odd;
-    s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_down(const real *constants, int order, real *series) {
-    const flight_down_constants copy = *(const flight_down_constants *)(const void *)constants, *c = &copy;
-    flight_down_series *s = (void *)series;
-    static const flight_down_sums none;
-    flight_down_sums sum = none;
+/* All coefficients. */
+static void expand_flight_down(const real *constants, int order, real *expanded) {
+    const flight_down_constants *c = (const void *)constants;
+    flight_down_series *s = (void *)expanded;
     s->time[1] = broadcast(1.0);
     s->x_[1] = c->vx;
     s->vy[1] = c->minus_gravity;
     s->angle[1] = c->minus_retraction_rate;
-    const flight_down_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_flight_down(c, by, 0, &sum, 0, s);
-    begin_flight_down_sums(s, 0, &sum);
-    step_flight_down(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_flight_down_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_flight_down_sums(s, i, j, &sum);
-        }
-        step_flight_down(c, by, k, &sum, 0, s);
-        add_flight_down_sums(s, 1, k, &sum);
-        step_flight_down(c, by, k + 1, &sum, 1, s);
+    for (int k = 0; k < order; ++k) {
+        s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     }
 }
 
 /* First variation of the series. */
 static void vary_flight_down(const real *constants, const real *series, const real *d_constants, int order,
-                             real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     const flight_down_constants *d = (const void *)d_constants;
@@ -263,9 +121,9 @@ static void guard_flight_down_touchdown(const real *constants, const real *serie
     real own_sin_of_angle[TERMS];
     for (int k = 0; k < order; ++k) {
         sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
-        g[k] = s->y_[k] - c->free_length * own_cos_of_angle[k] -
-               c->sin_of_slope_over_cos_of_slope * s->x_[k] -
-               c->sin_of_slope_over_cos_of_slope * c->free_length * own_sin_of_angle[k];
+        g[k] = s->y_[k] - c->free_length * own_cos_of_angle[k]
+            - c->sin_of_slope_over_cos_of_slope * s->x_[k]
+            - c->sin_of_slope_over_cos_of_slope * c->free_length * own_sin_of_angle[k];
     }
 }
 
@@ -280,7 +138,7 @@ static void guard_flight_down_falls(const real *constants, const real *series, i
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_flight_down(const real *constants, const real *series, const real *power, int order,
-                               uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const flight_down_constants *c = (const void *)constants;
     const flight_down_series *s = (const void *)series;
     (void)order;
@@ -311,70 +169,21 @@ typedef struct {
     real none[TERMS];
 } fallen_series;
 
-typedef struct {
-    pair none;
-} fallen_sums;
-
-typedef struct {
-    real none;
-} fallen_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_fallen_sums(const fallen_series *s, int i, int j, fallen_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_fallen_sums(const fallen_series *s, int i, fallen_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_fallen(const fallen_constants *c, const fallen_factors *by, int k, const fallen_sums *sum,
-                        int odd, fallen_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)s;
-    (void)k;
-    (void)odd;
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_fallen(const real *constants, int order, real *series) {
-    const fallen_constants copy = *(const fallen_constants *)(const void *)constants, *c = &copy;
-    fallen_series *s = (void *)series;
-    static const fallen_sums none;
-    fallen_sums sum = none;
-    const fallen_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_fallen(c, by, 0, &sum, 0, s);
-    begin_fallen_sums(s, 0, &sum);
-    step_fallen(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_fallen_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_fallen_sums(s, i, j, &sum);
-        }
-        step_fallen(c, by, k, &sum, 0, s);
-        add_fallen_sums(s, 1, k, &sum);
-        step_fallen(c, by, k + 1, &sum, 1, s);
-    }
+/* All coefficients. */
+static void expand_fallen(const real *constants, int order, real *expanded) {
+    (void)constants;
+    (void)order;
+    (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_fallen(const real *constants, const real *series, const real *d_constants, int order,
-                        real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     (void)d_constants;
+    (void)order;
     (void)varied;
-    for (int k = 0; k < order; ++k) {
-    }
 }
 
 /* ---- slides */
@@ -384,70 +193,21 @@ typedef struct {
     real none[TERMS];
 } slides_series;
 
-typedef struct {
-    pair none;
-} slides_sums;
-
-typedef struct {
-    real none;
-} slides_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_slides_sums(const slides_series *s, int i, int j, slides_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_slides_sums(const slides_series *s, int i, slides_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_slides(const slides_constants *c, const slides_factors *by, int k, const slides_sums *sum,
-                        int odd, slides_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)s;
-    (void)k;
-    (void)odd;
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_slides(const real *constants, int order, real *series) {
-    const slides_constants copy = *(const slides_constants *)(const void *)constants, *c = &copy;
-    slides_series *s = (void *)series;
-    static const slides_sums none;
-    slides_sums sum = none;
-    const slides_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_slides(c, by, 0, &sum, 0, s);
-    begin_slides_sums(s, 0, &sum);
-    step_slides(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_slides_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_slides_sums(s, i, j, &sum);
-        }
-        step_slides(c, by, k, &sum, 0, s);
-        add_slides_sums(s, 1, k, &sum);
-        step_slides(c, by, k + 1, &sum, 1, s);
-    }
+/* All coefficients. */
+static void expand_slides(const real *constants, int order, real *expanded) {
+    (void)constants;
+    (void)order;
+    (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_slides(const real *constants, const real *series, const real *d_constants, int order,
-                        real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     (void)d_constants;
+    (void)order;
     (void)varied;
-    for (int k = 0; k < order; ++k) {
-    }
 }
 
 /* ---- stance */
@@ -487,27 +247,24 @@ KERNEL void add_stance_sums(const stance_series *s, int i, int j, stance_sums *s
     add_products(&sum->x_times_x, s->x_2 + i - 1, s->x_2[j]);
     add_products(&sum->y_times_y, s->y_2 + i - 1, s->y_2[j]);
     add_products(&sum->length, s->length + i - 1, s->length[j]);
-    add_products(&sum->push, s->push + i - 1, s->length[j]);
-    add_products(&sum->push, s->length + i - 1, s->push[j]);
-    add_products(&sum->push_times_x, s->push + i - 1, s->x_2[j]);
-    add_products(&sum->push_times_x, s->x_2 + i - 1, s->push[j]);
-    add_products(&sum->push_times_y, s->push + i - 1, s->y_2[j]);
-    add_products(&sum->push_times_y, s->y_2 + i - 1, s->push[j]);
+    add_both_products(&sum->push, s->push, s->length, i, j);
+    add_both_products(&sum->push_times_x, s->push, s->x_2, i, j);
+    add_both_products(&sum->push_times_y, s->push, s->y_2, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_stance_sums(const stance_series *s, int i, stance_sums *sum) {
-    sum->x_times_x = pair_of(0.5 * (s->x_2[i] * s->x_2[i]), broadcast(0.0));
-    sum->y_times_y = pair_of(0.5 * (s->y_2[i] * s->y_2[i]), broadcast(0.0));
-    sum->length = pair_of(0.5 * (s->length[i] * s->length[i]), broadcast(0.0));
-    sum->push = pair_of((s->push[i] * s->length[i]), broadcast(0.0));
-    sum->push_times_x = pair_of((s->push[i] * s->x_2[i]), broadcast(0.0));
-    sum->push_times_y = pair_of((s->push[i] * s->y_2[i]), broadcast(0.0));
+    sum->x_times_x = middle_of_square(s->x_2, i);
+    sum->y_times_y = middle_of_square(s->y_2, i);
+    sum->length = middle_of_square(s->length, i);
+    sum->push = middle_of_product(s->push, s->length, i);
+    sum->push_times_x = middle_of_product(s->push, s->x_2, i);
+    sum->push_times_y = middle_of_product(s->push, s->y_2, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_stance(const stance_constants *c, const stance_factors *by, int k, const stance_sums *sum,
-                        int odd, stance_series *s) {
+    int odd, stance_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
     s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     /* x_2 = x_ - c->foot_x */
@@ -520,12 +277,11 @@ KERNEL void step_stance(const stance_constants *c, const stance_factors *by, int
     s->y_times_y[k] = square_of(k, part_of(sum->y_times_y, odd), s->y_2);
     /* length = real_sqrt(x_times_x + y_times_y) */
     s->length[k] = root_of(k, part_of(sum->length, odd), s->x_times_x[k] + s->y_times_y[k], s->length,
-                           by->inverse_length);
+        by->inverse_length);
     /* push = c->stiffness_over_mass * (c->free_length - length) / length */
-    s->push[k] = quotient_of(
-        k, part_of(sum->push, odd),
-        with_constant(k, -(c->stiffness_over_mass * s->length[k]), c->stiffness_over_mass * c->free_length),
-        s->push, s->length, by->inverse_length);
+    s->push[k] = quotient_of(k, part_of(sum->push, odd), with_constant(k,
+        -(c->stiffness_over_mass * s->length[k]), c->stiffness_over_mass * c->free_length), s->push,
+        s->length, by->inverse_length);
     /* push_times_x = push * x_2 */
     s->push_times_x[k] = product_of(k, part_of(sum->push_times_x, odd), s->push, s->x_2);
     /* push_times_y = push * y_2 */
@@ -563,7 +319,7 @@ static void expand_stance(const real *constants, int order, real *series) {
 
 /* First variation of the series. */
 static void vary_stance(const real *constants, const real *series, const real *d_constants, int order,
-                        real *varied) {
+    real *varied) {
     const stance_constants *c = (const void *)constants;
     const stance_series *s = (const void *)series;
     const stance_constants *d = (const void *)d_constants;
@@ -586,30 +342,27 @@ static void vary_stance(const real *constants, const real *series, const real *d
         x_2_times_d_x_2[k] = product(s->x_2, d_x_2, k);
         d_y_2[k] = with_constant(k, t->y_[k], -d->foot_y);
         y_2_times_d_y_2[k] = product(s->y_2, d_y_2, k);
-        d_length[k] =
-            (x_2_times_d_x_2[k] + y_2_times_d_y_2[k] - product_so_far(d_length, s->length, k)) / s->length[0];
+        d_length[k] = (x_2_times_d_x_2[k] + y_2_times_d_y_2[k] - product_so_far(d_length, s->length,
+            k)) / s->length[0];
         push_times_d_length[k] = product(s->push, d_length, k);
-        d_push[k] = (with_constant(k,
-                                   -(d->stiffness_over_mass * s->length[k]) -
-                                       c->stiffness_over_mass * d_length[k] - push_times_d_length[k],
-                                   d->stiffness_over_mass * c->free_length +
-                                       c->stiffness_over_mass * d->free_length) -
-                     product_so_far(d_push, s->length, k)) /
-                    s->length[0];
+        d_push[k] = (with_constant(k, -(d->stiffness_over_mass * s->length[k])
+            - c->stiffness_over_mass * d_length[k] - push_times_d_length[k],
+            d->stiffness_over_mass * c->free_length + c->stiffness_over_mass * d->free_length)
+            - product_so_far(d_push, s->length, k)) / s->length[0];
         d_push_times_x_2[k] = product(d_push, s->x_2, k);
         push_times_d_x_2[k] = product(s->push, d_x_2, k);
         d_push_times_y_2[k] = product(d_push, s->y_2, k);
         push_times_d_y_2[k] = product(s->push, d_y_2, k);
         t->vx[k + 1] = series_reciprocal[k + 1] * (d_push_times_x_2[k] + push_times_d_x_2[k]);
-        t->vy[k + 1] = series_reciprocal[k + 1] *
-                       (with_constant(k, d_push_times_y_2[k] + push_times_d_y_2[k], -d->gravity));
+        t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, d_push_times_y_2[k] + push_times_d_y_2[k],
+            -d->gravity));
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
     }
 }
 
 /* First variation of tilt_ahead. */
 static void d_observed_stance_tilt_ahead(const real *constants, const real *series, const real *d_constants,
-                                         const real *d_series, int order, real *dg) {
+    const real *d_series, int order, real *dg) {
     const stance_constants *c = (const void *)constants;
     const stance_series *s = (const void *)series;
     const stance_constants *d = (const void *)d_constants;
@@ -625,27 +378,24 @@ static void d_observed_stance_tilt_ahead(const real *constants, const real *seri
     for (int k = 0; k < order; ++k) {
         own_d_x_2[k] = with_constant(k, t->x_[k], -d->foot_x);
         own_d_y_2[k] = with_constant(k, t->y_[k], -d->foot_y);
-        own_tilt_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k] -
-                             product_so_far(own_tilt_ahead, s->length, k)) /
-                            s->length[0];
+        own_tilt_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k]
+            - product_so_far(own_tilt_ahead, s->length, k)) / s->length[0];
         own_x_2_times_d_x_2[k] = product(s->x_2, own_d_x_2, k);
         own_y_2_times_d_y_2[k] = product(s->y_2, own_d_y_2, k);
-        own_d_length[k] =
-            (own_x_2_times_d_x_2[k] + own_y_2_times_d_y_2[k] - product_so_far(own_d_length, s->length, k)) /
-            s->length[0];
+        own_d_length[k] = (own_x_2_times_d_x_2[k] + own_y_2_times_d_y_2[k] - product_so_far(own_d_length,
+            s->length, k)) / s->length[0];
         own_tilt_ahead_times_d_length[k] = product(own_tilt_ahead, own_d_length, k);
-        own_d_tilt_ahead[k] =
-            (d->cos_of_slope * s->x_2[k] + c->cos_of_slope * own_d_x_2[k] + d->sin_of_slope * s->y_2[k] +
-             c->sin_of_slope * own_d_y_2[k] - own_tilt_ahead_times_d_length[k] -
-             product_so_far(own_d_tilt_ahead, s->length, k)) /
-            s->length[0];
+        own_d_tilt_ahead[k] = (d->cos_of_slope * s->x_2[k] + c->cos_of_slope * own_d_x_2[k]
+            + d->sin_of_slope * s->y_2[k] + c->sin_of_slope * own_d_y_2[k]
+            - own_tilt_ahead_times_d_length[k] - product_so_far(own_d_tilt_ahead, s->length,
+            k)) / s->length[0];
         dg[k] = own_d_tilt_ahead[k];
     }
 }
 
 /* First variation of tilt_behind. */
 static void d_observed_stance_tilt_behind(const real *constants, const real *series, const real *d_constants,
-                                          const real *d_series, int order, real *dg) {
+    const real *d_series, int order, real *dg) {
     const stance_constants *c = (const void *)constants;
     const stance_series *s = (const void *)series;
     const stance_constants *d = (const void *)d_constants;
@@ -661,20 +411,17 @@ static void d_observed_stance_tilt_behind(const real *constants, const real *ser
     for (int k = 0; k < order; ++k) {
         own_d_x_2[k] = with_constant(k, t->x_[k], -d->foot_x);
         own_d_y_2[k] = with_constant(k, t->y_[k], -d->foot_y);
-        own_tilt_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k] -
-                             product_so_far(own_tilt_ahead, s->length, k)) /
-                            s->length[0];
+        own_tilt_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k]
+            - product_so_far(own_tilt_ahead, s->length, k)) / s->length[0];
         own_x_2_times_d_x_2[k] = product(s->x_2, own_d_x_2, k);
         own_y_2_times_d_y_2[k] = product(s->y_2, own_d_y_2, k);
-        own_d_length[k] =
-            (own_x_2_times_d_x_2[k] + own_y_2_times_d_y_2[k] - product_so_far(own_d_length, s->length, k)) /
-            s->length[0];
+        own_d_length[k] = (own_x_2_times_d_x_2[k] + own_y_2_times_d_y_2[k] - product_so_far(own_d_length,
+            s->length, k)) / s->length[0];
         own_tilt_ahead_times_d_length[k] = product(own_tilt_ahead, own_d_length, k);
-        own_d_tilt_ahead[k] =
-            (d->cos_of_slope * s->x_2[k] + c->cos_of_slope * own_d_x_2[k] + d->sin_of_slope * s->y_2[k] +
-             c->sin_of_slope * own_d_y_2[k] - own_tilt_ahead_times_d_length[k] -
-             product_so_far(own_d_tilt_ahead, s->length, k)) /
-            s->length[0];
+        own_d_tilt_ahead[k] = (d->cos_of_slope * s->x_2[k] + c->cos_of_slope * own_d_x_2[k]
+            + d->sin_of_slope * s->y_2[k] + c->sin_of_slope * own_d_y_2[k]
+            - own_tilt_ahead_times_d_length[k] - product_so_far(own_d_tilt_ahead, s->length,
+            k)) / s->length[0];
         dg[k] = -own_d_tilt_ahead[k];
     }
 }
@@ -693,8 +440,9 @@ static void guard_stance_leaves_cone(const real *constants, const real *series, 
     const stance_constants *c = (const void *)constants;
     const stance_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = (c->friction * c->cos_of_slope - c->sin_of_slope) / c->by_1_plus_friction * s->y_2[k] +
-               (-(c->friction * c->sin_of_slope) - c->cos_of_slope) / c->by_1_plus_friction * s->x_2[k];
+        g[k] = c->inverse_by_1_plus_friction * (c->friction * c->cos_of_slope - c->sin_of_slope) * s->y_2[k]
+            + c->inverse_by_1_plus_friction * (-(c->friction * c->sin_of_slope)
+            - c->cos_of_slope) * s->x_2[k];
     }
 }
 
@@ -703,8 +451,8 @@ static void guard_stance_slides_out(const real *constants, const real *series, i
     const stance_constants *c = (const void *)constants;
     const stance_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = (c->friction * c->cos_of_slope + c->sin_of_slope) / c->by_1_plus_friction * s->y_2[k] +
-               (c->cos_of_slope - c->friction * c->sin_of_slope) / c->by_1_plus_friction * s->x_2[k];
+        g[k] = c->inverse_by_1_plus_friction * (c->friction * c->cos_of_slope + c->sin_of_slope) * s->y_2[k]
+            + c->inverse_by_1_plus_friction * (c->cos_of_slope - c->friction * c->sin_of_slope) * s->x_2[k];
     }
 }
 
@@ -723,9 +471,8 @@ static void guard_stance_tilt_ahead(const real *constants, const real *series, i
     const stance_series *s = (const void *)series;
     real own_tilt_ahead[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_tilt_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k] -
-                             product_so_far(own_tilt_ahead, s->length, k)) /
-                            s->length[0];
+        own_tilt_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k]
+            - product_so_far(own_tilt_ahead, s->length, k)) / s->length[0];
         g[k] = own_tilt_ahead[k];
     }
 }
@@ -736,16 +483,15 @@ static void guard_stance_tilt_behind(const real *constants, const real *series, 
     const stance_series *s = (const void *)series;
     real own_tilt_ahead[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_tilt_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k] -
-                             product_so_far(own_tilt_ahead, s->length, k)) /
-                            s->length[0];
+        own_tilt_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k]
+            - product_so_far(own_tilt_ahead, s->length, k)) / s->length[0];
         g[k] = -own_tilt_ahead[k];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_stance(const real *constants, const real *series, const real *power, int order,
-                          uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const stance_constants *c = (const void *)constants;
     const stance_series *s = (const void *)series;
     (void)watched;
@@ -755,16 +501,26 @@ static void bounds_stance(const real *constants, const real *series, const real 
     const interval span_3 = interval_of_series(s->y_times_y, power, order);
     const interval span_4 = interval_difference(span_2, span_3);
     bounds[0] = span_4;
-    bounds[1] = unbounded();
-    bounds[2] = unbounded();
-    const interval span_5 = interval_at(c->cos_of_slope, c->cos_of_slope);
-    const interval span_6 = interval_of_series(s->y_2, power, order);
-    const interval span_7 = interval_product(span_5, span_6);
-    const interval span_8 = interval_at(c->sin_of_slope, c->sin_of_slope);
-    const interval span_9 = interval_of_series(s->x_2, power, order);
-    const interval span_10 = interval_product(span_8, span_9);
-    const interval span_11 = interval_difference(span_7, span_10);
-    bounds[3] = span_11;
+    const interval span_5 = interval_at(c->inverse_by_1_plus_friction, c->inverse_by_1_plus_friction);
+    const interval span_6 = interval_at(c->friction, c->friction);
+    const interval span_7 = interval_at(c->cos_of_slope, c->cos_of_slope);
+    const interval span_8 = interval_of_series(s->y_2, power, order);
+    const interval span_9 = interval_product(span_7, span_8);
+    const interval span_10 = interval_at(c->sin_of_slope, c->sin_of_slope);
+    const interval span_11 = interval_of_series(s->x_2, power, order);
+    const interval span_12 = interval_product(span_10, span_11);
+    const interval span_13 = interval_difference(span_9, span_12);
+    const interval span_14 = interval_product(span_6, span_13);
+    const interval span_15 = interval_product(span_7, span_11);
+    const interval span_16 = interval_product(span_10, span_8);
+    const interval span_17 = interval_sum(span_15, span_16);
+    const interval span_18 = interval_difference(span_14, span_17);
+    const interval span_19 = interval_product(span_5, span_18);
+    bounds[1] = span_19;
+    const interval span_20 = interval_sum(span_14, span_17);
+    const interval span_21 = interval_product(span_5, span_20);
+    bounds[2] = span_21;
+    bounds[3] = span_13;
     bounds[4] = unbounded();
     bounds[5] = unbounded();
 }
@@ -779,66 +535,21 @@ typedef struct {
     real vy[TERMS];
 } flight_up_series;
 
-typedef struct {
-    pair none;
-} flight_up_sums;
-
-typedef struct {
-    real none;
-} flight_up_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_flight_up_sums(const flight_up_series *s, int i, int j, flight_up_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_flight_up_sums(const flight_up_series *s, int i, flight_up_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_flight_up(const flight_up_constants *c, const flight_up_factors *by, int k,
-                           const flight_up_sums *sum, int odd, flight_up_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)odd;
-    s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_up(const real *constants, int order, real *series) {
-    const flight_up_constants copy = *(const flight_up_constants *)(const void *)constants, *c = &copy;
-    flight_up_series *s = (void *)series;
-    static const flight_up_sums none;
-    flight_up_sums sum = none;
+/* All coefficients. */
+static void expand_flight_up(const real *constants, int order, real *expanded) {
+    const flight_up_constants *c = (const void *)constants;
+    flight_up_series *s = (void *)expanded;
     s->time[1] = broadcast(1.0);
     s->x_[1] = c->vx;
     s->vy[1] = c->minus_gravity;
-    const flight_up_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_flight_up(c, by, 0, &sum, 0, s);
-    begin_flight_up_sums(s, 0, &sum);
-    step_flight_up(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_flight_up_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_flight_up_sums(s, i, j, &sum);
-        }
-        step_flight_up(c, by, k, &sum, 0, s);
-        add_flight_up_sums(s, 1, k, &sum);
-        step_flight_up(c, by, k + 1, &sum, 1, s);
+    for (int k = 0; k < order; ++k) {
+        s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     }
 }
 
 /* First variation of the series. */
 static void vary_flight_up(const real *constants, const real *series, const real *d_constants, int order,
-                           real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     const flight_up_constants *d = (const void *)d_constants;
@@ -873,7 +584,7 @@ static void guard_flight_up_apex(const real *constants, const real *series, int 
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_flight_up(const real *constants, const real *series, const real *power, int order,
-                             uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const flight_up_constants *c = (const void *)constants;
     const flight_up_series *s = (const void *)series;
     (void)order;
@@ -905,7 +616,7 @@ static const int divisors_no_start[] = {0};
 static const int integrals_no_start[] = {0};
 static const int factors_no_start[] = {0};
 static const tdmf_polynomial polynomials_flight_down[] = {guard_flight_down_touchdown,
-                                                          guard_flight_down_falls};
+    guard_flight_down_falls};
 static const tdmf_vary_polynomial vary_observed_flight_down[] = {NULL};
 static const int moving_flight_down[] = {2, 0, 1, 4, 5};
 static const int degrees_flight_down[] = {2, 1, 1, 1, 1};
@@ -929,11 +640,10 @@ static const int judged_slides[] = {0};
 static const int divisors_slides[] = {0};
 static const int integrals_slides[] = {0};
 static const int factors_slides[] = {0};
-static const tdmf_polynomial polynomials_stance[] = {guard_stance_take_off,   guard_stance_leaves_cone,
-                                                     guard_stance_slides_out, guard_stance_collapses,
-                                                     guard_stance_tilt_ahead, guard_stance_tilt_behind};
+static const tdmf_polynomial polynomials_stance[] = {guard_stance_take_off, guard_stance_leaves_cone,
+    guard_stance_slides_out, guard_stance_collapses, guard_stance_tilt_ahead, guard_stance_tilt_behind};
 static const tdmf_vary_polynomial vary_observed_stance[] = {d_observed_stance_tilt_ahead,
-                                                            d_observed_stance_tilt_behind};
+    d_observed_stance_tilt_behind};
 static const int moving_stance[] = {1, 2, 3, 4, 0};
 static const int degrees_stance[] = {99, 99, 99, 99, 1};
 static const int judged_stance[] = {2, 3};
@@ -950,125 +660,44 @@ static const int integrals_flight_up[] = {0};
 static const int factors_flight_up[] = {0};
 
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_classic_slip_motions)[] = {
-    {.moving_count = 1,
-     .extra_count = 0,
-     .series_count = 1,
-     .constant_count = 0,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_start_of_run,
-     .degrees = degrees_start_of_run,
-     .judged = judged_start_of_run,
-     .divisors = divisors_start_of_run,
-     .integrals = integrals_start_of_run,
-     .factors = factors_start_of_run,
-     .polynomials = polynomials_start_of_run,
-     .vary_observed = vary_observed_start_of_run,
-     .expand = expand_start_of_run,
-     .vary = vary_start_of_run,
-     .bounds = bounds_start_of_run},
-    {.moving_count = 0,
-     .extra_count = 0,
-     .series_count = 0,
-     .constant_count = 0,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_no_start,
-     .degrees = degrees_no_start,
-     .judged = judged_no_start,
-     .divisors = divisors_no_start,
-     .integrals = integrals_no_start,
-     .factors = factors_no_start,
-     .polynomials = polynomials_no_start,
-     .vary_observed = vary_observed_no_start,
-     .expand = expand_no_start,
-     .vary = vary_no_start,
-     .bounds = NULL},
-    {.moving_count = 5,
-     .extra_count = 0,
-     .series_count = 5,
-     .constant_count = 5,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_flight_down,
-     .degrees = degrees_flight_down,
-     .judged = judged_flight_down,
-     .divisors = divisors_flight_down,
-     .integrals = integrals_flight_down,
-     .factors = factors_flight_down,
-     .polynomials = polynomials_flight_down,
-     .vary_observed = vary_observed_flight_down,
-     .expand = expand_flight_down,
-     .vary = vary_flight_down,
-     .bounds = bounds_flight_down},
-    {.moving_count = 0,
-     .extra_count = 0,
-     .series_count = 0,
-     .constant_count = 0,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_fallen,
-     .degrees = degrees_fallen,
-     .judged = judged_fallen,
-     .divisors = divisors_fallen,
-     .integrals = integrals_fallen,
-     .factors = factors_fallen,
-     .polynomials = polynomials_fallen,
-     .vary_observed = vary_observed_fallen,
-     .expand = expand_fallen,
-     .vary = vary_fallen,
-     .bounds = NULL},
-    {.moving_count = 0,
-     .extra_count = 0,
-     .series_count = 0,
-     .constant_count = 0,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_slides,
-     .degrees = degrees_slides,
-     .judged = judged_slides,
-     .divisors = divisors_slides,
-     .integrals = integrals_slides,
-     .factors = factors_slides,
-     .polynomials = polynomials_slides,
-     .vary_observed = vary_observed_slides,
-     .expand = expand_slides,
-     .vary = vary_slides,
-     .bounds = NULL},
-    {.moving_count = 5,
-     .extra_count = 0,
-     .series_count = 13,
-     .constant_count = 10,
-     .judged_count = 2,
-     .divisor_count = 1,
-     .moving = moving_stance,
-     .degrees = degrees_stance,
-     .judged = judged_stance,
-     .divisors = divisors_stance,
-     .integrals = integrals_stance,
-     .factors = factors_stance,
-     .polynomials = polynomials_stance,
-     .vary_observed = vary_observed_stance,
-     .expand = expand_stance,
-     .vary = vary_stance,
-     .bounds = bounds_stance},
-    {.moving_count = 4,
-     .extra_count = 0,
-     .series_count = 4,
-     .constant_count = 3,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_flight_up,
-     .degrees = degrees_flight_up,
-     .judged = judged_flight_up,
-     .divisors = divisors_flight_up,
-     .integrals = integrals_flight_up,
-     .factors = factors_flight_up,
-     .polynomials = polynomials_flight_up,
-     .vary_observed = vary_observed_flight_up,
-     .expand = expand_flight_up,
-     .vary = vary_flight_up,
-     .bounds = bounds_flight_up},
+    {.moving_count = 1, .extra_count = 0, .series_count = 1, .constant_count = 0, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_start_of_run, .degrees = degrees_start_of_run,
+        .judged = judged_start_of_run, .divisors = divisors_start_of_run, .integrals = integrals_start_of_run,
+        .factors = factors_start_of_run, .polynomials = polynomials_start_of_run,
+        .vary_observed = vary_observed_start_of_run, .expand = expand_start_of_run, .vary = vary_start_of_run,
+        .bounds = bounds_start_of_run},
+    {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_no_start, .degrees = degrees_no_start, .judged = judged_no_start,
+        .divisors = divisors_no_start, .integrals = integrals_no_start, .factors = factors_no_start,
+        .polynomials = polynomials_no_start, .vary_observed = vary_observed_no_start,
+        .expand = expand_no_start, .vary = vary_no_start, .bounds = NULL},
+    {.moving_count = 5, .extra_count = 0, .series_count = 5, .constant_count = 5, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_flight_down, .degrees = degrees_flight_down,
+        .judged = judged_flight_down, .divisors = divisors_flight_down, .integrals = integrals_flight_down,
+        .factors = factors_flight_down, .polynomials = polynomials_flight_down,
+        .vary_observed = vary_observed_flight_down, .expand = expand_flight_down, .vary = vary_flight_down,
+        .bounds = bounds_flight_down},
+    {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_fallen, .degrees = degrees_fallen, .judged = judged_fallen,
+        .divisors = divisors_fallen, .integrals = integrals_fallen, .factors = factors_fallen,
+        .polynomials = polynomials_fallen, .vary_observed = vary_observed_fallen, .expand = expand_fallen,
+        .vary = vary_fallen, .bounds = NULL},
+    {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_slides, .degrees = degrees_slides, .judged = judged_slides,
+        .divisors = divisors_slides, .integrals = integrals_slides, .factors = factors_slides,
+        .polynomials = polynomials_slides, .vary_observed = vary_observed_slides, .expand = expand_slides,
+        .vary = vary_slides, .bounds = NULL},
+    {.moving_count = 5, .extra_count = 0, .series_count = 13, .constant_count = 10, .judged_count = 2,
+        .divisor_count = 1, .moving = moving_stance, .degrees = degrees_stance, .judged = judged_stance,
+        .divisors = divisors_stance, .integrals = integrals_stance, .factors = factors_stance,
+        .polynomials = polynomials_stance, .vary_observed = vary_observed_stance, .expand = expand_stance,
+        .vary = vary_stance, .bounds = bounds_stance},
+    {.moving_count = 4, .extra_count = 0, .series_count = 4, .constant_count = 3, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_flight_up, .degrees = degrees_flight_up,
+        .judged = judged_flight_up, .divisors = divisors_flight_up, .integrals = integrals_flight_up,
+        .factors = factors_flight_up, .polynomials = polynomials_flight_up,
+        .vary_observed = vary_observed_flight_up, .expand = expand_flight_up, .vary = vary_flight_up,
+        .bounds = bounds_flight_up},
 };
 
 #ifdef TDMF_LANES

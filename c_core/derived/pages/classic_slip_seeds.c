@@ -6,5 +6,5 @@
 
 #include "seeds.h"
 
-const tdmf_seed_kind tdmf_classic_slip_seeds = {TDMF_OF_WIDTH(tdmf_classic_slip_motions), fill_seed_lanes,
-                                                vary_seed_lanes, read_seed_lane};
+const tdmf_seed_kind tdmf_classic_slip_seeds = {
+    TDMF_OF_WIDTH(tdmf_classic_slip_motions), fill_seed_lanes, vary_seed_lanes, read_seed_lane};

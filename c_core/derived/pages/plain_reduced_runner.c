@@ -10,7 +10,7 @@ static void open_start_of_run(const real *parameters, const real *states, real *
 
 /* First variation of open_start_of_run. */
 static void vary_open_start_of_run(const real *parameters, const real *states, const real *d_parameters,
-                                   const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -20,7 +20,7 @@ static void vary_open_start_of_run(const real *parameters, const real *states, c
 
 /* begins: Every run begins at an apex, with the foot above the ground. */
 static int react_start_of_run_begins(const real *parameters, const real *states, const tdmf_table *tables,
-                                     real *after, const int *next) {
+    real *after, const int *next) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     (void)tables;
@@ -72,8 +72,7 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
 
 /* First variation of begins. */
 static void vary_react_start_of_run_begins(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states,
-                                           const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -91,8 +90,8 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     const real sine = real_sin(x->angle);
     const real cosine = real_cos(x->angle);
     const real d_sine = cosine * dx->angle;
-    const real seen_x_minus_sum =
-        dx->seen_x - (d_share * (x->length * sine) + share * (dx->length * sine + x->length * d_sine));
+    const real seen_x_minus_sum = dx->seen_x - (d_share * (x->length * sine) + share * (dx->length * sine
+        + x->length * d_sine));
     const real y_2 = x->length * cosine;
     const real sine_times_angle = sine * dx->angle;
     const real d_y = dx->length * cosine - x->length * sine_times_angle;
@@ -100,12 +99,12 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     const real turn = x->length * x->angle_rate;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real sum_2 = dx->seen_vx + (d_share * vx + share * d_vx);
     const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     y->is_open = 0.0;
     y->work_then = dx->work;
     y->positive_work_then = dx->positive_work_so_far;
@@ -138,7 +137,7 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
 
 /* First variation of the guard of begins. */
 static real vary_guard_start_of_run_begins(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -148,130 +147,19 @@ static real vary_guard_start_of_run_begins(const real *parameters, const real *s
 
 /* Outputs in start_of_run. */
 static void outputs_start_of_run(const real *parameters, const real *states, real *outputs) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    const real shorter = p->free_length - x->length;
-    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real sine = real_sin(x->angle);
-    const real length_times_sine = x->length * sine;
-    const real body_x = x->seen_x - length_times_sine;
-    const real cosine = real_cos(x->angle);
-    const real y_2 = x->length * cosine;
-    const real body_y = x->seen_y + y_2;
-    const real turn = x->length * x->angle_rate;
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real body_vx = x->seen_vx + vx;
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real body_vy = x->seen_vy + vy;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real center_x = x->seen_x - share * length_times_sine;
-    const real center_y = x->seen_y + share * y_2;
-    const real center_vx = x->seen_vx + share * vx;
-    const real center_vy = x->seen_vy + share * vy;
-    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy));
-    const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = 0.0;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = body_x;
-    outputs[OUTPUT_body_y] = body_y;
-    outputs[OUTPUT_body_vx] = body_vx;
-    outputs[OUTPUT_body_vy] = body_vy;
-    outputs[OUTPUT_center_x] = center_x;
-    outputs[OUTPUT_center_y] = center_y;
-    outputs[OUTPUT_center_vx] = center_vx;
-    outputs[OUTPUT_center_vy] = center_vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 1.0;
-    outputs[OUTPUT_phase_of_hip] = 4.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
+    (void)parameters;
+    (void)states;
+    (void)outputs;
 }
 
 /* First variation of outputs_start_of_run. */
 static void vary_outputs_start_of_run(const real *parameters, const real *states, const real *d_parameters,
-                                      const real *d_states, real *outputs) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
-    const plain_reduced_runner_states *dx = (const void *)d_states;
-    const real shorter = p->free_length - x->length;
-    const real d_shorter = dp->free_length - dx->length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real d_sine = cosine * dx->angle;
-    const real sum_2 = dx->length * sine + x->length * d_sine;
-    const real d_body_x = dx->seen_x - sum_2;
-    const real sine_times_angle = sine * dx->angle;
-    const real d_y = dx->length * cosine - x->length * sine_times_angle;
-    const real d_body_y = dx->seen_y + d_y;
-    const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
-    const real turn = x->length * x->angle_rate;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
-    const real d_body_vx = dx->seen_vx + d_vx;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
-    const real d_body_vy = dx->seen_vy + d_vy;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_center_x = dx->seen_x - (d_share * (x->length * sine) + share * sum_2);
-    const real y_2 = x->length * cosine;
-    const real d_center_y = dx->seen_y + (d_share * y_2 + share * d_y);
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real d_center_vx = dx->seen_vx + (d_share * vx + share * d_vx);
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real d_center_vy = dx->seen_vy + (d_share * vy + share * d_vy);
-    const real body_vx = x->seen_vx + vx;
-    const real body_vy = x->seen_vy + vy;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 *
-        (d_of_body + (dp->foot_mass * (x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy) +
-                      p->foot_mass * (2.0 * (x->seen_vx * dx->seen_vx) + 2.0 * (x->seen_vy * dx->seen_vy))));
-    const real body_y = x->seen_y + y_2;
-    const real d_potential_energy = dp->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y) +
-                                    p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                                                  (dp->foot_mass * x->seen_y + p->foot_mass * dx->seen_y));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
-    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = 0.0;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = d_spring;
-    outputs[OUTPUT_body_x] = d_body_x;
-    outputs[OUTPUT_body_y] = d_body_y;
-    outputs[OUTPUT_body_vx] = d_body_vx;
-    outputs[OUTPUT_body_vy] = d_body_vy;
-    outputs[OUTPUT_center_x] = d_center_x;
-    outputs[OUTPUT_center_y] = d_center_y;
-    outputs[OUTPUT_center_vx] = d_center_vx;
-    outputs[OUTPUT_center_vy] = d_center_vy;
-    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
-    outputs[OUTPUT_potential_energy] = d_potential_energy;
-    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
-    outputs[OUTPUT_energy] = d_energy;
-    outputs[OUTPUT_kind_of_contact] = 0.0;
-    outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
+    const real *d_states, real *outputs) {
+    (void)parameters;
+    (void)states;
+    (void)d_parameters;
+    (void)d_states;
+    (void)outputs;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
@@ -287,7 +175,7 @@ static void leave_start_of_run(const real *parameters, const real *states, real 
 
 /* First variation of leave_start_of_run. */
 static void vary_leave_start_of_run(const real *parameters, const real *states, const real *d_parameters,
-                                    const real *d_states, real counted, real *after) {
+    const real *d_states, real counted, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -319,7 +207,7 @@ static void open_flight_place(const real *parameters, const real *states, real *
 
 /* First variation of open_flight_place. */
 static void vary_open_flight_place(const real *parameters, const real *states, const real *d_parameters,
-                                   const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -346,7 +234,7 @@ static void vary_open_flight_place(const real *parameters, const real *states, c
 
 /* falls: The body reaches the ground. */
 static int react_flight_place_falls(const real *parameters, const real *states, const tdmf_table *tables,
-                                    real *after, const int *next) {
+    real *after, const int *next) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     (void)tables;
@@ -370,8 +258,7 @@ static int react_flight_place_falls(const real *parameters, const real *states, 
 
 /* First variation of falls. */
 static void vary_react_flight_place_falls(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states,
-                                          const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -391,11 +278,11 @@ static void vary_react_flight_place_falls(const real *parameters, const real *st
     const real turn = x->momentum / x->length;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
@@ -419,7 +306,7 @@ static real watches_flight_place_falls(const real *parameters, const real *state
 
 /* First variation of the guard of falls. */
 static real vary_guard_flight_place_falls(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -428,15 +315,15 @@ static real vary_guard_flight_place_falls(const real *parameters, const real *st
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real by_1_minus_share = 1.0 - share;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_above =
-        dx->com_y + ((by_1_minus_share * dx->length - d_share * x->length) * real_cos(x->angle) -
-                     by_1_minus_share * x->length * (real_sin(x->angle) * dx->angle));
+    const real d_above = dx->com_y + ((by_1_minus_share * dx->length
+        - d_share * x->length) * real_cos(x->angle)
+        - by_1_minus_share * x->length * (real_sin(x->angle) * dx->angle));
     return d_above;
 }
 
 /* touchdown: The foot reaches the ground. */
 static int react_flight_place_touchdown(const real *parameters, const real *states, const tdmf_table *tables,
-                                        real *after, const int *next) {
+    real *after, const int *next) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     (void)tables;
@@ -489,8 +376,7 @@ static int react_flight_place_touchdown(const real *parameters, const real *stat
 
 /* First variation of touchdown. */
 static void vary_react_flight_place_touchdown(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states,
-                                              const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -522,25 +408,25 @@ static void vary_react_flight_place_touchdown(const real *parameters, const real
     const real sine_times_angle = sine * dx->angle;
     const real d_y = dx->length * cosine - x->length * sine_times_angle;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real d_along = dx->com_vx - (d_share * vx + share * d_vx);
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real d_off = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_after =
-        select(way_times_along <= lost, 0.0, way * d_along + (dx->friction * off + x->friction * d_off));
+    const real d_after = select(way_times_along <= lost, 0.0, way * d_along + (dx->friction * off
+        + x->friction * d_off));
     const real way_times_d_after = way * d_after;
     const real sum_3 = d_vx + d_along - way_times_d_after;
     const real d_vy_plus_d_off = d_vy + d_off;
     const real y_2 = x->length * cosine;
-    const real sum_4 = dx->angle - (y_2 * sum_2 - length_times_sine * d_y) /
-                                       (length_times_sine * length_times_sine + y_2 * y_2);
+    const real sum_4 = dx->angle - (y_2 * sum_2
+        - length_times_sine * d_y) / (length_times_sine * length_times_sine + y_2 * y_2);
     const real speeds = along * along + off * off - way_times_after * way_times_after;
-    const real d_speeds =
-        2.0 * (along * d_along) + 2.0 * (off * d_off) - 2.0 * (way_times_after * way_times_d_after);
-    const real impact_loss_plus_by_0_5_times_sum =
-        dx->impact_loss + 0.5 * (dp->foot_mass * speeds + p->foot_mass * d_speeds);
+    const real d_speeds = 2.0 * (along * d_along) + 2.0 * (off * d_off)
+        - 2.0 * (way_times_after * way_times_d_after);
+    const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss + 0.5 * (dp->foot_mass * speeds
+        + p->foot_mass * d_speeds);
     y->touchdowns_so_far = dx->touchdowns_so_far;
     y->slid_from = com_x_plus_sum;
     y->bar_is_due = 0.0;
@@ -563,7 +449,7 @@ static void vary_react_flight_place_touchdown(const real *parameters, const real
 
 /* First variation of the guard of touchdown. */
 static real vary_guard_flight_place_touchdown(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -571,142 +457,9 @@ static real vary_guard_flight_place_touchdown(const real *parameters, const real
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_above = dx->com_y - ((d_share * x->length + share * dx->length) * real_cos(x->angle) -
-                                      share * x->length * (real_sin(x->angle) * dx->angle));
+    const real d_above = dx->com_y - ((d_share * x->length + share * dx->length) * real_cos(x->angle)
+        - share * x->length * (real_sin(x->angle) * dx->angle));
     return d_above;
-}
-
-/* Outputs in flight_place. */
-static void outputs_flight_place(const real *parameters, const real *states, real *outputs) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    const real shorter = p->free_length - x->length;
-    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sine = real_sin(x->angle);
-    const real length_times_sine = x->length * sine;
-    const real body_x = x->com_x + share * length_times_sine - length_times_sine;
-    const real cosine = real_cos(x->angle);
-    const real y_2 = x->length * cosine;
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
-    const real turn = x->momentum / x->length;
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                         com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
-    const real potential_energy =
-        p->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = 0.0;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = body_x;
-    outputs[OUTPUT_body_y] = body_y;
-    outputs[OUTPUT_body_vx] = body_vx;
-    outputs[OUTPUT_body_vy] = body_vy;
-    outputs[OUTPUT_center_x] = x->com_x;
-    outputs[OUTPUT_center_y] = x->com_y;
-    outputs[OUTPUT_center_vx] = x->com_vx;
-    outputs[OUTPUT_center_vy] = x->com_vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 1.0;
-    outputs[OUTPUT_phase_of_hip] = 4.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* First variation of outputs_flight_place. */
-static void vary_outputs_flight_place(const real *parameters, const real *states, const real *d_parameters,
-                                      const real *d_states, real *outputs) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
-    const plain_reduced_runner_states *dx = (const void *)d_states;
-    const real shorter = p->free_length - x->length;
-    const real d_shorter = dp->free_length - dx->length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real d_sine = cosine * dx->angle;
-    const real sum_2 = dx->length * sine + x->length * d_sine;
-    const real d_body_x = dx->com_x + (d_share * (x->length * sine) + share * sum_2) - sum_2;
-    const real y_2 = x->length * cosine;
-    const real sine_times_angle = sine * dx->angle;
-    const real d_y = dx->length * cosine - x->length * sine_times_angle;
-    const real sum_3 = dx->com_y - (d_share * y_2 + share * d_y);
-    const real d_body_y = sum_3 + d_y;
-    const real turn = x->momentum / x->length;
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
-    const real sum_4 = dx->com_vx - (d_share * vx + share * d_vx);
-    const real d_body_vx = sum_4 + d_vx;
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
-    const real sum_5 = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_body_vy = sum_5 + d_vy;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 * (d_of_body + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                             com_vy_minus_share_times_vy * com_vy_minus_share_times_vy) +
-                            p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4) +
-                                            2.0 * (com_vy_minus_share_times_vy * sum_5))));
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y) +
-        p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                      (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
-    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = 0.0;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = d_spring;
-    outputs[OUTPUT_body_x] = d_body_x;
-    outputs[OUTPUT_body_y] = d_body_y;
-    outputs[OUTPUT_body_vx] = d_body_vx;
-    outputs[OUTPUT_body_vy] = d_body_vy;
-    outputs[OUTPUT_center_x] = dx->com_x;
-    outputs[OUTPUT_center_y] = dx->com_y;
-    outputs[OUTPUT_center_vx] = dx->com_vx;
-    outputs[OUTPUT_center_vy] = dx->com_vy;
-    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
-    outputs[OUTPUT_potential_energy] = d_potential_energy;
-    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
-    outputs[OUTPUT_energy] = d_energy;
-    outputs[OUTPUT_kind_of_contact] = 0.0;
-    outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* from world, in flight. */
@@ -732,7 +485,7 @@ static void from_world_flight_place(const real *parameters, const real *states, 
 
 /* First variation of from_world_flight_place. */
 static void vary_from_world_flight_place(const real *parameters, const real *states, const real *d_parameters,
-                                         const real *d_states, real *after) {
+    const real *d_states, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -750,11 +503,11 @@ static void vary_from_world_flight_place(const real *parameters, const real *sta
     const real turn = x->length * x->angle_rate;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real d_square = 2.0 * (x->length * dx->length);
     const real square = x->length * x->length;
     const real d_moment = d_square * x->angle_rate + square * dx->angle_rate;
@@ -788,7 +541,7 @@ static void to_world_flight_place(const real *parameters, const real *states, re
 
 /* First variation of to_world_flight_place. */
 static void vary_to_world_flight_place(const real *parameters, const real *states, const real *d_parameters,
-                                       const real *d_states, real *after) {
+    const real *d_states, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -806,11 +559,11 @@ static void vary_to_world_flight_place(const real *parameters, const real *state
     const real turn = x->momentum / x->length;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
@@ -822,139 +575,24 @@ static void vary_to_world_flight_place(const real *parameters, const real *state
     y->angle_rate = d_rate;
 }
 
-/* Rates of the world's states in flight. */
-static void world_rates_flight_place(const real *parameters, const real *states, real *after) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    plain_reduced_runner_states *y = (void *)after;
-    const real total = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / total;
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real sine = real_sin(x->angle);
-    const real sine_times_rate = sine * rate;
-    const real turn = x->momentum / x->length;
-    y->seen_x = x->com_vx + share * (x->length * cosine_times_rate);
-    y->seen_y = x->com_vy + share * (x->length * sine_times_rate);
-    y->seen_vx = -(share * (turn * sine_times_rate - x->length_rate * cosine_times_rate));
-    y->seen_vy = -p->gravity - share * (-(x->length_rate * sine_times_rate) - turn * cosine_times_rate);
-    y->length = 0.0;
-    y->angle = rate;
-    y->length_rate = 0.0;
-    y->angle_rate = 0.0;
-}
-
-/* First variation of world_rates_flight_place. */
-static void vary_world_rates_flight_place(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states, real *after) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
-    const plain_reduced_runner_states *dx = (const void *)d_states;
-    plain_reduced_runner_states *y = (void *)after;
-    const real total = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / total;
-    const real d_total = dp->body_mass + dp->foot_mass;
-    const real d_share = (dp->body_mass - share * d_total) / total;
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real sine = real_sin(x->angle);
-    const real sum_2 = cosine * d_rate - sine * dx->angle * rate;
-    const real sine_times_rate = sine * rate;
-    const real d_sine = cosine * dx->angle;
-    const real sum_3 = d_sine * rate + sine * d_rate;
-    const real turn = x->momentum / x->length;
-    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    y->seen_x = dx->com_vx + (d_share * (x->length * cosine_times_rate) +
-                              share * (dx->length * cosine_times_rate + x->length * sum_2));
-    y->seen_y = dx->com_vy + (d_share * (x->length * sine_times_rate) +
-                              share * (dx->length * sine_times_rate + x->length * sum_3));
-    y->seen_vx = -(d_share * (turn * sine_times_rate - x->length_rate * cosine_times_rate) +
-                   share * (d_turn * sine_times_rate + turn * sum_3 -
-                            (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)));
-    y->seen_vy = -dp->gravity - (d_share * (-(x->length_rate * sine_times_rate) - turn * cosine_times_rate) +
-                                 share * (-(dx->length_rate * sine_times_rate + x->length_rate * sum_3) -
-                                          (d_turn * cosine_times_rate + turn * sum_2)));
-    y->length = 0.0;
-    y->angle = d_rate;
-    y->length_rate = 0.0;
-    y->angle_rate = 0.0;
-}
-
-/* Outputs in fallen. */
-static void outputs_fallen(const real *parameters, const real *states, real *outputs) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    const real shorter = p->free_length - x->length;
-    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real sine = real_sin(x->angle);
-    const real length_times_sine = x->length * sine;
-    const real body_x = x->seen_x - length_times_sine;
-    const real cosine = real_cos(x->angle);
-    const real y_2 = x->length * cosine;
-    const real body_y = x->seen_y + y_2;
-    const real turn = x->length * x->angle_rate;
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real body_vx = x->seen_vx + vx;
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real body_vy = x->seen_vy + vy;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real center_x = x->seen_x - share * length_times_sine;
-    const real center_y = x->seen_y + share * y_2;
-    const real center_vx = x->seen_vx + share * vx;
-    const real center_vy = x->seen_vy + share * vy;
-    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy));
-    const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = 0.0;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = body_x;
-    outputs[OUTPUT_body_y] = body_y;
-    outputs[OUTPUT_body_vx] = body_vx;
-    outputs[OUTPUT_body_vy] = body_vy;
-    outputs[OUTPUT_center_x] = center_x;
-    outputs[OUTPUT_center_y] = center_y;
-    outputs[OUTPUT_center_vx] = center_vx;
-    outputs[OUTPUT_center_vy] = center_vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 1.0;
-    outputs[OUTPUT_phase_of_hip] = 4.0;
-    outputs[OUTPUT_has_fallen] = 1.0;
-}
-
 /* Constants of slip_constant. */
 static void open_slip_constant(const real *parameters, const real *states, real *constants) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     slip_constant_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
     const real stance_torque = x->external_torque - x->driving * p->drive_torque;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
     const real way_times_friction = x->way * x->friction;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
+    c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->damping = p->damping;
     c->stance_torque = stance_torque;
-    c->body_mass = p->body_mass;
+    c->inverse_foot_mass = inverse_foot_mass;
     c->way = x->way;
     c->way_times_friction = way_times_friction;
-    c->foot_mass = p->foot_mass;
     c->gravity = p->gravity;
     c->foot_mass_times_gravity = foot_mass_times_gravity;
     c->least_length = p->least_length;
@@ -963,24 +601,28 @@ static void open_slip_constant(const real *parameters, const real *states, real 
 
 /* First variation of open_slip_constant. */
 static void vary_open_slip_constant(const real *parameters, const real *states, const real *d_parameters,
-                                    const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
     slip_constant_constants *c = (void *)constants;
-    const real d_stance_torque =
-        dx->external_torque - (p->drive_torque * dx->driving + x->driving * dp->drive_torque);
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
+    const real d_stance_torque = dx->external_torque - (p->drive_torque * dx->driving
+        + x->driving * dp->drive_torque);
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
     const real d_way_times_friction = x->friction * dx->way + x->way * dx->friction;
     const real d_foot_mass_times_gravity = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
+    c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->damping = dp->damping;
     c->stance_torque = d_stance_torque;
-    c->body_mass = dp->body_mass;
+    c->inverse_foot_mass = d_inverse_foot_mass;
     c->way = dx->way;
     c->way_times_friction = d_way_times_friction;
-    c->foot_mass = dp->foot_mass;
     c->gravity = dp->gravity;
     c->foot_mass_times_gravity = d_foot_mass_times_gravity;
     c->least_length = dp->least_length;
@@ -989,7 +631,7 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
 
 /* falls: The body reaches the ground. */
 static int react_slip_constant_falls(const real *parameters, const real *states, const tdmf_table *tables,
-                                     real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     (void)tables;
@@ -1013,8 +655,7 @@ static int react_slip_constant_falls(const real *parameters, const real *states,
 
 /* First variation of falls. */
 static void vary_react_slip_constant_falls(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states,
-                                           const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1028,9 +669,8 @@ static void vary_react_slip_constant_falls(const real *parameters, const real *s
     const real d_length = 0.5 * d_square / length;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
@@ -1047,7 +687,7 @@ static void vary_react_slip_constant_falls(const real *parameters, const real *s
 
 /* First variation of the guard of falls. */
 static real vary_guard_slip_constant_falls(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -1057,7 +697,7 @@ static real vary_guard_slip_constant_falls(const real *parameters, const real *s
 
 /* First variation of the guard of collapses. */
 static real vary_guard_slip_constant_collapses(const real *parameters, const real *states,
-                                               const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -1071,7 +711,7 @@ static real vary_guard_slip_constant_collapses(const real *parameters, const rea
 
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_slip_constant_mid_stance(const real *parameters, const real *states,
-                                          const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -1082,8 +722,7 @@ static int react_slip_constant_mid_stance(const real *parameters, const real *st
 
 /* First variation of mid_stance. */
 static void vary_react_slip_constant_mid_stance(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states,
-                                                const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -1106,7 +745,7 @@ static real watches_slip_constant_mid_stance(const real *parameters, const real 
 
 /* First variation of the guard of mid_stance. */
 static real vary_guard_slip_constant_mid_stance(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1118,7 +757,7 @@ static real vary_guard_slip_constant_mid_stance(const real *parameters, const re
 
 /* lift_off: The centre of mass flies to the next apex. */
 static int react_slip_constant_lift_off(const real *parameters, const real *states, const tdmf_table *tables,
-                                        real *after, const int *next) {
+    real *after, const int *next) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     (void)tables;
@@ -1166,8 +805,7 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
 
 /* First variation of lift_off. */
 static void vary_react_slip_constant_lift_off(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states,
-                                              const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -1184,9 +822,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real d_length = 0.5 * d_square / length;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     y->length = d_length;
     y->angle = d_angle;
@@ -1218,7 +855,7 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
 
 /* First variation of the guard of lift_off. */
 static real vary_guard_slip_constant_lift_off(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -1229,17 +866,15 @@ static real vary_guard_slip_constant_lift_off(const real *parameters, const real
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * free_length_minus_length + p->stiffness * (dp->free_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque =
-        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - (dp->drive_torque * x->driving
+        + p->drive_torque * dx->driving);
     const real stance_torque = x->external_torque - p->drive_torque * x->driving;
     const real turning = stance_torque / square;
     const real d_turning = (d_stance_torque - turning * d_square) / square;
@@ -1250,7 +885,7 @@ static real vary_guard_slip_constant_lift_off(const real *parameters, const real
 
 /* comes_to_rest: The slip velocity reaches 0: the foot sticks, or slips the other way. */
 static int react_slip_constant_comes_to_rest(const real *parameters, const real *states,
-                                             const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     (void)tables;
@@ -1277,8 +912,7 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
 
 /* First variation of comes_to_rest. */
 static void vary_react_slip_constant_comes_to_rest(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states,
-                                                   const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1306,141 +940,12 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
 
 /* First variation of the guard of comes_to_rest. */
 static real vary_guard_slip_constant_comes_to_rest(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
     return dx->way * x->foot_vx + x->way * dx->foot_vx;
-}
-
-/* Outputs in slip_constant. */
-static void outputs_slip_constant(const real *parameters, const real *states, real *outputs) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real shorter = p->free_length - length;
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real spring = p->stiffness * shorter - p->damping * length_rate;
-    const real axial = spring / length;
-    const real turning = stance_torque / square;
-    const real off = axial * x->y_ + turning * x->x_;
-    const real normal = off + p->foot_mass * p->gravity;
-    const real tangential_force = -(x->way * x->friction * normal);
-    const real x_2 = x->foot_x + x->x_;
-    const real vx = x->foot_vx + x->vx;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real center_x = x->foot_x + share * x->x_;
-    const real y_2 = share * x->y_;
-    const real center_vx = x->foot_vx + share * x->vx;
-    const real vy = share * x->vy;
-    const real of_body = p->body_mass * (vx * vx + x->vy * x->vy);
-    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (x->foot_vx * x->foot_vx));
-    const real potential_energy = p->gravity * (p->body_mass * x->y_);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    const real kind_of_contact = select(x->way > 0.0, 3.0, 4.0);
-    const real phase_of_hip = select(x->driving > 0.0, 1.0, 2.0);
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = stance_torque;
-    outputs[OUTPUT_normal_force] = normal;
-    outputs[OUTPUT_tangential_force] = tangential_force;
-    outputs[OUTPUT_ground_force_x] = tangential_force;
-    outputs[OUTPUT_ground_force_y] = normal;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = x_2;
-    outputs[OUTPUT_body_y] = x->y_;
-    outputs[OUTPUT_body_vx] = vx;
-    outputs[OUTPUT_body_vy] = x->vy;
-    outputs[OUTPUT_center_x] = center_x;
-    outputs[OUTPUT_center_y] = y_2;
-    outputs[OUTPUT_center_vx] = center_vx;
-    outputs[OUTPUT_center_vy] = vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = kind_of_contact;
-    outputs[OUTPUT_phase_of_hip] = phase_of_hip;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* First variation of outputs_slip_constant. */
-static void vary_outputs_slip_constant(const real *parameters, const real *states, const real *d_parameters,
-                                       const real *d_states, real *outputs) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
-    const plain_reduced_runner_states *dx = (const void *)d_states;
-    const real d_stance_torque =
-        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real shorter = p->free_length - length;
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real d_shorter = dp->free_length - d_length;
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
-    const real spring = p->stiffness * shorter - p->damping * length_rate;
-    const real axial = spring / length;
-    const real d_axial = (d_spring - axial * d_length) / length;
-    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
-    const real turning = stance_torque / square;
-    const real d_turning = (d_stance_torque - turning * d_square) / square;
-    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
-    const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
-    const real off = axial * x->y_ + turning * x->x_;
-    const real normal = off + p->foot_mass * p->gravity;
-    const real d_tangential_force =
-        -((dx->way * x->friction + x->way * dx->friction) * normal + x->way * x->friction * d_normal);
-    const real d_x = dx->foot_x + dx->x_;
-    const real d_vx = dx->foot_vx + dx->vx;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_center_x = dx->foot_x + (d_share * x->x_ + share * dx->x_);
-    const real d_y = d_share * x->y_ + share * dx->y_;
-    const real d_center_vx = dx->foot_vx + (d_share * x->vx + share * dx->vx);
-    const real d_vy = d_share * x->vy + share * dx->vy;
-    const real vx = x->foot_vx + x->vx;
-    const real d_of_body = dp->body_mass * (vx * vx + x->vy * x->vy) +
-                           p->body_mass * (2.0 * (vx * d_vx) + 2.0 * (x->vy * dx->vy));
-    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (x->foot_vx * x->foot_vx) +
-                                                      p->foot_mass * (2.0 * (x->foot_vx * dx->foot_vx))));
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * x->y_) + p->gravity * (dp->body_mass * x->y_ + p->body_mass * dx->y_);
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
-    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = d_stance_torque;
-    outputs[OUTPUT_normal_force] = d_normal;
-    outputs[OUTPUT_tangential_force] = d_tangential_force;
-    outputs[OUTPUT_ground_force_x] = d_tangential_force;
-    outputs[OUTPUT_ground_force_y] = d_normal;
-    outputs[OUTPUT_force_of_leg] = d_spring;
-    outputs[OUTPUT_body_x] = d_x;
-    outputs[OUTPUT_body_y] = dx->y_;
-    outputs[OUTPUT_body_vx] = d_vx;
-    outputs[OUTPUT_body_vy] = dx->vy;
-    outputs[OUTPUT_center_x] = d_center_x;
-    outputs[OUTPUT_center_y] = d_y;
-    outputs[OUTPUT_center_vx] = d_center_vx;
-    outputs[OUTPUT_center_vy] = d_vy;
-    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
-    outputs[OUTPUT_potential_energy] = d_potential_energy;
-    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
-    outputs[OUTPUT_energy] = d_energy;
-    outputs[OUTPUT_kind_of_contact] = 0.0;
-    outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
@@ -1452,13 +957,13 @@ static void leave_slip_constant(const real *parameters, const real *states, real
     const real slid = x->way * (x->foot_x - x->slid_from);
     const real lasted = x->time - x->mode_began;
     const real letter = select(x->way > 0.0, 3.0, 1.0);
-    const real adds =
-        select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real adds = select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0,
+        x->bar_is_due), 0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_letter = 4.0 * after_bar + letter;
     const real longer = select(after_bar < 0.0, -1.0,
-                               select(by_4_times_after_bar_plus_letter < 4503599627370496.0,
-                                      by_4_times_after_bar_plus_letter, -1.0));
+        select(by_4_times_after_bar_plus_letter < 4503599627370496.0, by_4_times_after_bar_plus_letter,
+        -1.0));
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slip_so_far = x->slip_so_far + slid;
@@ -1472,7 +977,7 @@ static void leave_slip_constant(const real *parameters, const real *states, real
 
 /* First variation of leave_slip_constant. */
 static void vary_leave_slip_constant(const real *parameters, const real *states, const real *d_parameters,
-                                     const real *d_states, real counted, real *after) {
+    const real *d_states, real counted, real *after) {
     (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1482,14 +987,14 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
     const real letter = select(x->way > 0.0, 3.0, 1.0);
-    const real adds =
-        select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real adds = select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0,
+        x->bar_is_due), 0.0);
     const real bar_is_due_times_word_so_far = x->bar_is_due * x->word_so_far;
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
-    const real d_after_bar =
-        select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far, dx->word_so_far);
-    const real d_longer = select(
-        after_bar < 0.0, 0.0, select(4.0 * after_bar + letter < 4503599627370496.0, 4.0 * d_after_bar, 0.0));
+    const real d_after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far,
+        dx->word_so_far);
+    const real d_longer = select(after_bar < 0.0, 0.0, select(4.0 * after_bar + letter < 4503599627370496.0,
+        4.0 * d_after_bar, 0.0));
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slip_so_far = dx->slip_so_far + d_slid;
@@ -1525,7 +1030,7 @@ static void from_world_slip_constant(const real *parameters, const real *states,
 
 /* First variation of from_world_slip_constant. */
 static void vary_from_world_slip_constant(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states, real *after) {
+    const real *d_parameters, const real *d_states, real *after) {
     (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1540,10 +1045,10 @@ static void vary_from_world_slip_constant(const real *parameters, const real *st
     const real d_y = dx->length * cosine - x->length * sine_times_angle;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
     const real turn = x->length * x->angle_rate;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real y_2 = x->length * cosine;
     const real length_times_sine = x->length * sine;
     y->foot_x = dx->seen_x;
@@ -1552,8 +1057,8 @@ static void vary_from_world_slip_constant(const real *parameters, const real *st
     y->y_ = d_y;
     y->vx = d_vx;
     y->vy = d_vy;
-    y->winding = dx->angle - (y_2 * sum_2 - length_times_sine * d_y) /
-                                 (length_times_sine * length_times_sine + y_2 * y_2);
+    y->winding = dx->angle - (y_2 * sum_2
+        - length_times_sine * d_y) / (length_times_sine * length_times_sine + y_2 * y_2);
 }
 
 /* to world, in slip. */
@@ -1579,7 +1084,7 @@ static void to_world_slip_constant(const real *parameters, const real *states, r
 
 /* First variation of to_world_slip_constant. */
 static void vary_to_world_slip_constant(const real *parameters, const real *states, const real *d_parameters,
-                                        const real *d_states, real *after) {
+    const real *d_states, real *after) {
     (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1591,9 +1096,8 @@ static void vary_to_world_slip_constant(const real *parameters, const real *stat
     const real d_length = 0.5 * d_square / length;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
@@ -1608,146 +1112,19 @@ static void vary_to_world_slip_constant(const real *parameters, const real *stat
     y->angle_rate = d_angle_rate;
 }
 
-/* Rates of the world's states in slip. */
-static void world_rates_slip_constant(const real *parameters, const real *states, real *after) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    plain_reduced_runner_states *y = (void *)after;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real x__times_vx = x->x_ * x->vx;
-    const real y__times_vy = x->y_ * x->vy;
-    const real length_rate = (x__times_vx + y__times_vy) / length;
-    const real spring = p->stiffness * (p->free_length - length) - p->damping * length_rate;
-    const real axial = spring / length;
-    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
-    const real turning = stance_torque / square;
-    const real along = axial * x->x_ - turning * x->y_;
-    const real off = axial * x->y_ + turning * x->x_;
-    const real normal = off + p->foot_mass * p->gravity;
-    const real friction_force = x->way * x->friction * normal;
-    const real acceleration = (-along - friction_force) / p->foot_mass;
-    const real sum_2 = 2.0 * x__times_vx + 2.0 * y__times_vy;
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real along_over_body_mass_minus_acceleration = along / p->body_mass - acceleration;
-    const real off_over_body_mass_minus_gravity = off / p->body_mass - p->gravity;
-    y->seen_x = x->foot_vx;
-    y->seen_y = 0.0;
-    y->seen_vx = acceleration;
-    y->seen_vy = 0.0;
-    y->length = 0.5 * sum_2 / length;
-    y->angle = angle_rate;
-    y->length_rate =
-        (x->vx * x->vx + x->x_ * along_over_body_mass_minus_acceleration +
-         (x->vy * x->vy + x->y_ * off_over_body_mass_minus_gravity) - length_rate * (0.5 * sum_2 / length)) /
-        length;
-    y->angle_rate = (x->vx * x->vy + x->x_ * off_over_body_mass_minus_gravity -
-                     (x->vy * x->vx + x->y_ * along_over_body_mass_minus_acceleration) - angle_rate * sum_2) /
-                    square;
-}
-
-/* First variation of world_rates_slip_constant. */
-static void vary_world_rates_slip_constant(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states, real *after) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
-    const plain_reduced_runner_states *dx = (const void *)d_states;
-    plain_reduced_runner_states *y = (void *)after;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real free_length_minus_length = p->free_length - length;
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real x__times_vx = x->x_ * x->vx;
-    const real y__times_vy = x->y_ * x->vy;
-    const real length_rate = (x__times_vx + y__times_vy) / length;
-    const real x__times_vx_plus_x__times_vx = dx->x_ * x->vx + x->x_ * dx->vx;
-    const real y__times_vy_plus_y__times_vy = dx->y_ * x->vy + x->y_ * dx->vy;
-    const real d_length_rate =
-        (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy - length_rate * d_length) / length;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
-    const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
-    const real axial = spring / length;
-    const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque =
-        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
-    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
-    const real turning = stance_torque / square;
-    const real d_turning = (d_stance_torque - turning * d_square) / square;
-    const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
-    const real off = axial * x->y_ + turning * x->x_;
-    const real normal = off + p->foot_mass * p->gravity;
-    const real way_times_friction = x->way * x->friction;
-    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
-    const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
-    const real d_friction_force =
-        (dx->way * x->friction + x->way * dx->friction) * normal + way_times_friction * d_normal;
-    const real along = axial * x->x_ - turning * x->y_;
-    const real friction_force = way_times_friction * normal;
-    const real acceleration = (-along - friction_force) / p->foot_mass;
-    const real d_acceleration = (-d_along - d_friction_force - acceleration * dp->foot_mass) / p->foot_mass;
-    const real sum_2 = 2.0 * x__times_vx_plus_x__times_vx + 2.0 * y__times_vy_plus_y__times_vy;
-    const real sum_3 = 2.0 * x__times_vx + 2.0 * y__times_vy;
-    const real by_0_5_times_sum_over_length = 0.5 * sum_3 / length;
-    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real along_over_body_mass = along / p->body_mass;
-    const real along_over_body_mass_minus_acceleration = along_over_body_mass - acceleration;
-    const real sum_over_body_mass_minus_d_acceleration =
-        (d_along - along_over_body_mass * dp->body_mass) / p->body_mass - d_acceleration;
-    const real off_over_body_mass = off / p->body_mass;
-    const real off_over_body_mass_minus_gravity = off_over_body_mass - p->gravity;
-    const real sum_over_body_mass_minus_gravity =
-        (d_off - off_over_body_mass * dp->body_mass) / p->body_mass - dp->gravity;
-    y->seen_x = dx->foot_vx;
-    y->seen_y = 0.0;
-    y->seen_vx = d_acceleration;
-    y->seen_vy = 0.0;
-    y->length = (0.5 * sum_2 - by_0_5_times_sum_over_length * d_length) / length;
-    y->angle = d_angle_rate;
-    y->length_rate = (2.0 * (x->vx * dx->vx) +
-                      (dx->x_ * along_over_body_mass_minus_acceleration +
-                       x->x_ * sum_over_body_mass_minus_d_acceleration) +
-                      (2.0 * (x->vy * dx->vy) + (dx->y_ * off_over_body_mass_minus_gravity +
-                                                 x->y_ * sum_over_body_mass_minus_gravity)) -
-                      (d_length_rate * by_0_5_times_sum_over_length +
-                       length_rate * ((0.5 * sum_2 - by_0_5_times_sum_over_length * d_length) / length)) -
-                      (x->vx * x->vx + x->x_ * along_over_body_mass_minus_acceleration +
-                       (x->vy * x->vy + x->y_ * off_over_body_mass_minus_gravity) -
-                       length_rate * by_0_5_times_sum_over_length) /
-                          length * d_length) /
-                     length;
-    y->angle_rate =
-        (dx->vx * x->vy + x->vx * dx->vy +
-         (dx->x_ * off_over_body_mass_minus_gravity + x->x_ * sum_over_body_mass_minus_gravity) -
-         (dx->vy * x->vx + x->vy * dx->vx +
-          (dx->y_ * along_over_body_mass_minus_acceleration +
-           x->y_ * sum_over_body_mass_minus_d_acceleration)) -
-         (d_angle_rate * sum_3 + angle_rate * sum_2) -
-         (x->vx * x->vy + x->x_ * off_over_body_mass_minus_gravity -
-          (x->vy * x->vx + x->y_ * along_over_body_mass_minus_acceleration) - angle_rate * sum_3) /
-             square * d_square) /
-        square;
-}
-
 /* Constants of stick. */
 static void open_stick(const real *parameters, const real *states, real *constants) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     stick_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
     const real stance_torque = x->external_torque - x->driving * p->drive_torque;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
+    c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->damping = p->damping;
     c->stance_torque = stance_torque;
-    c->body_mass = p->body_mass;
     c->gravity = p->gravity;
     c->foot_vx = x->foot_vx;
     c->least_length = p->least_length;
@@ -1758,20 +1135,22 @@ static void open_stick(const real *parameters, const real *states, real *constan
 
 /* First variation of open_stick. */
 static void vary_open_stick(const real *parameters, const real *states, const real *d_parameters,
-                            const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
     stick_constants *c = (void *)constants;
-    const real d_stance_torque =
-        dx->external_torque - (p->drive_torque * dx->driving + x->driving * dp->drive_torque);
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
+    const real d_stance_torque = dx->external_torque - (p->drive_torque * dx->driving
+        + x->driving * dp->drive_torque);
     const real d_foot_mass_times_gravity = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
+    c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->damping = dp->damping;
     c->stance_torque = d_stance_torque;
-    c->body_mass = dp->body_mass;
     c->gravity = dp->gravity;
     c->foot_vx = dx->foot_vx;
     c->least_length = dp->least_length;
@@ -1782,7 +1161,7 @@ static void vary_open_stick(const real *parameters, const real *states, const re
 
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_stick_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
-                                  real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -1793,7 +1172,7 @@ static int react_stick_mid_stance(const real *parameters, const real *states, co
 
 /* slips_forward: The push of the leg exceeds static friction, and the foot slips forward. */
 static int react_stick_slips_forward(const real *parameters, const real *states, const tdmf_table *tables,
-                                     real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -1804,8 +1183,7 @@ static int react_stick_slips_forward(const real *parameters, const real *states,
 
 /* First variation of slips_forward. */
 static void vary_react_stick_slips_forward(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states,
-                                           const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -1818,7 +1196,7 @@ static void vary_react_stick_slips_forward(const real *parameters, const real *s
 
 /* First variation of the guard of slips_forward. */
 static real vary_guard_stick_slips_forward(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -1835,15 +1213,13 @@ static real vary_guard_stick_slips_forward(const real *parameters, const real *s
     const real normal = off + p->foot_mass * p->gravity;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * free_length_minus_length + p->stiffness * (dp->free_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque =
-        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - (dp->drive_torque * x->driving
+        + p->drive_torque * dx->driving);
     const real d_turning = (d_stance_torque - turning * d_square) / square;
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
@@ -1854,7 +1230,7 @@ static real vary_guard_stick_slips_forward(const real *parameters, const real *s
 
 /* slips_backward: The push of the leg exceeds static friction, and the foot slips backward. */
 static int react_stick_slips_backward(const real *parameters, const real *states, const tdmf_table *tables,
-                                      real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -1865,7 +1241,7 @@ static int react_stick_slips_backward(const real *parameters, const real *states
 
 /* First variation of the guard of slips_backward. */
 static real vary_guard_stick_slips_backward(const real *parameters, const real *states,
-                                            const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -1882,146 +1258,19 @@ static real vary_guard_stick_slips_backward(const real *parameters, const real *
     const real normal = off + p->foot_mass * p->gravity;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * free_length_minus_length + p->stiffness * (dp->free_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque =
-        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - (dp->drive_torque * x->driving
+        + p->drive_torque * dx->driving);
     const real d_turning = (d_stance_torque - turning * d_square) / square;
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
     const real d_cone = dx->friction * normal + x->friction * d_normal;
     const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
     return d_cone - d_along;
-}
-
-/* Outputs in stick. */
-static void outputs_stick(const real *parameters, const real *states, real *outputs) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real shorter = p->free_length - length;
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real spring = p->stiffness * shorter - p->damping * length_rate;
-    const real axial = spring / length;
-    const real turning = stance_torque / square;
-    const real off = axial * x->y_ + turning * x->x_;
-    const real normal = off + p->foot_mass * p->gravity;
-    const real along = axial * x->x_ - turning * x->y_;
-    const real x_2 = x->foot_x + x->x_;
-    const real vx = x->foot_vx + x->vx;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real center_x = x->foot_x + share * x->x_;
-    const real y_2 = share * x->y_;
-    const real center_vx = x->foot_vx + share * x->vx;
-    const real vy = share * x->vy;
-    const real of_body = p->body_mass * (vx * vx + x->vy * x->vy);
-    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (x->foot_vx * x->foot_vx));
-    const real potential_energy = p->gravity * (p->body_mass * x->y_);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    const real phase_of_hip = select(x->driving > 0.0, 1.0, 2.0);
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = stance_torque;
-    outputs[OUTPUT_normal_force] = normal;
-    outputs[OUTPUT_tangential_force] = along;
-    outputs[OUTPUT_ground_force_x] = along;
-    outputs[OUTPUT_ground_force_y] = normal;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = x_2;
-    outputs[OUTPUT_body_y] = x->y_;
-    outputs[OUTPUT_body_vx] = vx;
-    outputs[OUTPUT_body_vy] = x->vy;
-    outputs[OUTPUT_center_x] = center_x;
-    outputs[OUTPUT_center_y] = y_2;
-    outputs[OUTPUT_center_vx] = center_vx;
-    outputs[OUTPUT_center_vy] = vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 2.0;
-    outputs[OUTPUT_phase_of_hip] = phase_of_hip;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* First variation of outputs_stick. */
-static void vary_outputs_stick(const real *parameters, const real *states, const real *d_parameters,
-                               const real *d_states, real *outputs) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
-    const plain_reduced_runner_states *dx = (const void *)d_states;
-    const real d_stance_torque =
-        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real shorter = p->free_length - length;
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real d_shorter = dp->free_length - d_length;
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
-    const real spring = p->stiffness * shorter - p->damping * length_rate;
-    const real axial = spring / length;
-    const real d_axial = (d_spring - axial * d_length) / length;
-    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
-    const real turning = stance_torque / square;
-    const real d_turning = (d_stance_torque - turning * d_square) / square;
-    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
-    const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
-    const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
-    const real d_x = dx->foot_x + dx->x_;
-    const real d_vx = dx->foot_vx + dx->vx;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_center_x = dx->foot_x + (d_share * x->x_ + share * dx->x_);
-    const real d_y = d_share * x->y_ + share * dx->y_;
-    const real d_center_vx = dx->foot_vx + (d_share * x->vx + share * dx->vx);
-    const real d_vy = d_share * x->vy + share * dx->vy;
-    const real vx = x->foot_vx + x->vx;
-    const real d_of_body = dp->body_mass * (vx * vx + x->vy * x->vy) +
-                           p->body_mass * (2.0 * (vx * d_vx) + 2.0 * (x->vy * dx->vy));
-    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (x->foot_vx * x->foot_vx) +
-                                                      p->foot_mass * (2.0 * (x->foot_vx * dx->foot_vx))));
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * x->y_) + p->gravity * (dp->body_mass * x->y_ + p->body_mass * dx->y_);
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
-    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = d_stance_torque;
-    outputs[OUTPUT_normal_force] = d_normal;
-    outputs[OUTPUT_tangential_force] = d_along;
-    outputs[OUTPUT_ground_force_x] = d_along;
-    outputs[OUTPUT_ground_force_y] = d_normal;
-    outputs[OUTPUT_force_of_leg] = d_spring;
-    outputs[OUTPUT_body_x] = d_x;
-    outputs[OUTPUT_body_y] = dx->y_;
-    outputs[OUTPUT_body_vx] = d_vx;
-    outputs[OUTPUT_body_vy] = dx->vy;
-    outputs[OUTPUT_center_x] = d_center_x;
-    outputs[OUTPUT_center_y] = d_y;
-    outputs[OUTPUT_center_vx] = d_center_vx;
-    outputs[OUTPUT_center_vy] = d_vy;
-    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
-    outputs[OUTPUT_potential_energy] = d_potential_energy;
-    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
-    outputs[OUTPUT_energy] = d_energy;
-    outputs[OUTPUT_kind_of_contact] = 0.0;
-    outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
@@ -2031,12 +1280,11 @@ static void leave_stick(const real *parameters, const real *states, real counted
     plain_reduced_runner_states *y = (void *)after;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real lasted = x->time - x->mode_began;
-    const real adds =
-        select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real adds = select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due),
+        0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_by_2 = 4.0 * after_bar + 2.0;
-    const real longer = select(
-        after_bar < 0.0, -1.0,
+    const real longer = select(after_bar < 0.0, -1.0,
         select(by_4_times_after_bar_plus_by_2 < 4503599627370496.0, by_4_times_after_bar_plus_by_2, -1.0));
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
@@ -2050,7 +1298,7 @@ static void leave_stick(const real *parameters, const real *states, real counted
 
 /* First variation of leave_stick. */
 static void vary_leave_stick(const real *parameters, const real *states, const real *d_parameters,
-                             const real *d_states, real counted, real *after) {
+    const real *d_states, real counted, real *after) {
     (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -2058,14 +1306,14 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     plain_reduced_runner_states *y = (void *)after;
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
-    const real adds =
-        select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real adds = select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due),
+        0.0);
     const real bar_is_due_times_word_so_far = x->bar_is_due * x->word_so_far;
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
-    const real d_after_bar =
-        select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far, dx->word_so_far);
-    const real d_longer = select(after_bar < 0.0, 0.0,
-                                 select(4.0 * after_bar + 2.0 < 4503599627370496.0, 4.0 * d_after_bar, 0.0));
+    const real d_after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far,
+        dx->word_so_far);
+    const real d_longer = select(after_bar < 0.0, 0.0, select(4.0 * after_bar + 2.0 < 4503599627370496.0,
+        4.0 * d_after_bar, 0.0));
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slid_from = dx->foot_x;
@@ -2074,117 +1322,6 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     y->last_letter = select(lasted > 0.0, 0.0, dx->last_letter);
     y->bar_is_due = select(lasted > 0.0, 0.0, dx->bar_is_due);
     y->mode_began = dx->time;
-}
-
-/* Rates of the world's states in stick. */
-static void world_rates_stick(const real *parameters, const real *states, real *after) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    plain_reduced_runner_states *y = (void *)after;
-    const real x__times_vx = x->x_ * x->vx;
-    const real y__times_vy = x->y_ * x->vy;
-    const real sum_2 = 2.0 * x__times_vx + 2.0 * y__times_vy;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real length_rate = (x__times_vx + y__times_vy) / length;
-    const real spring = p->stiffness * (p->free_length - length) - p->damping * length_rate;
-    const real axial = spring / length;
-    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
-    const real turning = stance_torque / square;
-    const real along = axial * x->x_ - turning * x->y_;
-    const real along_over_body_mass = along / p->body_mass;
-    const real off = axial * x->y_ + turning * x->x_;
-    const real off_over_body_mass_minus_gravity = off / p->body_mass - p->gravity;
-    y->seen_x = x->foot_vx;
-    y->seen_y = 0.0;
-    y->seen_vx = 0.0;
-    y->seen_vy = 0.0;
-    y->length = 0.5 * sum_2 / length;
-    y->angle = angle_rate;
-    y->length_rate =
-        (x->vx * x->vx + x->x_ * along_over_body_mass +
-         (x->vy * x->vy + x->y_ * off_over_body_mass_minus_gravity) - length_rate * (0.5 * sum_2 / length)) /
-        length;
-    y->angle_rate = (x->vx * x->vy + x->x_ * off_over_body_mass_minus_gravity -
-                     (x->vy * x->vx + x->y_ * along_over_body_mass) - angle_rate * sum_2) /
-                    square;
-}
-
-/* First variation of world_rates_stick. */
-static void vary_world_rates_stick(const real *parameters, const real *states, const real *d_parameters,
-                                   const real *d_states, real *after) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
-    const plain_reduced_runner_states *dx = (const void *)d_states;
-    plain_reduced_runner_states *y = (void *)after;
-    const real x__times_vx_plus_x__times_vx = dx->x_ * x->vx + x->x_ * dx->vx;
-    const real y__times_vy_plus_y__times_vy = dx->y_ * x->vy + x->y_ * dx->vy;
-    const real sum_2 = 2.0 * x__times_vx_plus_x__times_vx + 2.0 * y__times_vy_plus_y__times_vy;
-    const real x__times_vx = x->x_ * x->vx;
-    const real y__times_vy = x->y_ * x->vy;
-    const real sum_3 = 2.0 * x__times_vx + 2.0 * y__times_vy;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real by_0_5_times_sum_over_length = 0.5 * sum_3 / length;
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real free_length_minus_length = p->free_length - length;
-    const real length_rate = (x__times_vx + y__times_vy) / length;
-    const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
-    const real axial = spring / length;
-    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
-    const real turning = stance_torque / square;
-    const real along = axial * x->x_ - turning * x->y_;
-    const real along_over_body_mass = along / p->body_mass;
-    const real d_length_rate =
-        (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy - length_rate * d_length) / length;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
-    const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque =
-        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
-    const real d_turning = (d_stance_torque - turning * d_square) / square;
-    const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
-    const real sum_over_body_mass = (d_along - along_over_body_mass * dp->body_mass) / p->body_mass;
-    const real off = axial * x->y_ + turning * x->x_;
-    const real off_over_body_mass = off / p->body_mass;
-    const real off_over_body_mass_minus_gravity = off_over_body_mass - p->gravity;
-    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
-    const real sum_over_body_mass_minus_gravity =
-        (d_off - off_over_body_mass * dp->body_mass) / p->body_mass - dp->gravity;
-    y->seen_x = dx->foot_vx;
-    y->seen_y = 0.0;
-    y->seen_vx = 0.0;
-    y->seen_vy = 0.0;
-    y->length = (0.5 * sum_2 - by_0_5_times_sum_over_length * d_length) / length;
-    y->angle = d_angle_rate;
-    y->length_rate = (2.0 * (x->vx * dx->vx) + (dx->x_ * along_over_body_mass + x->x_ * sum_over_body_mass) +
-                      (2.0 * (x->vy * dx->vy) + (dx->y_ * off_over_body_mass_minus_gravity +
-                                                 x->y_ * sum_over_body_mass_minus_gravity)) -
-                      (d_length_rate * by_0_5_times_sum_over_length +
-                       length_rate * ((0.5 * sum_2 - by_0_5_times_sum_over_length * d_length) / length)) -
-                      (x->vx * x->vx + x->x_ * along_over_body_mass +
-                       (x->vy * x->vy + x->y_ * off_over_body_mass_minus_gravity) -
-                       length_rate * by_0_5_times_sum_over_length) /
-                          length * d_length) /
-                     length;
-    y->angle_rate =
-        (dx->vx * x->vy + x->vx * dx->vy +
-         (dx->x_ * off_over_body_mass_minus_gravity + x->x_ * sum_over_body_mass_minus_gravity) -
-         (dx->vy * x->vx + x->vy * dx->vx + (dx->y_ * along_over_body_mass + x->y_ * sum_over_body_mass)) -
-         (d_angle_rate * sum_3 + angle_rate * sum_2) -
-         (x->vx * x->vy + x->x_ * off_over_body_mass_minus_gravity -
-          (x->vy * x->vx + x->y_ * along_over_body_mass) - angle_rate * sum_3) /
-             square * d_square) /
-        square;
 }
 
 /* Constants of flight_retract. */
@@ -2199,7 +1336,7 @@ static void open_flight_retract(const real *parameters, const real *states, real
 
 /* First variation of open_flight_retract. */
 static void vary_open_flight_retract(const real *parameters, const real *states, const real *d_parameters,
-                                     const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     (void)parameters;
     (void)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -2212,7 +1349,7 @@ static void vary_open_flight_retract(const real *parameters, const real *states,
 
 /* apex: A stride closes, and the leg is placed anew. */
 static int react_flight_retract_apex(const real *parameters, const real *states, const tdmf_table *tables,
-                                     real *after, const int *next) {
+    real *after, const int *next) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     (void)tables;
@@ -2242,8 +1379,8 @@ static int react_flight_retract_apex(const real *parameters, const real *states,
     y->rise_of_stride = select(x->is_open > 0.0, x->com_y - x->y_then, x->rise_of_stride);
     y->work_of_stride = select(x->is_open > 0.0, hip, x->work_of_stride);
     y->hip_work = select(x->is_open > 0.0, hip, x->hip_work);
-    y->positive_work =
-        select(x->is_open > 0.0, x->positive_work_so_far - x->positive_work_then, x->positive_work);
+    y->positive_work = select(x->is_open > 0.0, x->positive_work_so_far - x->positive_work_then,
+        x->positive_work);
     y->speed = select(x->is_open > 0.0, distance / period, x->speed);
     y->cost_of_transport = select(x->is_open > 0.0, hip / (weight * distance), x->cost_of_transport);
     y->touchdowns = select(x->is_open > 0.0, x->touchdowns_so_far, x->touchdowns);
@@ -2269,8 +1406,7 @@ static int react_flight_retract_apex(const real *parameters, const real *states,
 
 /* First variation of apex. */
 static void vary_react_flight_retract_apex(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states,
-                                           const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -2287,8 +1423,8 @@ static void vary_react_flight_retract_apex(const real *parameters, const real *s
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real weight = body_mass_plus_foot_mass * p->gravity;
     const real weight_times_distance = weight * distance;
-    const real d_weight =
-        p->gravity * (dp->body_mass + dp->foot_mass) + body_mass_plus_foot_mass * dp->gravity;
+    const real d_weight = p->gravity * (dp->body_mass + dp->foot_mass)
+        + body_mass_plus_foot_mass * dp->gravity;
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
@@ -2312,19 +1448,16 @@ static void vary_react_flight_retract_apex(const real *parameters, const real *s
     y->rise_of_stride = select(x->is_open > 0.0, dx->com_y - dx->y_then, dx->rise_of_stride);
     y->work_of_stride = select(x->is_open > 0.0, d_hip, dx->work_of_stride);
     y->hip_work = select(x->is_open > 0.0, d_hip, dx->hip_work);
-    y->positive_work =
-        select(x->is_open > 0.0, dx->positive_work_so_far - dx->positive_work_then, dx->positive_work);
+    y->positive_work = select(x->is_open > 0.0, dx->positive_work_so_far - dx->positive_work_then,
+        dx->positive_work);
     y->speed = select(x->is_open > 0.0, (d_distance - distance / period * d_period) / period, dx->speed);
-    y->cost_of_transport =
-        select(x->is_open > 0.0,
-               (d_hip - hip / weight_times_distance * (d_weight * distance + weight * d_distance)) /
-                   weight_times_distance,
-               dx->cost_of_transport);
+    y->cost_of_transport = select(x->is_open > 0.0, (d_hip
+        - hip / weight_times_distance * (d_weight * distance + weight * d_distance)) / weight_times_distance,
+        dx->cost_of_transport);
     y->touchdowns = select(x->is_open > 0.0, dx->touchdowns_so_far, dx->touchdowns);
     y->stance_time = select(x->is_open > 0.0, dx->stance_so_far, dx->stance_time);
-    y->duty_factor =
-        select(x->is_open > 0.0, (dx->stance_so_far - x->stance_so_far / period * d_period) / period,
-               dx->duty_factor);
+    y->duty_factor = select(x->is_open > 0.0, (dx->stance_so_far
+        - x->stance_so_far / period * d_period) / period, dx->duty_factor);
     y->slip_distance = select(x->is_open > 0.0, dx->slip_so_far, dx->slip_distance);
     y->peak_force = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_force);
     y->peak_vertical_force = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_vertical_force);
@@ -2344,98 +1477,12 @@ static void vary_react_flight_retract_apex(const real *parameters, const real *s
 
 /* First variation of the guard of apex. */
 static real vary_guard_flight_retract_apex(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
     return dx->com_vy;
-}
-
-/* Outputs in flight_retract. */
-static void outputs_flight_retract(const real *parameters, const real *states, real *outputs) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    const real shorter = p->free_length - x->length;
-    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sine = real_sin(x->angle);
-    const real length_times_sine = x->length * sine;
-    const real body_x = x->com_x + share * length_times_sine - length_times_sine;
-    const real cosine = real_cos(x->angle);
-    const real y_2 = x->length * cosine;
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
-    const real turn = x->momentum / x->length;
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                         com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
-    const real potential_energy =
-        p->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = 0.0;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = body_x;
-    outputs[OUTPUT_body_y] = body_y;
-    outputs[OUTPUT_body_vx] = body_vx;
-    outputs[OUTPUT_body_vy] = body_vy;
-    outputs[OUTPUT_center_x] = x->com_x;
-    outputs[OUTPUT_center_y] = x->com_y;
-    outputs[OUTPUT_center_vx] = x->com_vx;
-    outputs[OUTPUT_center_vy] = x->com_vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 1.0;
-    outputs[OUTPUT_phase_of_hip] = 3.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* Rates of the world's states in flight. */
-static void world_rates_flight_retract(const real *parameters, const real *states, real *after) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    plain_reduced_runner_states *y = (void *)after;
-    y->seen_x = x->com_vx;
-    y->seen_y = x->com_vy;
-    y->seen_vx = 0.0;
-    y->seen_vy = -p->gravity;
-    y->length = 0.0;
-    y->angle = 0.0;
-    y->length_rate = 0.0;
-    y->angle_rate = 0.0;
-}
-
-/* First variation of world_rates_flight_retract. */
-static void vary_world_rates_flight_retract(const real *parameters, const real *states,
-                                            const real *d_parameters, const real *d_states, real *after) {
-    (void)parameters;
-    (void)states;
-    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
-    const plain_reduced_runner_states *dx = (const void *)d_states;
-    plain_reduced_runner_states *y = (void *)after;
-    y->seen_x = dx->com_vx;
-    y->seen_y = dx->com_vy;
-    y->seen_vx = 0.0;
-    y->seen_vy = -dp->gravity;
-    y->length = 0.0;
-    y->angle = 0.0;
-    y->length_rate = 0.0;
-    y->angle_rate = 0.0;
 }
 
 /* at_apex: A start at an apex, with the centre of mass at x = 0 and the leg at rest. */
@@ -2461,7 +1508,7 @@ static void enter_at_apex(const real *parameters, const real *states, const real
 
 /* First variation of enter_at_apex. */
 static void vary_enter_at_apex(const real *parameters, const real *states, const real *d_parameters,
-                               const real *d_states, const real *at, const real *d_at, real *after) {
+    const real *d_states, const real *at, const real *d_at, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     (void)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -2577,12 +1624,8 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
 }
 
 static const tdmf_guard_kind guards_start_of_run[] = {
-    {.event = EVENT_begins,
-     .is_counted = false,
-     .react = react_start_of_run_begins,
-     .vary_react = vary_react_start_of_run_begins,
-     .vary_guard = vary_guard_start_of_run_begins,
-     .next = {MODE_no_start, MODE_flight_place}},
+    {.event = EVENT_begins, .react = react_start_of_run_begins, .vary_react = vary_react_start_of_run_begins,
+        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_no_start, MODE_flight_place}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_start_of_run[] = {
@@ -2595,19 +1638,12 @@ static const tdmf_watch_kind watches_no_start[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_place[] = {
-    {.event = EVENT_falls,
-     .is_counted = true,
-     .react = react_flight_place_falls,
-     .vary_react = vary_react_flight_place_falls,
-     .is_watched = watches_flight_place_falls,
-     .vary_guard = vary_guard_flight_place_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_touchdown,
-     .is_counted = true,
-     .react = react_flight_place_touchdown,
-     .vary_react = vary_react_flight_place_touchdown,
-     .vary_guard = vary_guard_flight_place_touchdown,
-     .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_falls, .is_counted = true, .react = react_flight_place_falls,
+        .vary_react = vary_react_flight_place_falls, .is_watched = watches_flight_place_falls,
+        .vary_guard = vary_guard_flight_place_falls, .next = {MODE_fallen}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_place_touchdown,
+        .vary_react = vary_react_flight_place_touchdown, .vary_guard = vary_guard_flight_place_touchdown,
+        .next = {MODE_slip_constant, MODE_stick}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_place[] = {
@@ -2621,37 +1657,21 @@ static const tdmf_watch_kind watches_fallen[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_slip_constant[] = {
-    {.event = EVENT_falls,
-     .is_counted = true,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = true,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_mid_stance,
-     .is_counted = true,
-     .react = react_slip_constant_mid_stance,
-     .vary_react = vary_react_slip_constant_mid_stance,
-     .is_watched = watches_slip_constant_mid_stance,
-     .vary_guard = vary_guard_slip_constant_mid_stance,
-     .next = {MODE_slip_constant}},
-    {.event = EVENT_lift_off,
-     .is_counted = true,
-     .react = react_slip_constant_lift_off,
-     .vary_react = vary_react_slip_constant_lift_off,
-     .vary_guard = vary_guard_slip_constant_lift_off,
-     .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
-    {.event = EVENT_comes_to_rest,
-     .is_counted = true,
-     .react = react_slip_constant_comes_to_rest,
-     .vary_react = vary_react_slip_constant_comes_to_rest,
-     .vary_guard = vary_guard_slip_constant_comes_to_rest,
-     .next = {MODE_stick, MODE_slip_constant}},
+    {.event = EVENT_falls, .is_counted = true, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_falls,
+        .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .is_counted = true, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
+        .next = {MODE_fallen}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_slip_constant_mid_stance,
+        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_constant}},
+    {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
+        .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
+        .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
+    {.event = EVENT_comes_to_rest, .is_counted = true, .react = react_slip_constant_comes_to_rest,
+        .vary_react = vary_react_slip_constant_comes_to_rest,
+        .vary_guard = vary_guard_slip_constant_comes_to_rest, .next = {MODE_stick, MODE_slip_constant}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_slip_constant[] = {
@@ -2660,43 +1680,24 @@ static const tdmf_watch_kind watches_slip_constant[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_stick[] = {
-    {.event = EVENT_falls,
-     .is_counted = true,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = true,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_mid_stance,
-     .is_counted = true,
-     .react = react_stick_mid_stance,
-     .vary_react = vary_react_slip_constant_mid_stance,
-     .is_watched = watches_slip_constant_mid_stance,
-     .vary_guard = vary_guard_slip_constant_mid_stance,
-     .next = {MODE_stick}},
-    {.event = EVENT_lift_off,
-     .is_counted = true,
-     .react = react_slip_constant_lift_off,
-     .vary_react = vary_react_slip_constant_lift_off,
-     .vary_guard = vary_guard_slip_constant_lift_off,
-     .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
-    {.event = EVENT_slips_forward,
-     .is_counted = true,
-     .react = react_stick_slips_forward,
-     .vary_react = vary_react_stick_slips_forward,
-     .vary_guard = vary_guard_stick_slips_forward,
-     .next = {MODE_slip_constant}},
-    {.event = EVENT_slips_backward,
-     .is_counted = true,
-     .react = react_stick_slips_backward,
-     .vary_react = vary_react_stick_slips_forward,
-     .vary_guard = vary_guard_stick_slips_backward,
-     .next = {MODE_slip_constant}},
+    {.event = EVENT_falls, .is_counted = true, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_falls,
+        .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .is_counted = true, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
+        .next = {MODE_fallen}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_stick_mid_stance,
+        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_stick}},
+    {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
+        .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
+        .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
+    {.event = EVENT_slips_forward, .is_counted = true, .react = react_stick_slips_forward,
+        .vary_react = vary_react_stick_slips_forward, .vary_guard = vary_guard_stick_slips_forward,
+        .next = {MODE_slip_constant}},
+    {.event = EVENT_slips_backward, .is_counted = true, .react = react_stick_slips_backward,
+        .vary_react = vary_react_stick_slips_forward, .vary_guard = vary_guard_stick_slips_backward,
+        .next = {MODE_slip_constant}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_stick[] = {
@@ -2717,12 +1718,9 @@ static const tdmf_watch_kind watches_no_apex[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_retract[] = {
-    {.event = EVENT_apex,
-     .is_counted = true,
-     .react = react_flight_retract_apex,
-     .vary_react = vary_react_flight_retract_apex,
-     .vary_guard = vary_guard_flight_retract_apex,
-     .next = {MODE_flight_place}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_retract_apex,
+        .vary_react = vary_react_flight_retract_apex, .vary_guard = vary_guard_flight_retract_apex,
+        .next = {MODE_flight_place}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_retract[] = {
@@ -2732,319 +1730,98 @@ static const tdmf_watch_kind watches_flight_retract[] = {
 static const int coordinates_at_apex[] = {35, 36};
 
 static const tdmf_mode_kind modes[] = {
-    {.motion = &tdmf_plain_reduced_runner_motions[MODE_start_of_run],
-     .ends = false,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 1,
-     .guards = guards_start_of_run,
-     .watch_count = 0,
-     .watches = watches_start_of_run,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_plain_reduced_runner_motions[MODE_no_start],
-     .ends = true,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 0,
-     .guards = guards_no_start,
-     .watch_count = 0,
-     .watches = watches_no_start,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_plain_reduced_runner_motions[MODE_flight_place],
-     .ends = false,
-     .open = open_flight_place,
-     .vary_open = vary_open_flight_place,
-     .guard_count = 2,
-     .guards = guards_flight_place,
-     .watch_count = 1,
-     .watches = watches_flight_place,
-     .outputs = outputs_flight_place,
-     .vary_outputs = vary_outputs_flight_place,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run,
-     .from_world = from_world_flight_place,
-     .vary_from_world = vary_from_world_flight_place,
-     .to_world = to_world_flight_place,
-     .vary_to_world = vary_to_world_flight_place,
-     .world_rates = world_rates_flight_place,
-     .vary_world_rates = vary_world_rates_flight_place},
-    {.motion = &tdmf_plain_reduced_runner_motions[MODE_fallen],
-     .ends = true,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 0,
-     .guards = guards_fallen,
-     .watch_count = 0,
-     .watches = watches_fallen,
-     .outputs = outputs_fallen,
-     .vary_outputs = vary_outputs_start_of_run,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_plain_reduced_runner_motions[MODE_slip_constant],
-     .ends = false,
-     .open = open_slip_constant,
-     .vary_open = vary_open_slip_constant,
-     .guard_count = 5,
-     .guards = guards_slip_constant,
-     .watch_count = 2,
-     .watches = watches_slip_constant,
-     .outputs = outputs_slip_constant,
-     .vary_outputs = vary_outputs_slip_constant,
-     .leave = leave_slip_constant,
-     .vary_leave = vary_leave_slip_constant,
-     .from_world = from_world_slip_constant,
-     .vary_from_world = vary_from_world_slip_constant,
-     .to_world = to_world_slip_constant,
-     .vary_to_world = vary_to_world_slip_constant,
-     .world_rates = world_rates_slip_constant,
-     .vary_world_rates = vary_world_rates_slip_constant},
-    {.motion = &tdmf_plain_reduced_runner_motions[MODE_stick],
-     .ends = false,
-     .open = open_stick,
-     .vary_open = vary_open_stick,
-     .guard_count = 6,
-     .guards = guards_stick,
-     .watch_count = 2,
-     .watches = watches_stick,
-     .outputs = outputs_stick,
-     .vary_outputs = vary_outputs_stick,
-     .leave = leave_stick,
-     .vary_leave = vary_leave_stick,
-     .from_world = from_world_slip_constant,
-     .vary_from_world = vary_from_world_slip_constant,
-     .to_world = to_world_slip_constant,
-     .vary_to_world = vary_to_world_slip_constant,
-     .world_rates = world_rates_stick,
-     .vary_world_rates = vary_world_rates_stick},
-    {.motion = &tdmf_plain_reduced_runner_motions[MODE_no_stance],
-     .ends = true,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 0,
-     .guards = guards_no_stance,
-     .watch_count = 0,
-     .watches = watches_no_stance,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_plain_reduced_runner_motions[MODE_no_apex],
-     .ends = true,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 0,
-     .guards = guards_no_apex,
-     .watch_count = 0,
-     .watches = watches_no_apex,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_plain_reduced_runner_motions[MODE_flight_retract],
-     .ends = false,
-     .open = open_flight_retract,
-     .vary_open = vary_open_flight_retract,
-     .guard_count = 1,
-     .guards = guards_flight_retract,
-     .watch_count = 1,
-     .watches = watches_flight_retract,
-     .outputs = outputs_flight_retract,
-     .vary_outputs = vary_outputs_flight_place,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run,
-     .from_world = from_world_flight_place,
-     .vary_from_world = vary_from_world_flight_place,
-     .to_world = to_world_flight_place,
-     .vary_to_world = vary_to_world_flight_place,
-     .world_rates = world_rates_flight_retract,
-     .vary_world_rates = vary_world_rates_flight_retract},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_start_of_run], .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 1, .guards = guards_start_of_run,
+        .watch_count = 0, .watches = watches_start_of_run, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_no_start], .ends = true, .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_no_start, .watch_count = 0,
+        .watches = watches_no_start, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_flight_place], .open = open_flight_place,
+        .vary_open = vary_open_flight_place, .guard_count = 2, .guards = guards_flight_place,
+        .watch_count = 1, .watches = watches_flight_place, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place,
+        .vary_from_world = vary_from_world_flight_place, .to_world = to_world_flight_place,
+        .vary_to_world = vary_to_world_flight_place},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_fallen], .ends = true, .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_fallen, .watch_count = 0,
+        .watches = watches_fallen, .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_slip_constant], .open = open_slip_constant,
+        .vary_open = vary_open_slip_constant, .guard_count = 5, .guards = guards_slip_constant,
+        .watch_count = 2, .watches = watches_slip_constant, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_slip_constant,
+        .vary_leave = vary_leave_slip_constant, .from_world = from_world_slip_constant,
+        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
+        .vary_to_world = vary_to_world_slip_constant},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_stick], .open = open_stick,
+        .vary_open = vary_open_stick, .guard_count = 6, .guards = guards_stick, .watch_count = 2,
+        .watches = watches_stick, .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
+        .leave = leave_stick, .vary_leave = vary_leave_stick, .from_world = from_world_slip_constant,
+        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
+        .vary_to_world = vary_to_world_slip_constant},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_no_stance], .ends = true, .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_no_stance, .watch_count = 0,
+        .watches = watches_no_stance, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_no_apex], .ends = true, .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_no_apex, .watch_count = 0,
+        .watches = watches_no_apex, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_flight_retract], .open = open_flight_retract,
+        .vary_open = vary_open_flight_retract, .guard_count = 1, .guards = guards_flight_retract,
+        .watch_count = 1, .watches = watches_flight_retract, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place,
+        .vary_from_world = vary_from_world_flight_place, .to_world = to_world_flight_place,
+        .vary_to_world = vary_to_world_flight_place},
 };
 
 static const tdmf_set_kind sets[] = {
     {.index = -1},
 };
 static const tdmf_section_kind sections[] = {
-    {.enter = enter_at_apex,
-     .vary_enter = vary_enter_at_apex,
-     .event = EVENT_apex,
-     .count = 2,
-     .coordinates = coordinates_at_apex},
+    {.enter = enter_at_apex, .vary_enter = vary_enter_at_apex, .event = EVENT_apex, .count = 2,
+        .coordinates = coordinates_at_apex},
     {.event = -1},
 };
 
-static const char *const mode_names[] = {"start_of_run", "no_start",      "flight_place",
-                                         "fallen",       "slip_constant", "stick",
-                                         "no_stance",    "no_apex",       "flight_retract"};
-static const char *const state_names[] = {"time",
-                                          "events",
-                                          "last_event",
-                                          "is_open",
-                                          "work_then",
-                                          "positive_work_so_far",
-                                          "positive_work_then",
-                                          "peak_force_so_far",
-                                          "touchdowns_so_far",
-                                          "slip_so_far",
-                                          "slid_from",
-                                          "stance_so_far",
-                                          "word_so_far",
-                                          "last_letter",
-                                          "bar_is_due",
-                                          "mode_began",
-                                          "x_then",
-                                          "y_then",
-                                          "count",
-                                          "word_code",
-                                          "period",
-                                          "distance",
-                                          "rise_of_stride",
-                                          "work_of_stride",
-                                          "hip_work",
-                                          "positive_work",
-                                          "speed",
-                                          "cost_of_transport",
-                                          "touchdowns",
-                                          "stance_time",
-                                          "duty_factor",
-                                          "slip_distance",
-                                          "peak_force",
-                                          "peak_vertical_force",
-                                          "apex_time",
-                                          "apex_com_height",
-                                          "apex_com_speed",
-                                          "apex_length",
-                                          "apex_angle",
-                                          "apex_length_rate",
-                                          "apex_angle_rate",
-                                          "seen_x",
-                                          "seen_y",
-                                          "length",
-                                          "angle",
-                                          "seen_vx",
-                                          "seen_vy",
-                                          "length_rate",
-                                          "angle_rate",
-                                          "com_x",
-                                          "com_y",
-                                          "com_vx",
-                                          "com_vy",
-                                          "momentum",
-                                          "x",
-                                          "y",
-                                          "vx",
-                                          "vy",
-                                          "foot_x",
-                                          "foot_vx",
-                                          "winding",
-                                          "damper_loss",
-                                          "friction",
-                                          "way",
-                                          "friction_loss",
-                                          "impact_loss",
-                                          "external_torque",
-                                          "liftoff_angle",
-                                          "driving",
-                                          "placing",
-                                          "touchdown_time",
-                                          "work"};
-static const char *const parameter_names[] = {"body_mass", "foot_mass",    "stiffness",
-                                              "damping",   "free_length",  "least_length",
-                                              "gravity",   "drive_torque", "touchdown_angle"};
-static const char *const event_names[] = {"begins",         "falls",        "collapses", "apex",
-                                          "touchdown",      "mid_stance",   "lift_off",  "slips_forward",
-                                          "slips_backward", "comes_to_rest"};
-static const char *const output_names[] = {
-    "pending",        "torque",           "normal_force",   "tangential_force", "ground_force_x",
-    "ground_force_y", "force_of_leg",     "body_x",         "body_y",           "body_vx",
-    "body_vy",        "center_x",         "center_y",       "center_vx",        "center_vy",
-    "kinetic_energy", "potential_energy", "elastic_energy", "energy",           "kind_of_contact",
-    "phase_of_hip",   "has_fallen"};
+static const char *const mode_names[] = {"start_of_run", "no_start", "flight_place", "fallen",
+    "slip_constant", "stick", "no_stance", "no_apex", "flight_retract"};
+static const char *const state_names[] = {"time", "events", "last_event", "is_open", "work_then",
+    "positive_work_so_far", "positive_work_then", "peak_force_so_far", "touchdowns_so_far", "slip_so_far",
+    "slid_from", "stance_so_far", "word_so_far", "last_letter", "bar_is_due", "mode_began", "x_then",
+    "y_then", "count", "word_code", "period", "distance", "rise_of_stride", "work_of_stride", "hip_work",
+    "positive_work", "speed", "cost_of_transport", "touchdowns", "stance_time", "duty_factor",
+    "slip_distance", "peak_force", "peak_vertical_force", "apex_time", "apex_com_height", "apex_com_speed",
+    "apex_length", "apex_angle", "apex_length_rate", "apex_angle_rate", "seen_x", "seen_y", "length", "angle",
+    "seen_vx", "seen_vy", "length_rate", "angle_rate", "com_x", "com_y", "com_vx", "com_vy", "momentum", "x",
+    "y", "vx", "vy", "foot_x", "foot_vx", "winding", "damper_loss", "friction", "way", "friction_loss",
+    "impact_loss", "external_torque", "liftoff_angle", "driving", "placing", "touchdown_time", "work"};
+static const char *const parameter_names[] = {"body_mass", "foot_mass", "stiffness", "damping", "free_length",
+    "least_length", "gravity", "drive_torque", "touchdown_angle"};
+static const char *const event_names[] = {"begins", "falls", "collapses", "apex", "touchdown", "mid_stance",
+    "lift_off", "slips_forward", "slips_backward", "comes_to_rest"};
+static const char *const output_names[] = {0};
 static const char *const table_names[] = {0};
 static const char *const section_names[] = {"at_apex"};
-static const double state_defaults[] = {0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        -0.4722627765193387,
-                                        0.6417114468531165,
-                                        0.9999993776846997,
-                                        -0.5462532571145313,
-                                        1.062035591761993,
-                                        -1.9951712441925837e-05,
-                                        1.1268102275039307e-06,
-                                        4.039363331769765e-05,
-                                        0.0,
-                                        1.4,
-                                        1.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        1.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.6,
-                                        1.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0};
+static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.4722627765193387, 0.6417114468531165, 0.9999993776846997,
+    -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05, 1.1268102275039307e-06,
+    4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 static const double parameter_defaults[] = {1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01, 0.2, 0.6981317007977318};
-static const double parameter_least[] = {
-    1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09, -1e+18, -1.5707963267948966};
-static const double parameter_most[] = {1000000000.0,    1000000000.0, 1000000000000.0,
-                                        1000000000000.0, 1000000.0,    1000000.0,
-                                        1000000.0,       1e+18,        1.5707963267948966};
+static const double parameter_least[] = {1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09, -1e+18,
+    -1.5707963267948966};
+static const double parameter_most[] = {1000000000.0, 1000000000.0, 1000000000000.0, 1000000000000.0,
+    1000000.0, 1000000.0, 1000000.0, 1e+18, 1.5707963267948966};
 
 const tdmf_model_kind tdmf_plain_reduced_runner_model = {
     .modes = modes,
@@ -3055,8 +1832,8 @@ const tdmf_model_kind tdmf_plain_reduced_runner_model = {
     .series_count = 28,
     .constant_count = 12,
     .lanes = {TDMF_TWO_LANES(tdmf_plain_reduced_runner_motions_of_2),
-              TDMF_FOUR_LANES(tdmf_plain_reduced_runner_motions_of_4),
-              TDMF_EIGHT_LANES(tdmf_plain_reduced_runner_motions_of_8)},
+        TDMF_FOUR_LANES(tdmf_plain_reduced_runner_motions_of_4),
+        TDMF_EIGHT_LANES(tdmf_plain_reduced_runner_motions_of_8)},
     .seeds = TDMF_FOR_SEEDS(tdmf_plain_reduced_runner_seeds),
     .mode_count = 9,
     .mode_names = mode_names,
@@ -3066,7 +1843,7 @@ const tdmf_model_kind tdmf_plain_reduced_runner_model = {
     .parameter_names = parameter_names,
     .event_count = 10,
     .event_names = event_names,
-    .output_count = 22,
+    .output_count = 0,
     .output_names = output_names,
     .table_count = 0,
     .table_names = table_names,

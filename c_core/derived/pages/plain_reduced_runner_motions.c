@@ -8,65 +8,17 @@ typedef struct {
     real time[TERMS];
 } start_of_run_series;
 
-typedef struct {
-    pair none;
-} start_of_run_sums;
-
-typedef struct {
-    real none;
-} start_of_run_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_start_of_run_sums(const start_of_run_series *s, int i, int j, start_of_run_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_start_of_run_sums(const start_of_run_series *s, int i, start_of_run_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_start_of_run(const start_of_run_constants *c, const start_of_run_factors *by, int k,
-                              const start_of_run_sums *sum, int odd, start_of_run_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)s;
-    (void)k;
-    (void)odd;
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_start_of_run(const real *constants, int order, real *series) {
-    const start_of_run_constants copy = *(const start_of_run_constants *)(const void *)constants, *c = &copy;
-    start_of_run_series *s = (void *)series;
-    static const start_of_run_sums none;
-    start_of_run_sums sum = none;
+/* All coefficients. */
+static void expand_start_of_run(const real *constants, int order, real *expanded) {
+    (void)constants;
+    (void)order;
+    start_of_run_series *s = (void *)expanded;
     s->time[1] = broadcast(1.0);
-    const start_of_run_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_start_of_run(c, by, 0, &sum, 0, s);
-    begin_start_of_run_sums(s, 0, &sum);
-    step_start_of_run(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_start_of_run_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_start_of_run_sums(s, i, j, &sum);
-        }
-        step_start_of_run(c, by, k, &sum, 0, s);
-        add_start_of_run_sums(s, 1, k, &sum);
-        step_start_of_run(c, by, k + 1, &sum, 1, s);
-    }
 }
 
 /* First variation of the series. */
 static void vary_start_of_run(const real *constants, const real *series, const real *d_constants, int order,
-                              real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -87,7 +39,7 @@ static void guard_start_of_run_begins(const real *constants, const real *series,
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_start_of_run(const real *constants, const real *series, const real *power, int order,
-                                uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     (void)constants;
     (void)series;
     (void)power;
@@ -104,70 +56,21 @@ typedef struct {
     real none[TERMS];
 } no_start_series;
 
-typedef struct {
-    pair none;
-} no_start_sums;
-
-typedef struct {
-    real none;
-} no_start_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_no_start_sums(const no_start_series *s, int i, int j, no_start_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_no_start_sums(const no_start_series *s, int i, no_start_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_no_start(const no_start_constants *c, const no_start_factors *by, int k,
-                          const no_start_sums *sum, int odd, no_start_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)s;
-    (void)k;
-    (void)odd;
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_no_start(const real *constants, int order, real *series) {
-    const no_start_constants copy = *(const no_start_constants *)(const void *)constants, *c = &copy;
-    no_start_series *s = (void *)series;
-    static const no_start_sums none;
-    no_start_sums sum = none;
-    const no_start_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_no_start(c, by, 0, &sum, 0, s);
-    begin_no_start_sums(s, 0, &sum);
-    step_no_start(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_no_start_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_no_start_sums(s, i, j, &sum);
-        }
-        step_no_start(c, by, k, &sum, 0, s);
-        add_no_start_sums(s, 1, k, &sum);
-        step_no_start(c, by, k + 1, &sum, 1, s);
-    }
+/* All coefficients. */
+static void expand_no_start(const real *constants, int order, real *expanded) {
+    (void)constants;
+    (void)order;
+    (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_no_start(const real *constants, const real *series, const real *d_constants, int order,
-                          real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     (void)d_constants;
+    (void)order;
     (void)varied;
-    for (int k = 0; k < order; ++k) {
-    }
 }
 
 /* ---- flight_place */
@@ -182,68 +85,23 @@ typedef struct {
     real placing[TERMS];
 } flight_place_series;
 
-typedef struct {
-    pair none;
-} flight_place_sums;
-
-typedef struct {
-    real none;
-} flight_place_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_flight_place_sums(const flight_place_series *s, int i, int j, flight_place_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_flight_place_sums(const flight_place_series *s, int i, flight_place_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_flight_place(const flight_place_constants *c, const flight_place_factors *by, int k,
-                              const flight_place_sums *sum, int odd, flight_place_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)odd;
-    s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_place(const real *constants, int order, real *series) {
-    const flight_place_constants copy = *(const flight_place_constants *)(const void *)constants, *c = &copy;
-    flight_place_series *s = (void *)series;
-    static const flight_place_sums none;
-    flight_place_sums sum = none;
+/* All coefficients. */
+static void expand_flight_place(const real *constants, int order, real *expanded) {
+    const flight_place_constants *c = (const void *)constants;
+    flight_place_series *s = (void *)expanded;
     s->time[1] = broadcast(1.0);
     s->com_x[1] = c->com_vx;
     s->com_vy[1] = c->minus_gravity;
     s->angle[1] = c->rate;
     s->placing[1] = broadcast(1.0);
-    const flight_place_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_flight_place(c, by, 0, &sum, 0, s);
-    begin_flight_place_sums(s, 0, &sum);
-    step_flight_place(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_flight_place_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_flight_place_sums(s, i, j, &sum);
-        }
-        step_flight_place(c, by, k, &sum, 0, s);
-        add_flight_place_sums(s, 1, k, &sum);
-        step_flight_place(c, by, k + 1, &sum, 1, s);
+    for (int k = 0; k < order; ++k) {
+        s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
     }
 }
 
 /* First variation of the series. */
 static void vary_flight_place(const real *constants, const real *series, const real *d_constants, int order,
-                              real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     const flight_place_constants *d = (const void *)d_constants;
@@ -260,8 +118,7 @@ static void vary_flight_place(const real *constants, const real *series, const r
 
 /* First variation of power_of_hip. */
 static void d_observed_flight_place_power_of_hip(const real *constants, const real *series,
-                                                 const real *d_constants, const real *d_series, int order,
-                                                 real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -306,7 +163,7 @@ static void guard_flight_place_power_of_hip(const real *constants, const real *s
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_flight_place(const real *constants, const real *series, const real *power, int order,
-                                uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const flight_place_constants *c = (const void *)constants;
     const flight_place_series *s = (const void *)series;
     (void)order;
@@ -318,8 +175,8 @@ static void bounds_flight_place(const real *constants, const real *series, const
     const interval span_5 = interval_difference(span_1, span_4);
     bounds[1] = span_5;
     if (watched >> 0 & 1) {
-        const interval span_6 =
-            interval_at(c->by_1_minus_share_times_length, c->by_1_minus_share_times_length);
+        const interval span_6 = interval_at(c->by_1_minus_share_times_length,
+            c->by_1_minus_share_times_length);
         const interval span_7 = interval_product(span_6, span_3);
         const interval span_8 = interval_sum(span_1, span_7);
         bounds[0] = span_8;
@@ -337,70 +194,21 @@ typedef struct {
     real none[TERMS];
 } fallen_series;
 
-typedef struct {
-    pair none;
-} fallen_sums;
-
-typedef struct {
-    real none;
-} fallen_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_fallen_sums(const fallen_series *s, int i, int j, fallen_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_fallen_sums(const fallen_series *s, int i, fallen_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_fallen(const fallen_constants *c, const fallen_factors *by, int k, const fallen_sums *sum,
-                        int odd, fallen_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)s;
-    (void)k;
-    (void)odd;
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_fallen(const real *constants, int order, real *series) {
-    const fallen_constants copy = *(const fallen_constants *)(const void *)constants, *c = &copy;
-    fallen_series *s = (void *)series;
-    static const fallen_sums none;
-    fallen_sums sum = none;
-    const fallen_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_fallen(c, by, 0, &sum, 0, s);
-    begin_fallen_sums(s, 0, &sum);
-    step_fallen(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_fallen_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_fallen_sums(s, i, j, &sum);
-        }
-        step_fallen(c, by, k, &sum, 0, s);
-        add_fallen_sums(s, 1, k, &sum);
-        step_fallen(c, by, k + 1, &sum, 1, s);
-    }
+/* All coefficients. */
+static void expand_fallen(const real *constants, int order, real *expanded) {
+    (void)constants;
+    (void)order;
+    (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_fallen(const real *constants, const real *series, const real *d_constants, int order,
-                        real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     (void)d_constants;
+    (void)order;
     (void)varied;
-    for (int k = 0; k < order; ++k) {
-    }
 }
 
 /* ---- slip_constant */
@@ -464,51 +272,40 @@ KERNEL void add_slip_constant_sums(const slip_constant_series *s, int i, int j, 
     add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
     add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
     add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_products(&sum->axial, s->axial + i - 1, s->length[j]);
-    add_products(&sum->axial, s->length + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_x_, s->axial + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_x_, s->x_ + i - 1, s->axial[j]);
-    add_products(&sum->turning, s->turning + i - 1, s->square[j]);
-    add_products(&sum->turning, s->square + i - 1, s->turning[j]);
-    add_products(&sum->turning_times_y_, s->turning + i - 1, s->y_[j]);
-    add_products(&sum->turning_times_y_, s->y_ + i - 1, s->turning[j]);
-    add_products(&sum->axial_times_y_, s->axial + i - 1, s->y_[j]);
-    add_products(&sum->axial_times_y_, s->y_ + i - 1, s->axial[j]);
-    add_products(&sum->turning_times_x_, s->turning + i - 1, s->x_[j]);
-    add_products(&sum->turning_times_x_, s->x_ + i - 1, s->turning[j]);
+    add_both_products(&sum->axial, s->axial, s->length, i, j);
+    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
+    add_both_products(&sum->turning, s->turning, s->square, i, j);
+    add_both_products(&sum->turning_times_y_, s->turning, s->y_, i, j);
+    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
+    add_both_products(&sum->turning_times_x_, s->turning, s->x_, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->friction_force_times_foot_vx, s->friction_force + i - 1, s->foot_vx[j]);
-    add_products(&sum->friction_force_times_foot_vx, s->foot_vx + i - 1, s->friction_force[j]);
-    add_products(&sum->x__times_vy, s->x_ + i - 1, s->vy[j]);
-    add_products(&sum->x__times_vy, s->vy + i - 1, s->x_[j]);
-    add_products(&sum->y__times_vx, s->y_ + i - 1, s->vx[j]);
-    add_products(&sum->y__times_vx, s->vx + i - 1, s->y_[j]);
-    add_products(&sum->angle_rate, s->angle_rate + i - 1, s->square[j]);
-    add_products(&sum->angle_rate, s->square + i - 1, s->angle_rate[j]);
+    add_both_products(&sum->friction_force_times_foot_vx, s->friction_force, s->foot_vx, i, j);
+    add_both_products(&sum->x__times_vy, s->x_, s->vy, i, j);
+    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
+    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_slip_constant_sums(const slip_constant_series *s, int i, slip_constant_sums *sum) {
-    sum->x__times_x_ = pair_of(s->x_[i] * s->x_[i + 1], 0.5 * (s->x_[i + 1] * s->x_[i + 1]));
-    sum->y__times_y_ = pair_of(s->y_[i] * s->y_[i + 1], 0.5 * (s->y_[i + 1] * s->y_[i + 1]));
-    sum->length = pair_of(s->length[i] * s->length[i + 1], 0.5 * (s->length[i + 1] * s->length[i + 1]));
-    sum->axial = pair_of((s->axial[i] * s->length[i]), broadcast(0.0));
-    sum->axial_times_x_ = pair_of((s->axial[i] * s->x_[i]), broadcast(0.0));
-    sum->turning = pair_of((s->turning[i] * s->square[i]), broadcast(0.0));
-    sum->turning_times_y_ = pair_of((s->turning[i] * s->y_[i]), broadcast(0.0));
-    sum->axial_times_y_ = pair_of((s->axial[i] * s->y_[i]), broadcast(0.0));
-    sum->turning_times_x_ = pair_of((s->turning[i] * s->x_[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->friction_force_times_foot_vx = pair_of((s->friction_force[i] * s->foot_vx[i]), broadcast(0.0));
-    sum->x__times_vy = pair_of((s->x_[i] * s->vy[i]), broadcast(0.0));
-    sum->y__times_vx = pair_of((s->y_[i] * s->vx[i]), broadcast(0.0));
-    sum->angle_rate = pair_of((s->angle_rate[i] * s->square[i]), broadcast(0.0));
+    sum->x__times_x_ = next_middle_of_square(s->x_, i);
+    sum->y__times_y_ = next_middle_of_square(s->y_, i);
+    sum->length = next_middle_of_square(s->length, i);
+    sum->axial = middle_of_product(s->axial, s->length, i);
+    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
+    sum->turning = middle_of_product(s->turning, s->square, i);
+    sum->turning_times_y_ = middle_of_product(s->turning, s->y_, i);
+    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
+    sum->turning_times_x_ = middle_of_product(s->turning, s->x_, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->friction_force_times_foot_vx = middle_of_product(s->friction_force, s->foot_vx, i);
+    sum->x__times_vy = middle_of_product(s->x_, s->vy, i);
+    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
+    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_constant_factors *by, int k,
-                               const slip_constant_sums *sum, int odd, slip_constant_series *s) {
+    const slip_constant_sums *sum, int odd, slip_constant_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
     s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     s->foot_x[k + 1] = s->foot_vx[k] * series_reciprocal[k + 1];
@@ -519,21 +316,19 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
     /* square = x__times_x_ + y__times_y_ */
     s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
     /* length = real_sqrt(square) */
-    s->length[k + 1] =
-        root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length, by->inverse_length);
+    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
+        by->inverse_length);
     /* length_rate = real_rate(length) */
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length - length) - c->damping * length_rate) / length */
-    s->axial[k] =
-        quotient_of(k, part_of(sum->axial, odd),
-                    with_constant(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
-                                  c->stiffness * c->free_length),
-                    s->axial, s->length, by->inverse_length);
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, -(c->stiffness * s->length[k])
+        - c->damping * s->length_rate[k], c->stiffness * c->free_length), s->axial, s->length,
+        by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
     /* turning = c->stance_torque / square */
     s->turning[k] = quotient_of(k, part_of(sum->turning, odd), constant_of(k, c->stance_torque), s->turning,
-                                s->square, by->inverse_square);
+        s->square, by->inverse_square);
     /* turning_times_y_ = turning * y_ */
     s->turning_times_y_[k] = product_of(k, part_of(sum->turning_times_y_, odd), s->turning, s->y_);
     /* axial_times_y_ = axial * y_ */
@@ -542,33 +337,28 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
     s->turning_times_x_[k] = product_of(k, part_of(sum->turning_times_x_, odd), s->turning, s->x_);
     /* friction_force = c->way_times_friction * (axial_times_y_ + turning_times_x_ +
      * c->foot_mass_times_gravity) */
-    s->friction_force[k] = with_constant(
-        k, c->way_times_friction * s->axial_times_y_[k] + c->way_times_friction * s->turning_times_x_[k],
-        c->way_times_friction * c->foot_mass_times_gravity);
+    s->friction_force[k] = with_constant(k, c->way_times_friction * s->axial_times_y_[k]
+        + c->way_times_friction * s->turning_times_x_[k], c->way_times_friction * c->foot_mass_times_gravity);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* friction_force_times_foot_vx = friction_force * foot_vx */
-    s->friction_force_times_foot_vx[k] =
-        product_of(k, part_of(sum->friction_force_times_foot_vx, odd), s->friction_force, s->foot_vx);
+    s->friction_force_times_foot_vx[k] = product_of(k, part_of(sum->friction_force_times_foot_vx, odd),
+        s->friction_force, s->foot_vx);
     /* x__times_vy = x_ * vy */
     s->x__times_vy[k] = product_of(k, part_of(sum->x__times_vy, odd), s->x_, s->vy);
     /* y__times_vx = y_ * vx */
     s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-                                   s->angle_rate, s->square, by->inverse_square);
-    s->vx[k + 1] =
-        series_reciprocal[k + 1] * ((1.0 / c->body_mass + 1.0 / c->foot_mass) * s->axial_times_x_[k] +
-                                    (-(1.0 / c->body_mass) - 1.0 / c->foot_mass) * s->turning_times_y_[k] +
-                                    1.0 / c->foot_mass * s->friction_force[k]);
-    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-                                                             1.0 / c->body_mass * s->axial_times_y_[k] +
-                                                                 1.0 / c->body_mass * s->turning_times_x_[k],
-                                                             -c->gravity));
-    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (1.0 / c->foot_mass * s->turning_times_y_[k] -
-                                                    1.0 / c->foot_mass * s->axial_times_x_[k] -
-                                                    1.0 / c->foot_mass * s->friction_force[k]);
+        s->angle_rate, s->square, by->inverse_square);
+    s->vx[k + 1] = series_reciprocal[k + 1] * ((c->inverse_body_mass
+        + c->inverse_foot_mass) * s->axial_times_x_[k] + (-c->inverse_body_mass
+        - c->inverse_foot_mass) * s->turning_times_y_[k] + c->inverse_foot_mass * s->friction_force[k]);
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
+        + c->inverse_body_mass * s->turning_times_x_[k], -c->gravity));
+    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_foot_mass * s->turning_times_y_[k]
+        - c->inverse_foot_mass * s->axial_times_x_[k] - c->inverse_foot_mass * s->friction_force[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->friction_loss[k + 1] = series_reciprocal[k + 1] * (s->friction_force_times_foot_vx[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (c->stance_torque * s->angle_rate[k]);
@@ -578,7 +368,7 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
 static void expand_slip_constant(const real *constants, int order, real *series) {
     const slip_constant_constants copy = *(const slip_constant_constants *)(const void *)constants,
-                                  *c = &copy;
+        *c = &copy;
     slip_constant_series *s = (void *)series;
     static const slip_constant_sums none;
     slip_constant_sums sum = none;
@@ -605,7 +395,7 @@ static void expand_slip_constant(const real *constants, int order, real *series)
 
 /* First variation of the series. */
 static void vary_slip_constant(const real *constants, const real *series, const real *d_constants, int order,
-                               real *varied) {
+    real *varied) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     const slip_constant_constants *d = (const void *)d_constants;
@@ -652,32 +442,27 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k,
-                                    -(d->stiffness * s->length[k]) - c->stiffness * d_length[k] -
-                                        d->damping * s->length_rate[k] - c->damping * d_length_rate[k] -
-                                        axial_times_d_length[k],
-                                    d->stiffness * c->free_length + c->stiffness * d->free_length) -
-                      product_so_far(d_axial, s->length, k)) /
-                     s->length[0];
+        d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
+            d->stiffness * c->free_length + c->stiffness * d->free_length) - product_so_far(d_axial,
+            s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
         axial_times_x__2[k] = product(s->axial, t->x_, k);
         turning_times_d_square[k] = product(s->turning, d_square, k);
-        d_turning[k] = (with_constant(k, -turning_times_d_square[k], d->stance_torque) -
-                        product_so_far(d_turning, s->square, k)) /
-                       s->square[0];
+        d_turning[k] = (with_constant(k, -turning_times_d_square[k], d->stance_torque)
+            - product_so_far(d_turning, s->square, k)) / s->square[0];
         d_turning_times_y_[k] = product(d_turning, s->y_, k);
         turning_times_y__2[k] = product(s->turning, t->y_, k);
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         d_turning_times_x_[k] = product(d_turning, s->x_, k);
         turning_times_x__2[k] = product(s->turning, t->x_, k);
-        d_friction_force[k] = with_constant(
-            k,
-            d->way_times_friction * s->axial_times_y_[k] + d->way_times_friction * s->turning_times_x_[k] +
-                c->way_times_friction * d_axial_times_y_[k] + c->way_times_friction * axial_times_y__2[k] +
-                c->way_times_friction * d_turning_times_x_[k] + c->way_times_friction * turning_times_x__2[k],
-            d->way_times_friction * c->foot_mass_times_gravity +
-                c->way_times_friction * d->foot_mass_times_gravity);
+        d_friction_force[k] = with_constant(k, d->way_times_friction * s->axial_times_y_[k]
+            + d->way_times_friction * s->turning_times_x_[k] + c->way_times_friction * d_axial_times_y_[k]
+            + c->way_times_friction * axial_times_y__2[k] + c->way_times_friction * d_turning_times_x_[k]
+            + c->way_times_friction * turning_times_x__2[k],
+            d->way_times_friction * c->foot_mass_times_gravity
+            + c->way_times_friction * d->foot_mass_times_gravity);
         length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
         d_friction_force_times_foot_vx[k] = product(d_friction_force, s->foot_vx, k);
         friction_force_times_foot_vx_2[k] = product(s->friction_force, t->foot_vx, k);
@@ -686,46 +471,32 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k] -
-                           angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) /
-                          s->square[0];
-        t->vx[k + 1] = series_reciprocal[k + 1] *
-                       ((1.0 / c->body_mass + 1.0 / c->foot_mass) * d_axial_times_x_[k] +
-                        (1.0 / c->body_mass + 1.0 / c->foot_mass) * axial_times_x__2[k] +
-                        (-(1.0 / c->body_mass) - 1.0 / c->foot_mass) * d_turning_times_y_[k] +
-                        (-(1.0 / c->body_mass) - 1.0 / c->foot_mass) * turning_times_y__2[k] +
-                        (-(d->body_mass * (1.0 / c->body_mass) / c->body_mass) -
-                         d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                            s->axial_times_x_[k] +
-                        (d->body_mass * (1.0 / c->body_mass) / c->body_mass +
-                         d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                            s->turning_times_y_[k] +
-                        1.0 / c->foot_mass * d_friction_force[k] -
-                        d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->friction_force[k]);
-        t->vy[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                1.0 / c->body_mass * d_axial_times_y_[k] + 1.0 / c->body_mass * axial_times_y__2[k] +
-                    1.0 / c->body_mass * d_turning_times_x_[k] + 1.0 / c->body_mass * turning_times_x__2[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->axial_times_y_[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->turning_times_x_[k],
-                -d->gravity));
-        t->foot_vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (-(1.0 / c->foot_mass * d_axial_times_x_[k]) - 1.0 / c->foot_mass * axial_times_x__2[k] +
-             1.0 / c->foot_mass * d_turning_times_y_[k] + 1.0 / c->foot_mass * turning_times_y__2[k] -
-             1.0 / c->foot_mass * d_friction_force[k] +
-             d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->axial_times_x_[k] -
-             d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->turning_times_y_[k] +
-             d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->friction_force[k]);
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->friction_loss[k + 1] = series_reciprocal[k + 1] *
-                                  (d_friction_force_times_foot_vx[k] + friction_force_times_foot_vx_2[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] *
-                         (d->stance_torque * s->angle_rate[k] + c->stance_torque * d_angle_rate[k]);
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
+        t->vx[k + 1] = series_reciprocal[k + 1] * ((d->inverse_body_mass
+            + d->inverse_foot_mass) * s->axial_times_x_[k] + (-d->inverse_body_mass
+            - d->inverse_foot_mass) * s->turning_times_y_[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * axial_times_x__2[k] + (-c->inverse_body_mass
+            - c->inverse_foot_mass) * d_turning_times_y_[k] + (-c->inverse_body_mass
+            - c->inverse_foot_mass) * turning_times_y__2[k] + d->inverse_foot_mass * s->friction_force[k]
+            + c->inverse_foot_mass * d_friction_force[k]);
+        t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
+            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
+            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k],
+            -d->gravity));
+        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_foot_mass * s->turning_times_y_[k]
+            - d->inverse_foot_mass * s->axial_times_x_[k] - d->inverse_foot_mass * s->friction_force[k]
+            - c->inverse_foot_mass * d_axial_times_x_[k] - c->inverse_foot_mass * axial_times_x__2[k]
+            + c->inverse_foot_mass * d_turning_times_y_[k] + c->inverse_foot_mass * turning_times_y__2[k]
+            - c->inverse_foot_mass * d_friction_force[k]);
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+        t->friction_loss[k + 1] = series_reciprocal[k + 1] * (d_friction_force_times_foot_vx[k]
+            + friction_force_times_foot_vx_2[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (d->stance_torque * s->angle_rate[k]
+            + c->stance_torque * d_angle_rate[k]);
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->seen_angle[k + 1] = series_reciprocal[k + 1] * (d_angle_rate[k]);
     }
@@ -733,8 +504,7 @@ static void vary_slip_constant(const real *constants, const real *series, const 
 
 /* First variation of power_of_hip. */
 static void d_observed_slip_constant_power_of_hip(const real *constants, const real *series,
-                                                  const real *d_constants, const real *d_series, int order,
-                                                  real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -748,8 +518,7 @@ static void d_observed_slip_constant_power_of_hip(const real *constants, const r
 
 /* First variation of force_on_foot. */
 static void d_observed_slip_constant_force_on_foot(const real *constants, const real *series,
-                                                   const real *d_constants, const real *d_series, int order,
-                                                   real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     const slip_constant_constants *d = (const void *)d_constants;
@@ -775,29 +544,23 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
         own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
         own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
         own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
-        own_d_length[k + 1] =
-            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
+            + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] = (with_constant(k,
-                                        -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k] -
-                                            d->damping * s->length_rate[k] -
-                                            c->damping * own_d_length_rate[k] - own_axial_times_d_length[k],
-                                        d->stiffness * c->free_length + c->stiffness * d->free_length) -
-                          product_so_far(own_d_axial, s->length, k)) /
-                         s->length[0];
+        own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - own_axial_times_d_length[k], d->stiffness * c->free_length + c->stiffness * d->free_length)
+            - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
-        own_d_turning[k] = (with_constant(k, -own_turning_times_d_square[k], d->stance_torque) -
-                            product_so_far(own_d_turning, s->square, k)) /
-                           s->square[0];
+        own_d_turning[k] = (with_constant(k, -own_turning_times_d_square[k], d->stance_torque)
+            - product_so_far(own_d_turning, s->square, k)) / s->square[0];
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
-        dg[k] = with_constant(k,
-                              own_d_axial_times_y_[k] + own_axial_times_y__2[k] + own_d_turning_times_x_[k] +
-                                  own_turning_times_x__2[k],
-                              d->foot_mass_times_gravity);
+        dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
+            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity);
     }
 }
 
@@ -868,7 +631,7 @@ static void guard_slip_constant_force_on_foot(const real *constants, const real 
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_slip_constant(const real *constants, const real *series, const real *power, int order,
-                                 uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -958,48 +721,38 @@ KERNEL void add_stick_sums(const stick_series *s, int i, int j, stick_sums *sum)
     add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
     add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
     add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_products(&sum->axial, s->axial + i - 1, s->length[j]);
-    add_products(&sum->axial, s->length + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_x_, s->axial + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_x_, s->x_ + i - 1, s->axial[j]);
-    add_products(&sum->turning, s->turning + i - 1, s->square[j]);
-    add_products(&sum->turning, s->square + i - 1, s->turning[j]);
-    add_products(&sum->turning_times_y_, s->turning + i - 1, s->y_[j]);
-    add_products(&sum->turning_times_y_, s->y_ + i - 1, s->turning[j]);
-    add_products(&sum->axial_times_y_, s->axial + i - 1, s->y_[j]);
-    add_products(&sum->axial_times_y_, s->y_ + i - 1, s->axial[j]);
-    add_products(&sum->turning_times_x_, s->turning + i - 1, s->x_[j]);
-    add_products(&sum->turning_times_x_, s->x_ + i - 1, s->turning[j]);
+    add_both_products(&sum->axial, s->axial, s->length, i, j);
+    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
+    add_both_products(&sum->turning, s->turning, s->square, i, j);
+    add_both_products(&sum->turning_times_y_, s->turning, s->y_, i, j);
+    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
+    add_both_products(&sum->turning_times_x_, s->turning, s->x_, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->x__times_vy, s->x_ + i - 1, s->vy[j]);
-    add_products(&sum->x__times_vy, s->vy + i - 1, s->x_[j]);
-    add_products(&sum->y__times_vx, s->y_ + i - 1, s->vx[j]);
-    add_products(&sum->y__times_vx, s->vx + i - 1, s->y_[j]);
-    add_products(&sum->angle_rate, s->angle_rate + i - 1, s->square[j]);
-    add_products(&sum->angle_rate, s->square + i - 1, s->angle_rate[j]);
+    add_both_products(&sum->x__times_vy, s->x_, s->vy, i, j);
+    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
+    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_stick_sums(const stick_series *s, int i, stick_sums *sum) {
-    sum->x__times_x_ = pair_of(s->x_[i] * s->x_[i + 1], 0.5 * (s->x_[i + 1] * s->x_[i + 1]));
-    sum->y__times_y_ = pair_of(s->y_[i] * s->y_[i + 1], 0.5 * (s->y_[i + 1] * s->y_[i + 1]));
-    sum->length = pair_of(s->length[i] * s->length[i + 1], 0.5 * (s->length[i + 1] * s->length[i + 1]));
-    sum->axial = pair_of((s->axial[i] * s->length[i]), broadcast(0.0));
-    sum->axial_times_x_ = pair_of((s->axial[i] * s->x_[i]), broadcast(0.0));
-    sum->turning = pair_of((s->turning[i] * s->square[i]), broadcast(0.0));
-    sum->turning_times_y_ = pair_of((s->turning[i] * s->y_[i]), broadcast(0.0));
-    sum->axial_times_y_ = pair_of((s->axial[i] * s->y_[i]), broadcast(0.0));
-    sum->turning_times_x_ = pair_of((s->turning[i] * s->x_[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->x__times_vy = pair_of((s->x_[i] * s->vy[i]), broadcast(0.0));
-    sum->y__times_vx = pair_of((s->y_[i] * s->vx[i]), broadcast(0.0));
-    sum->angle_rate = pair_of((s->angle_rate[i] * s->square[i]), broadcast(0.0));
+    sum->x__times_x_ = next_middle_of_square(s->x_, i);
+    sum->y__times_y_ = next_middle_of_square(s->y_, i);
+    sum->length = next_middle_of_square(s->length, i);
+    sum->axial = middle_of_product(s->axial, s->length, i);
+    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
+    sum->turning = middle_of_product(s->turning, s->square, i);
+    sum->turning_times_y_ = middle_of_product(s->turning, s->y_, i);
+    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
+    sum->turning_times_x_ = middle_of_product(s->turning, s->x_, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->x__times_vy = middle_of_product(s->x_, s->vy, i);
+    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
+    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k, const stick_sums *sum,
-                       int odd, stick_series *s) {
+    int odd, stick_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
     s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     /* x__times_x_ = x_ * x_ */
@@ -1009,21 +762,19 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
     /* square = x__times_x_ + y__times_y_ */
     s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
     /* length = real_sqrt(square) */
-    s->length[k + 1] =
-        root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length, by->inverse_length);
+    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
+        by->inverse_length);
     /* length_rate = real_rate(length) */
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length - length) - c->damping * length_rate) / length */
-    s->axial[k] =
-        quotient_of(k, part_of(sum->axial, odd),
-                    with_constant(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
-                                  c->stiffness * c->free_length),
-                    s->axial, s->length, by->inverse_length);
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, -(c->stiffness * s->length[k])
+        - c->damping * s->length_rate[k], c->stiffness * c->free_length), s->axial, s->length,
+        by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
     /* turning = c->stance_torque / square */
     s->turning[k] = quotient_of(k, part_of(sum->turning, odd), constant_of(k, c->stance_torque), s->turning,
-                                s->square, by->inverse_square);
+        s->square, by->inverse_square);
     /* turning_times_y_ = turning * y_ */
     s->turning_times_y_[k] = product_of(k, part_of(sum->turning_times_y_, odd), s->turning, s->y_);
     /* axial_times_y_ = axial * y_ */
@@ -1031,21 +782,19 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
     /* turning_times_x_ = turning * x_ */
     s->turning_times_x_[k] = product_of(k, part_of(sum->turning_times_x_, odd), s->turning, s->x_);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* x__times_vy = x_ * vy */
     s->x__times_vy[k] = product_of(k, part_of(sum->x__times_vy, odd), s->x_, s->vy);
     /* y__times_vx = y_ * vx */
     s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-                                   s->angle_rate, s->square, by->inverse_square);
-    s->vx[k + 1] = series_reciprocal[k + 1] *
-                   (1.0 / c->body_mass * s->axial_times_x_[k] - 1.0 / c->body_mass * s->turning_times_y_[k]);
-    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-                                                             1.0 / c->body_mass * s->axial_times_y_[k] +
-                                                                 1.0 / c->body_mass * s->turning_times_x_[k],
-                                                             -c->gravity));
+        s->angle_rate, s->square, by->inverse_square);
+    s->vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_body_mass * s->axial_times_x_[k]
+        - c->inverse_body_mass * s->turning_times_y_[k]);
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
+        + c->inverse_body_mass * s->turning_times_x_[k], -c->gravity));
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (c->stance_torque * s->angle_rate[k]);
     s->seen_angle[k + 1] = series_reciprocal[k + 1] * (s->angle_rate[k]);
@@ -1081,7 +830,7 @@ static void expand_stick(const real *constants, int order, real *series) {
 
 /* First variation of the series. */
 static void vary_stick(const real *constants, const real *series, const real *d_constants, int order,
-                       real *varied) {
+    real *varied) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     const stick_constants *d = (const void *)d_constants;
@@ -1124,19 +873,15 @@ static void vary_stick(const real *constants, const real *series, const real *d_
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k,
-                                    -(d->stiffness * s->length[k]) - c->stiffness * d_length[k] -
-                                        d->damping * s->length_rate[k] - c->damping * d_length_rate[k] -
-                                        axial_times_d_length[k],
-                                    d->stiffness * c->free_length + c->stiffness * d->free_length) -
-                      product_so_far(d_axial, s->length, k)) /
-                     s->length[0];
+        d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
+            d->stiffness * c->free_length + c->stiffness * d->free_length) - product_so_far(d_axial,
+            s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
         axial_times_x__2[k] = product(s->axial, t->x_, k);
         turning_times_d_square[k] = product(s->turning, d_square, k);
-        d_turning[k] = (with_constant(k, -turning_times_d_square[k], d->stance_torque) -
-                        product_so_far(d_turning, s->square, k)) /
-                       s->square[0];
+        d_turning[k] = (with_constant(k, -turning_times_d_square[k], d->stance_torque)
+            - product_so_far(d_turning, s->square, k)) / s->square[0];
         d_turning_times_y_[k] = product(d_turning, s->y_, k);
         turning_times_y__2[k] = product(s->turning, t->y_, k);
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
@@ -1149,29 +894,21 @@ static void vary_stick(const real *constants, const real *series, const real *d_
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k] -
-                           angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) /
-                          s->square[0];
-        t->vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (1.0 / c->body_mass * d_axial_times_x_[k] + 1.0 / c->body_mass * axial_times_x__2[k] -
-             1.0 / c->body_mass * d_turning_times_y_[k] - 1.0 / c->body_mass * turning_times_y__2[k] -
-             d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->axial_times_x_[k] +
-             d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->turning_times_y_[k]);
-        t->vy[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                1.0 / c->body_mass * d_axial_times_y_[k] + 1.0 / c->body_mass * axial_times_y__2[k] +
-                    1.0 / c->body_mass * d_turning_times_x_[k] + 1.0 / c->body_mass * turning_times_x__2[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->axial_times_y_[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->turning_times_x_[k],
-                -d->gravity));
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] *
-                         (d->stance_torque * s->angle_rate[k] + c->stance_torque * d_angle_rate[k]);
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
+        t->vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_body_mass * s->axial_times_x_[k]
+            - d->inverse_body_mass * s->turning_times_y_[k] + c->inverse_body_mass * d_axial_times_x_[k]
+            + c->inverse_body_mass * axial_times_x__2[k] - c->inverse_body_mass * d_turning_times_y_[k]
+            - c->inverse_body_mass * turning_times_y__2[k]);
+        t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
+            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
+            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k],
+            -d->gravity));
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (d->stance_torque * s->angle_rate[k]
+            + c->stance_torque * d_angle_rate[k]);
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->foot_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->foot_vx));
         t->seen_angle[k + 1] = series_reciprocal[k + 1] * (d_angle_rate[k]);
@@ -1180,7 +917,7 @@ static void vary_stick(const real *constants, const real *series, const real *d_
 
 /* First variation of power_of_hip. */
 static void d_observed_stick_power_of_hip(const real *constants, const real *series, const real *d_constants,
-                                          const real *d_series, int order, real *dg) {
+    const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -1194,7 +931,7 @@ static void d_observed_stick_power_of_hip(const real *constants, const real *ser
 
 /* First variation of force_on_foot. */
 static void d_observed_stick_force_on_foot(const real *constants, const real *series, const real *d_constants,
-                                           const real *d_series, int order, real *dg) {
+    const real *d_series, int order, real *dg) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     const stick_constants *d = (const void *)d_constants;
@@ -1220,29 +957,23 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
         own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
         own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
         own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
-        own_d_length[k + 1] =
-            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
+            + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] = (with_constant(k,
-                                        -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k] -
-                                            d->damping * s->length_rate[k] -
-                                            c->damping * own_d_length_rate[k] - own_axial_times_d_length[k],
-                                        d->stiffness * c->free_length + c->stiffness * d->free_length) -
-                          product_so_far(own_d_axial, s->length, k)) /
-                         s->length[0];
+        own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - own_axial_times_d_length[k], d->stiffness * c->free_length + c->stiffness * d->free_length)
+            - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
-        own_d_turning[k] = (with_constant(k, -own_turning_times_d_square[k], d->stance_torque) -
-                            product_so_far(own_d_turning, s->square, k)) /
-                           s->square[0];
+        own_d_turning[k] = (with_constant(k, -own_turning_times_d_square[k], d->stance_torque)
+            - product_so_far(own_d_turning, s->square, k)) / s->square[0];
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
-        dg[k] = with_constant(k,
-                              own_d_axial_times_y_[k] + own_axial_times_y__2[k] + own_d_turning_times_x_[k] +
-                                  own_turning_times_x__2[k],
-                              d->foot_mass_times_gravity);
+        dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
+            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity);
     }
 }
 
@@ -1287,10 +1018,8 @@ static void guard_stick_slips_forward(const real *constants, const real *series,
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k,
-                             c->friction * s->axial_times_y_[k] + c->friction * s->turning_times_x_[k] +
-                                 s->axial_times_x_[k] - s->turning_times_y_[k],
-                             c->friction * c->foot_mass_times_gravity);
+        g[k] = with_constant(k, c->friction * s->axial_times_y_[k] + c->friction * s->turning_times_x_[k]
+            + s->axial_times_x_[k] - s->turning_times_y_[k], c->friction * c->foot_mass_times_gravity);
     }
 }
 
@@ -1299,10 +1028,8 @@ static void guard_stick_slips_backward(const real *constants, const real *series
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k,
-                             c->friction * s->axial_times_y_[k] + c->friction * s->turning_times_x_[k] -
-                                 s->axial_times_x_[k] + s->turning_times_y_[k],
-                             c->friction * c->foot_mass_times_gravity);
+        g[k] = with_constant(k, c->friction * s->axial_times_y_[k] + c->friction * s->turning_times_x_[k]
+            - s->axial_times_x_[k] + s->turning_times_y_[k], c->friction * c->foot_mass_times_gravity);
     }
 }
 
@@ -1328,7 +1055,7 @@ static void guard_stick_force_on_foot(const real *constants, const real *series,
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_stick(const real *constants, const real *series, const real *power, int order,
-                         uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -1374,70 +1101,21 @@ typedef struct {
     real none[TERMS];
 } no_stance_series;
 
-typedef struct {
-    pair none;
-} no_stance_sums;
-
-typedef struct {
-    real none;
-} no_stance_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_no_stance_sums(const no_stance_series *s, int i, int j, no_stance_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_no_stance_sums(const no_stance_series *s, int i, no_stance_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_no_stance(const no_stance_constants *c, const no_stance_factors *by, int k,
-                           const no_stance_sums *sum, int odd, no_stance_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)s;
-    (void)k;
-    (void)odd;
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_no_stance(const real *constants, int order, real *series) {
-    const no_stance_constants copy = *(const no_stance_constants *)(const void *)constants, *c = &copy;
-    no_stance_series *s = (void *)series;
-    static const no_stance_sums none;
-    no_stance_sums sum = none;
-    const no_stance_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_no_stance(c, by, 0, &sum, 0, s);
-    begin_no_stance_sums(s, 0, &sum);
-    step_no_stance(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_no_stance_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_no_stance_sums(s, i, j, &sum);
-        }
-        step_no_stance(c, by, k, &sum, 0, s);
-        add_no_stance_sums(s, 1, k, &sum);
-        step_no_stance(c, by, k + 1, &sum, 1, s);
-    }
+/* All coefficients. */
+static void expand_no_stance(const real *constants, int order, real *expanded) {
+    (void)constants;
+    (void)order;
+    (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_no_stance(const real *constants, const real *series, const real *d_constants, int order,
-                           real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     (void)d_constants;
+    (void)order;
     (void)varied;
-    for (int k = 0; k < order; ++k) {
-    }
 }
 
 /* ---- no_apex */
@@ -1447,70 +1125,21 @@ typedef struct {
     real none[TERMS];
 } no_apex_series;
 
-typedef struct {
-    pair none;
-} no_apex_sums;
-
-typedef struct {
-    real none;
-} no_apex_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_no_apex_sums(const no_apex_series *s, int i, int j, no_apex_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_no_apex_sums(const no_apex_series *s, int i, no_apex_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_no_apex(const no_apex_constants *c, const no_apex_factors *by, int k,
-                         const no_apex_sums *sum, int odd, no_apex_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)s;
-    (void)k;
-    (void)odd;
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_no_apex(const real *constants, int order, real *series) {
-    const no_apex_constants copy = *(const no_apex_constants *)(const void *)constants, *c = &copy;
-    no_apex_series *s = (void *)series;
-    static const no_apex_sums none;
-    no_apex_sums sum = none;
-    const no_apex_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_no_apex(c, by, 0, &sum, 0, s);
-    begin_no_apex_sums(s, 0, &sum);
-    step_no_apex(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_no_apex_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_no_apex_sums(s, i, j, &sum);
-        }
-        step_no_apex(c, by, k, &sum, 0, s);
-        add_no_apex_sums(s, 1, k, &sum);
-        step_no_apex(c, by, k + 1, &sum, 1, s);
-    }
+/* All coefficients. */
+static void expand_no_apex(const real *constants, int order, real *expanded) {
+    (void)constants;
+    (void)order;
+    (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_no_apex(const real *constants, const real *series, const real *d_constants, int order,
-                         real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     (void)d_constants;
+    (void)order;
     (void)varied;
-    for (int k = 0; k < order; ++k) {
-    }
 }
 
 /* ---- flight_retract */
@@ -1523,67 +1152,21 @@ typedef struct {
     real com_vy[TERMS];
 } flight_retract_series;
 
-typedef struct {
-    pair none;
-} flight_retract_sums;
-
-typedef struct {
-    real none;
-} flight_retract_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_flight_retract_sums(const flight_retract_series *s, int i, int j, flight_retract_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_flight_retract_sums(const flight_retract_series *s, int i, flight_retract_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_flight_retract(const flight_retract_constants *c, const flight_retract_factors *by, int k,
-                                const flight_retract_sums *sum, int odd, flight_retract_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)odd;
-    s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_retract(const real *constants, int order, real *series) {
-    const flight_retract_constants copy = *(const flight_retract_constants *)(const void *)constants,
-                                   *c = &copy;
-    flight_retract_series *s = (void *)series;
-    static const flight_retract_sums none;
-    flight_retract_sums sum = none;
+/* All coefficients. */
+static void expand_flight_retract(const real *constants, int order, real *expanded) {
+    const flight_retract_constants *c = (const void *)constants;
+    flight_retract_series *s = (void *)expanded;
     s->time[1] = broadcast(1.0);
     s->com_x[1] = c->com_vx;
     s->com_vy[1] = c->minus_gravity;
-    const flight_retract_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_flight_retract(c, by, 0, &sum, 0, s);
-    begin_flight_retract_sums(s, 0, &sum);
-    step_flight_retract(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_flight_retract_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_flight_retract_sums(s, i, j, &sum);
-        }
-        step_flight_retract(c, by, k, &sum, 0, s);
-        add_flight_retract_sums(s, 1, k, &sum);
-        step_flight_retract(c, by, k + 1, &sum, 1, s);
+    for (int k = 0; k < order; ++k) {
+        s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
     }
 }
 
 /* First variation of the series. */
 static void vary_flight_retract(const real *constants, const real *series, const real *d_constants, int order,
-                                real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     const flight_retract_constants *d = (const void *)d_constants;
@@ -1598,8 +1181,7 @@ static void vary_flight_retract(const real *constants, const real *series, const
 
 /* First variation of power_of_hip. */
 static void d_observed_flight_retract_power_of_hip(const real *constants, const real *series,
-                                                   const real *d_constants, const real *d_series, int order,
-                                                   real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -1631,7 +1213,7 @@ static void guard_flight_retract_power_of_hip(const real *constants, const real 
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_flight_retract(const real *constants, const real *series, const real *power, int order,
-                                  uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     (void)constants;
     const flight_retract_series *s = (const void *)series;
     (void)order;
@@ -1659,8 +1241,8 @@ static const int judged_no_start[] = {0};
 static const int divisors_no_start[] = {0};
 static const int integrals_no_start[] = {0};
 static const int factors_no_start[] = {0};
-static const tdmf_polynomial polynomials_flight_place[] = {
-    guard_flight_place_falls, guard_flight_place_touchdown, guard_flight_place_power_of_hip};
+static const tdmf_polynomial polynomials_flight_place[] = {guard_flight_place_falls,
+    guard_flight_place_touchdown, guard_flight_place_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_flight_place[] = {d_observed_flight_place_power_of_hip};
 static const int moving_flight_place[] = {50, 0, 49, 52, 44, 69};
 static const int degrees_flight_place[] = {2, 1, 1, 1, 1, 1};
@@ -1676,24 +1258,22 @@ static const int judged_fallen[] = {0};
 static const int divisors_fallen[] = {0};
 static const int integrals_fallen[] = {0};
 static const int factors_fallen[] = {0};
-static const tdmf_polynomial polynomials_slip_constant[] = {
-    guard_slip_constant_falls,        guard_slip_constant_collapses,     guard_slip_constant_mid_stance,
-    guard_slip_constant_lift_off,     guard_slip_constant_comes_to_rest, guard_slip_constant_power_of_hip,
-    guard_slip_constant_force_on_foot};
+static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_falls,
+    guard_slip_constant_collapses, guard_slip_constant_mid_stance, guard_slip_constant_lift_off,
+    guard_slip_constant_comes_to_rest, guard_slip_constant_power_of_hip, guard_slip_constant_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_slip_constant_power_of_hip,
-                                                                   d_observed_slip_constant_force_on_foot};
+    d_observed_slip_constant_force_on_foot};
 static const int moving_slip_constant[] = {54, 55, 56, 57, 58, 59, 61, 64, 71, 0};
 static const int degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99};
 static const int judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 10};
 static const int divisors_slip_constant[] = {14, 13};
 static const int integrals_slip_constant[] = {8, -1};
 static const int factors_slip_constant[] = {27, -1, -1, -1};
-static const tdmf_polynomial polynomials_stick[] = {guard_stick_falls,         guard_stick_collapses,
-                                                    guard_stick_mid_stance,    guard_stick_lift_off,
-                                                    guard_stick_slips_forward, guard_stick_slips_backward,
-                                                    guard_stick_power_of_hip,  guard_stick_force_on_foot};
+static const tdmf_polynomial polynomials_stick[] = {guard_stick_falls, guard_stick_collapses,
+    guard_stick_mid_stance, guard_stick_lift_off, guard_stick_slips_forward, guard_stick_slips_backward,
+    guard_stick_power_of_hip, guard_stick_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_power_of_hip,
-                                                           d_observed_stick_force_on_foot};
+    d_observed_stick_force_on_foot};
 static const int moving_stick[] = {54, 55, 56, 57, 61, 71, 0, 58};
 static const int degrees_stick[] = {99, 99, 99, 99, 99, 99, 1, 1, 99};
 static const int judged_stick[] = {2, 3, 4, 5, 8};
@@ -1717,7 +1297,7 @@ static const int divisors_no_apex[] = {0};
 static const int integrals_no_apex[] = {0};
 static const int factors_no_apex[] = {0};
 static const tdmf_polynomial polynomials_flight_retract[] = {guard_flight_retract_apex,
-                                                             guard_flight_retract_power_of_hip};
+    guard_flight_retract_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_flight_retract[] = {d_observed_flight_retract_power_of_hip};
 static const int moving_flight_retract[] = {50, 0, 49, 52};
 static const int degrees_flight_retract[] = {2, 1, 1, 1};
@@ -1727,159 +1307,56 @@ static const int integrals_flight_retract[] = {-1};
 static const int factors_flight_retract[] = {-1, -1};
 
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_reduced_runner_motions)[] = {
-    {.moving_count = 1,
-     .extra_count = 0,
-     .series_count = 1,
-     .constant_count = 0,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_start_of_run,
-     .degrees = degrees_start_of_run,
-     .judged = judged_start_of_run,
-     .divisors = divisors_start_of_run,
-     .integrals = integrals_start_of_run,
-     .factors = factors_start_of_run,
-     .polynomials = polynomials_start_of_run,
-     .vary_observed = vary_observed_start_of_run,
-     .expand = expand_start_of_run,
-     .vary = vary_start_of_run,
-     .bounds = bounds_start_of_run},
-    {.moving_count = 0,
-     .extra_count = 0,
-     .series_count = 0,
-     .constant_count = 0,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_no_start,
-     .degrees = degrees_no_start,
-     .judged = judged_no_start,
-     .divisors = divisors_no_start,
-     .integrals = integrals_no_start,
-     .factors = factors_no_start,
-     .polynomials = polynomials_no_start,
-     .vary_observed = vary_observed_no_start,
-     .expand = expand_no_start,
-     .vary = vary_no_start,
-     .bounds = NULL},
-    {.moving_count = 6,
-     .extra_count = 0,
-     .series_count = 6,
-     .constant_count = 5,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_flight_place,
-     .degrees = degrees_flight_place,
-     .judged = judged_flight_place,
-     .divisors = divisors_flight_place,
-     .integrals = integrals_flight_place,
-     .factors = factors_flight_place,
-     .polynomials = polynomials_flight_place,
-     .vary_observed = vary_observed_flight_place,
-     .expand = expand_flight_place,
-     .vary = vary_flight_place,
-     .bounds = bounds_flight_place},
-    {.moving_count = 0,
-     .extra_count = 0,
-     .series_count = 0,
-     .constant_count = 0,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_fallen,
-     .degrees = degrees_fallen,
-     .judged = judged_fallen,
-     .divisors = divisors_fallen,
-     .integrals = integrals_fallen,
-     .factors = factors_fallen,
-     .polynomials = polynomials_fallen,
-     .vary_observed = vary_observed_fallen,
-     .expand = expand_fallen,
-     .vary = vary_fallen,
-     .bounds = NULL},
-    {.moving_count = 10,
-     .extra_count = 1,
-     .series_count = 28,
-     .constant_count = 12,
-     .judged_count = 7,
-     .divisor_count = 2,
-     .moving = moving_slip_constant,
-     .degrees = degrees_slip_constant,
-     .judged = judged_slip_constant,
-     .divisors = divisors_slip_constant,
-     .integrals = integrals_slip_constant,
-     .factors = factors_slip_constant,
-     .polynomials = polynomials_slip_constant,
-     .vary_observed = vary_observed_slip_constant,
-     .expand = expand_slip_constant,
-     .vary = vary_slip_constant,
-     .bounds = bounds_slip_constant},
-    {.moving_count = 8,
-     .extra_count = 1,
-     .series_count = 24,
-     .constant_count = 11,
-     .judged_count = 5,
-     .divisor_count = 2,
-     .moving = moving_stick,
-     .degrees = degrees_stick,
-     .judged = judged_stick,
-     .divisors = divisors_stick,
-     .integrals = integrals_stick,
-     .factors = factors_stick,
-     .polynomials = polynomials_stick,
-     .vary_observed = vary_observed_stick,
-     .expand = expand_stick,
-     .vary = vary_stick,
-     .bounds = bounds_stick},
-    {.moving_count = 0,
-     .extra_count = 0,
-     .series_count = 0,
-     .constant_count = 0,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_no_stance,
-     .degrees = degrees_no_stance,
-     .judged = judged_no_stance,
-     .divisors = divisors_no_stance,
-     .integrals = integrals_no_stance,
-     .factors = factors_no_stance,
-     .polynomials = polynomials_no_stance,
-     .vary_observed = vary_observed_no_stance,
-     .expand = expand_no_stance,
-     .vary = vary_no_stance,
-     .bounds = NULL},
-    {.moving_count = 0,
-     .extra_count = 0,
-     .series_count = 0,
-     .constant_count = 0,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_no_apex,
-     .degrees = degrees_no_apex,
-     .judged = judged_no_apex,
-     .divisors = divisors_no_apex,
-     .integrals = integrals_no_apex,
-     .factors = factors_no_apex,
-     .polynomials = polynomials_no_apex,
-     .vary_observed = vary_observed_no_apex,
-     .expand = expand_no_apex,
-     .vary = vary_no_apex,
-     .bounds = NULL},
-    {.moving_count = 4,
-     .extra_count = 0,
-     .series_count = 4,
-     .constant_count = 2,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_flight_retract,
-     .degrees = degrees_flight_retract,
-     .judged = judged_flight_retract,
-     .divisors = divisors_flight_retract,
-     .integrals = integrals_flight_retract,
-     .factors = factors_flight_retract,
-     .polynomials = polynomials_flight_retract,
-     .vary_observed = vary_observed_flight_retract,
-     .expand = expand_flight_retract,
-     .vary = vary_flight_retract,
-     .bounds = bounds_flight_retract},
+    {.moving_count = 1, .extra_count = 0, .series_count = 1, .constant_count = 0, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_start_of_run, .degrees = degrees_start_of_run,
+        .judged = judged_start_of_run, .divisors = divisors_start_of_run, .integrals = integrals_start_of_run,
+        .factors = factors_start_of_run, .polynomials = polynomials_start_of_run,
+        .vary_observed = vary_observed_start_of_run, .expand = expand_start_of_run, .vary = vary_start_of_run,
+        .bounds = bounds_start_of_run},
+    {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_no_start, .degrees = degrees_no_start, .judged = judged_no_start,
+        .divisors = divisors_no_start, .integrals = integrals_no_start, .factors = factors_no_start,
+        .polynomials = polynomials_no_start, .vary_observed = vary_observed_no_start,
+        .expand = expand_no_start, .vary = vary_no_start, .bounds = NULL},
+    {.moving_count = 6, .extra_count = 0, .series_count = 6, .constant_count = 5, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_flight_place, .degrees = degrees_flight_place,
+        .judged = judged_flight_place, .divisors = divisors_flight_place, .integrals = integrals_flight_place,
+        .factors = factors_flight_place, .polynomials = polynomials_flight_place,
+        .vary_observed = vary_observed_flight_place, .expand = expand_flight_place, .vary = vary_flight_place,
+        .bounds = bounds_flight_place},
+    {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_fallen, .degrees = degrees_fallen, .judged = judged_fallen,
+        .divisors = divisors_fallen, .integrals = integrals_fallen, .factors = factors_fallen,
+        .polynomials = polynomials_fallen, .vary_observed = vary_observed_fallen, .expand = expand_fallen,
+        .vary = vary_fallen, .bounds = NULL},
+    {.moving_count = 10, .extra_count = 1, .series_count = 28, .constant_count = 12, .judged_count = 7,
+        .divisor_count = 2, .moving = moving_slip_constant, .degrees = degrees_slip_constant,
+        .judged = judged_slip_constant, .divisors = divisors_slip_constant,
+        .integrals = integrals_slip_constant, .factors = factors_slip_constant,
+        .polynomials = polynomials_slip_constant, .vary_observed = vary_observed_slip_constant,
+        .expand = expand_slip_constant, .vary = vary_slip_constant, .bounds = bounds_slip_constant},
+    {.moving_count = 8, .extra_count = 1, .series_count = 24, .constant_count = 11, .judged_count = 5,
+        .divisor_count = 2, .moving = moving_stick, .degrees = degrees_stick, .judged = judged_stick,
+        .divisors = divisors_stick, .integrals = integrals_stick, .factors = factors_stick,
+        .polynomials = polynomials_stick, .vary_observed = vary_observed_stick, .expand = expand_stick,
+        .vary = vary_stick, .bounds = bounds_stick},
+    {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_no_stance, .degrees = degrees_no_stance,
+        .judged = judged_no_stance, .divisors = divisors_no_stance, .integrals = integrals_no_stance,
+        .factors = factors_no_stance, .polynomials = polynomials_no_stance,
+        .vary_observed = vary_observed_no_stance, .expand = expand_no_stance, .vary = vary_no_stance,
+        .bounds = NULL},
+    {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_no_apex, .degrees = degrees_no_apex, .judged = judged_no_apex,
+        .divisors = divisors_no_apex, .integrals = integrals_no_apex, .factors = factors_no_apex,
+        .polynomials = polynomials_no_apex, .vary_observed = vary_observed_no_apex, .expand = expand_no_apex,
+        .vary = vary_no_apex, .bounds = NULL},
+    {.moving_count = 4, .extra_count = 0, .series_count = 4, .constant_count = 2, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_flight_retract, .degrees = degrees_flight_retract,
+        .judged = judged_flight_retract, .divisors = divisors_flight_retract,
+        .integrals = integrals_flight_retract, .factors = factors_flight_retract,
+        .polynomials = polynomials_flight_retract, .vary_observed = vary_observed_flight_retract,
+        .expand = expand_flight_retract, .vary = vary_flight_retract, .bounds = bounds_flight_retract},
 };
 
 #ifdef TDMF_LANES

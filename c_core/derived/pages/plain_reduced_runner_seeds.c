@@ -6,5 +6,5 @@
 
 #include "seeds.h"
 
-const tdmf_seed_kind tdmf_plain_reduced_runner_seeds = {TDMF_OF_WIDTH(tdmf_plain_reduced_runner_motions),
-                                                        fill_seed_lanes, vary_seed_lanes, read_seed_lane};
+const tdmf_seed_kind tdmf_plain_reduced_runner_seeds = {
+    TDMF_OF_WIDTH(tdmf_plain_reduced_runner_motions), fill_seed_lanes, vary_seed_lanes, read_seed_lane};

@@ -10,7 +10,7 @@ static void open_start_of_run(const real *parameters, const real *states, real *
 
 /* First variation of open_start_of_run. */
 static void vary_open_start_of_run(const real *parameters, const real *states, const real *d_parameters,
-                                   const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -20,7 +20,7 @@ static void vary_open_start_of_run(const real *parameters, const real *states, c
 
 /* begins: An impact if the foot is on the ground and does not rise, else flight. An apex opens a stride. */
 static int react_start_of_run_begins(const real *parameters, const real *states, const tdmf_table *tables,
-                                     real *after, const int *next) {
+    real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)tables;
@@ -40,16 +40,16 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
         const real way_times_seen_vx = way * x->seen_vx;
         const real friction_times_seen_vy = x->friction * x->seen_vy;
         const real lost = -friction_times_seen_vy;
-        const real after_2 =
-            select(way_times_seen_vx <= lost, 0.0, way_times_seen_vx + friction_times_seen_vy);
+        const real after_2 = select(way_times_seen_vx <= lost, 0.0, way_times_seen_vx
+            + friction_times_seen_vy);
         const real way_times_after = way * after_2;
         const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
         const real x_2 = -length_times_sine;
         const real vx_plus_seen_vx_minus_way_times_after = vx + x->seen_vx - way_times_after;
         const real vy_plus_seen_vy = vy + x->seen_vy;
         const real angle_minus_length_times_sineatan2_of_y = x->angle - real_atan2(length_times_sine, y_2);
-        const real speeds =
-            x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy - way_times_after * way_times_after;
+        const real speeds = x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy
+            - way_times_after * way_times_after;
         const real sum_2 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
         const real by_1_or_by_0 = select(x->angle >= 0.0, 1.0, 0.0);
         y->touchdowns_so_far = touchdowns_so_far_plus_by_1;
@@ -120,8 +120,7 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
 
 /* First variation of begins. */
 static void vary_react_start_of_run_begins(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states,
-                                           const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -138,10 +137,10 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     const real sine_times_angle = sine * dx->angle;
     const real d_y = dx->length * cosine - x->length * sine_times_angle;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real y_2 = x->length * cosine;
     const real length_times_sine = x->length * sine;
     y->liftoff_angle = dx->angle;
@@ -151,24 +150,23 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
         const real way_times_seen_vx = way * x->seen_vx;
         const real friction_times_seen_vy = x->friction * x->seen_vy;
         const real lost = -friction_times_seen_vy;
-        const real after_2 =
-            select(way_times_seen_vx <= lost, 0.0, way_times_seen_vx + friction_times_seen_vy);
+        const real after_2 = select(way_times_seen_vx <= lost, 0.0, way_times_seen_vx
+            + friction_times_seen_vy);
         const real way_times_after = way * after_2;
         const real d_x = -sum_2;
-        const real d_after =
-            select(way_times_seen_vx <= lost, 0.0,
-                   way * dx->seen_vx + (dx->friction * x->seen_vy + x->friction * dx->seen_vy));
+        const real d_after = select(way_times_seen_vx <= lost, 0.0, way * dx->seen_vx
+            + (dx->friction * x->seen_vy + x->friction * dx->seen_vy));
         const real way_times_d_after = way * d_after;
         const real sum_3 = d_vx + dx->seen_vx - way_times_d_after;
         const real d_vy_plus_seen_vy = d_vy + dx->seen_vy;
-        const real sum_4 = dx->angle - (y_2 * sum_2 - length_times_sine * d_y) /
-                                           (length_times_sine * length_times_sine + y_2 * y_2);
-        const real speeds =
-            x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy - way_times_after * way_times_after;
-        const real d_speeds = 2.0 * (x->seen_vx * dx->seen_vx) + 2.0 * (x->seen_vy * dx->seen_vy) -
-                              2.0 * (way_times_after * way_times_d_after);
-        const real impact_loss_plus_by_0_5_times_sum =
-            dx->impact_loss + 0.5 * (dp->foot_mass * speeds + p->foot_mass * d_speeds);
+        const real sum_4 = dx->angle - (y_2 * sum_2
+            - length_times_sine * d_y) / (length_times_sine * length_times_sine + y_2 * y_2);
+        const real speeds = x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy
+            - way_times_after * way_times_after;
+        const real d_speeds = 2.0 * (x->seen_vx * dx->seen_vx) + 2.0 * (x->seen_vy * dx->seen_vy)
+            - 2.0 * (way_times_after * way_times_d_after);
+        const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss + 0.5 * (dp->foot_mass * speeds
+            + p->foot_mass * d_speeds);
         y->touchdowns_so_far = dx->touchdowns_so_far;
         y->slid_from = dx->seen_x;
         y->bar_is_due = 0.0;
@@ -237,7 +235,7 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
 
 /* First variation of the guard of begins. */
 static real vary_guard_start_of_run_begins(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -247,130 +245,19 @@ static real vary_guard_start_of_run_begins(const real *parameters, const real *s
 
 /* Outputs in start_of_run. */
 static void outputs_start_of_run(const real *parameters, const real *states, real *outputs) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const real shorter = p->free_length - x->length;
-    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real sine = real_sin(x->angle);
-    const real length_times_sine = x->length * sine;
-    const real body_x = x->seen_x - length_times_sine;
-    const real cosine = real_cos(x->angle);
-    const real y_2 = x->length * cosine;
-    const real body_y = x->seen_y + y_2;
-    const real turn = x->length * x->angle_rate;
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real body_vx = x->seen_vx + vx;
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real body_vy = x->seen_vy + vy;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real center_x = x->seen_x - share * length_times_sine;
-    const real center_y = x->seen_y + share * y_2;
-    const real center_vx = x->seen_vx + share * vx;
-    const real center_vy = x->seen_vy + share * vy;
-    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy));
-    const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = 0.0;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = body_x;
-    outputs[OUTPUT_body_y] = body_y;
-    outputs[OUTPUT_body_vx] = body_vx;
-    outputs[OUTPUT_body_vy] = body_vy;
-    outputs[OUTPUT_center_x] = center_x;
-    outputs[OUTPUT_center_y] = center_y;
-    outputs[OUTPUT_center_vx] = center_vx;
-    outputs[OUTPUT_center_vy] = center_vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 1.0;
-    outputs[OUTPUT_phase_of_hip] = 4.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
+    (void)parameters;
+    (void)states;
+    (void)outputs;
 }
 
 /* First variation of outputs_start_of_run. */
 static void vary_outputs_start_of_run(const real *parameters, const real *states, const real *d_parameters,
-                                      const real *d_states, real *outputs) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    const real shorter = p->free_length - x->length;
-    const real d_shorter = dp->free_length - dx->length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real d_sine = cosine * dx->angle;
-    const real sum_2 = dx->length * sine + x->length * d_sine;
-    const real d_body_x = dx->seen_x - sum_2;
-    const real sine_times_angle = sine * dx->angle;
-    const real d_y = dx->length * cosine - x->length * sine_times_angle;
-    const real d_body_y = dx->seen_y + d_y;
-    const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
-    const real turn = x->length * x->angle_rate;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
-    const real d_body_vx = dx->seen_vx + d_vx;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
-    const real d_body_vy = dx->seen_vy + d_vy;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_center_x = dx->seen_x - (d_share * (x->length * sine) + share * sum_2);
-    const real y_2 = x->length * cosine;
-    const real d_center_y = dx->seen_y + (d_share * y_2 + share * d_y);
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real d_center_vx = dx->seen_vx + (d_share * vx + share * d_vx);
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real d_center_vy = dx->seen_vy + (d_share * vy + share * d_vy);
-    const real body_vx = x->seen_vx + vx;
-    const real body_vy = x->seen_vy + vy;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 *
-        (d_of_body + (dp->foot_mass * (x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy) +
-                      p->foot_mass * (2.0 * (x->seen_vx * dx->seen_vx) + 2.0 * (x->seen_vy * dx->seen_vy))));
-    const real body_y = x->seen_y + y_2;
-    const real d_potential_energy = dp->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y) +
-                                    p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                                                  (dp->foot_mass * x->seen_y + p->foot_mass * dx->seen_y));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
-    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = 0.0;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = d_spring;
-    outputs[OUTPUT_body_x] = d_body_x;
-    outputs[OUTPUT_body_y] = d_body_y;
-    outputs[OUTPUT_body_vx] = d_body_vx;
-    outputs[OUTPUT_body_vy] = d_body_vy;
-    outputs[OUTPUT_center_x] = d_center_x;
-    outputs[OUTPUT_center_y] = d_center_y;
-    outputs[OUTPUT_center_vx] = d_center_vx;
-    outputs[OUTPUT_center_vy] = d_center_vy;
-    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
-    outputs[OUTPUT_potential_energy] = d_potential_energy;
-    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
-    outputs[OUTPUT_energy] = d_energy;
-    outputs[OUTPUT_kind_of_contact] = 0.0;
-    outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
+    const real *d_states, real *outputs) {
+    (void)parameters;
+    (void)states;
+    (void)d_parameters;
+    (void)d_states;
+    (void)outputs;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
@@ -386,7 +273,7 @@ static void leave_start_of_run(const real *parameters, const real *states, real 
 
 /* First variation of leave_start_of_run. */
 static void vary_leave_start_of_run(const real *parameters, const real *states, const real *d_parameters,
-                                    const real *d_states, real counted, real *after) {
+    const real *d_states, real counted, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -402,17 +289,19 @@ static void open_slip_constant(const real *parameters, const real *states, real 
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     slip_constant_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
     const real stance_torque = x->external_torque - x->driving * p->drive_torque;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
     const real way_times_friction = x->way * x->friction;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
+    c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->damping = p->damping;
     c->stance_torque = stance_torque;
-    c->body_mass = p->body_mass;
+    c->inverse_foot_mass = inverse_foot_mass;
     c->way = x->way;
     c->way_times_friction = way_times_friction;
-    c->foot_mass = p->foot_mass;
     c->gravity = p->gravity;
     c->foot_mass_times_gravity = foot_mass_times_gravity;
     c->least_length = p->least_length;
@@ -421,24 +310,28 @@ static void open_slip_constant(const real *parameters, const real *states, real 
 
 /* First variation of open_slip_constant. */
 static void vary_open_slip_constant(const real *parameters, const real *states, const real *d_parameters,
-                                    const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     slip_constant_constants *c = (void *)constants;
-    const real d_stance_torque =
-        dx->external_torque - (p->drive_torque * dx->driving + x->driving * dp->drive_torque);
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
+    const real d_stance_torque = dx->external_torque - (p->drive_torque * dx->driving
+        + x->driving * dp->drive_torque);
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
     const real d_way_times_friction = x->friction * dx->way + x->way * dx->friction;
     const real d_foot_mass_times_gravity = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
+    c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->damping = dp->damping;
     c->stance_torque = d_stance_torque;
-    c->body_mass = dp->body_mass;
+    c->inverse_foot_mass = d_inverse_foot_mass;
     c->way = dx->way;
     c->way_times_friction = d_way_times_friction;
-    c->foot_mass = dp->foot_mass;
     c->gravity = dp->gravity;
     c->foot_mass_times_gravity = d_foot_mass_times_gravity;
     c->least_length = dp->least_length;
@@ -447,7 +340,7 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
 
 /* falls: The body reaches the ground. */
 static int react_slip_constant_falls(const real *parameters, const real *states, const tdmf_table *tables,
-                                     real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)tables;
@@ -471,8 +364,7 @@ static int react_slip_constant_falls(const real *parameters, const real *states,
 
 /* First variation of falls. */
 static void vary_react_slip_constant_falls(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states,
-                                           const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -486,9 +378,8 @@ static void vary_react_slip_constant_falls(const real *parameters, const real *s
     const real d_length = 0.5 * d_square / length;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
@@ -505,7 +396,7 @@ static void vary_react_slip_constant_falls(const real *parameters, const real *s
 
 /* First variation of the guard of falls. */
 static real vary_guard_slip_constant_falls(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -515,7 +406,7 @@ static real vary_guard_slip_constant_falls(const real *parameters, const real *s
 
 /* First variation of the guard of collapses. */
 static real vary_guard_slip_constant_collapses(const real *parameters, const real *states,
-                                               const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -529,7 +420,7 @@ static real vary_guard_slip_constant_collapses(const real *parameters, const rea
 
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_slip_constant_mid_stance(const real *parameters, const real *states,
-                                          const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -540,8 +431,7 @@ static int react_slip_constant_mid_stance(const real *parameters, const real *st
 
 /* First variation of mid_stance. */
 static void vary_react_slip_constant_mid_stance(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states,
-                                                const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -564,7 +454,7 @@ static real watches_slip_constant_mid_stance(const real *parameters, const real 
 
 /* First variation of the guard of mid_stance. */
 static real vary_guard_slip_constant_mid_stance(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -576,7 +466,7 @@ static real vary_guard_slip_constant_mid_stance(const real *parameters, const re
 
 /* lift_off: Flight where the flight law lifts the foot too; graze where it would push the foot down again. */
 static int react_slip_constant_lift_off(const real *parameters, const real *states, const tdmf_table *tables,
-                                        real *after, const int *next) {
+    real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)tables;
@@ -625,8 +515,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     }
     const real retracting_torque = -(p->kp * (angle - p->liftoff_factor * angle)) - kd_times_angle_rate;
     if (p->swing_clamp > 0.0 && retracting_torque <= 0.0) {
-        const real flight_lifts =
-            axial_times_y_ + x->external_torque / square * x->x_ + foot_mass_times_gravity;
+        const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
+            + foot_mass_times_gravity;
         if (flight_lifts > product_2) {
             return next[2]; /* graze */
         }
@@ -640,8 +530,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         y->momentum = moment;
         return next[3]; /* flight */
     }
-    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_ + foot_mass_times_gravity >
-        product_2) {
+    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
+        + foot_mass_times_gravity > product_2) {
         return next[4]; /* graze */
     }
     y->length = length;
@@ -657,8 +547,7 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
 
 /* First variation of lift_off. */
 static void vary_react_slip_constant_lift_off(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states,
-                                              const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -688,9 +577,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real sum_2 = d_goes_on * x->placed_for + goes_on * dx->placed_for;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real d_x = dx->foot_x + (d_share * x->x_ + share * dx->x_);
     const real d_y = d_share * x->y_ + share * dx->y_;
@@ -721,8 +609,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     }
     const real retracting_torque = -(p->kp * (angle - p->liftoff_factor * angle)) - kd_times_angle_rate;
     if (p->swing_clamp > 0.0 && retracting_torque <= 0.0) {
-        const real flight_lifts =
-            axial_times_y_ + x->external_torque / square * x->x_ + foot_mass_times_gravity;
+        const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
+            + foot_mass_times_gravity;
         if (flight_lifts > product_2) {
             return;
         }
@@ -736,8 +624,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         y->momentum = d_moment;
         return;
     }
-    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_ + foot_mass_times_gravity >
-        product_2) {
+    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
+        + foot_mass_times_gravity > product_2) {
         return;
     }
     y->length = d_length;
@@ -752,7 +640,7 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
 
 /* First variation of the guard of lift_off. */
 static real vary_guard_slip_constant_lift_off(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -763,17 +651,15 @@ static real vary_guard_slip_constant_lift_off(const real *parameters, const real
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * free_length_minus_length + p->stiffness * (dp->free_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque =
-        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - (dp->drive_torque * x->driving
+        + p->drive_torque * dx->driving);
     const real stance_torque = x->external_torque - p->drive_torque * x->driving;
     const real turning = stance_torque / square;
     const real d_turning = (d_stance_torque - turning * d_square) / square;
@@ -784,7 +670,7 @@ static real vary_guard_slip_constant_lift_off(const real *parameters, const real
 
 /* comes_to_rest: The slip velocity reaches 0: the foot sticks, or slips the other way. */
 static int react_slip_constant_comes_to_rest(const real *parameters, const real *states,
-                                             const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)tables;
@@ -811,8 +697,7 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
 
 /* First variation of comes_to_rest. */
 static void vary_react_slip_constant_comes_to_rest(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states,
-                                                   const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -840,141 +725,12 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
 
 /* First variation of the guard of comes_to_rest. */
 static real vary_guard_slip_constant_comes_to_rest(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     return dx->way * x->foot_vx + x->way * dx->foot_vx;
-}
-
-/* Outputs in slip_constant. */
-static void outputs_slip_constant(const real *parameters, const real *states, real *outputs) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real shorter = p->free_length - length;
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real spring = p->stiffness * shorter - p->damping * length_rate;
-    const real axial = spring / length;
-    const real turning = stance_torque / square;
-    const real off = axial * x->y_ + turning * x->x_;
-    const real normal = off + p->foot_mass * p->gravity;
-    const real tangential_force = -(x->way * x->friction * normal);
-    const real x_2 = x->foot_x + x->x_;
-    const real vx = x->foot_vx + x->vx;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real center_x = x->foot_x + share * x->x_;
-    const real y_2 = share * x->y_;
-    const real center_vx = x->foot_vx + share * x->vx;
-    const real vy = share * x->vy;
-    const real of_body = p->body_mass * (vx * vx + x->vy * x->vy);
-    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (x->foot_vx * x->foot_vx));
-    const real potential_energy = p->gravity * (p->body_mass * x->y_);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    const real kind_of_contact = select(x->way > 0.0, 3.0, 4.0);
-    const real phase_of_hip = select(x->driving > 0.0, 1.0, 2.0);
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = stance_torque;
-    outputs[OUTPUT_normal_force] = normal;
-    outputs[OUTPUT_tangential_force] = tangential_force;
-    outputs[OUTPUT_ground_force_x] = tangential_force;
-    outputs[OUTPUT_ground_force_y] = normal;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = x_2;
-    outputs[OUTPUT_body_y] = x->y_;
-    outputs[OUTPUT_body_vx] = vx;
-    outputs[OUTPUT_body_vy] = x->vy;
-    outputs[OUTPUT_center_x] = center_x;
-    outputs[OUTPUT_center_y] = y_2;
-    outputs[OUTPUT_center_vx] = center_vx;
-    outputs[OUTPUT_center_vy] = vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = kind_of_contact;
-    outputs[OUTPUT_phase_of_hip] = phase_of_hip;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* First variation of outputs_slip_constant. */
-static void vary_outputs_slip_constant(const real *parameters, const real *states, const real *d_parameters,
-                                       const real *d_states, real *outputs) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    const real d_stance_torque =
-        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real shorter = p->free_length - length;
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real d_shorter = dp->free_length - d_length;
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
-    const real spring = p->stiffness * shorter - p->damping * length_rate;
-    const real axial = spring / length;
-    const real d_axial = (d_spring - axial * d_length) / length;
-    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
-    const real turning = stance_torque / square;
-    const real d_turning = (d_stance_torque - turning * d_square) / square;
-    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
-    const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
-    const real off = axial * x->y_ + turning * x->x_;
-    const real normal = off + p->foot_mass * p->gravity;
-    const real d_tangential_force =
-        -((dx->way * x->friction + x->way * dx->friction) * normal + x->way * x->friction * d_normal);
-    const real d_x = dx->foot_x + dx->x_;
-    const real d_vx = dx->foot_vx + dx->vx;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_center_x = dx->foot_x + (d_share * x->x_ + share * dx->x_);
-    const real d_y = d_share * x->y_ + share * dx->y_;
-    const real d_center_vx = dx->foot_vx + (d_share * x->vx + share * dx->vx);
-    const real d_vy = d_share * x->vy + share * dx->vy;
-    const real vx = x->foot_vx + x->vx;
-    const real d_of_body = dp->body_mass * (vx * vx + x->vy * x->vy) +
-                           p->body_mass * (2.0 * (vx * d_vx) + 2.0 * (x->vy * dx->vy));
-    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (x->foot_vx * x->foot_vx) +
-                                                      p->foot_mass * (2.0 * (x->foot_vx * dx->foot_vx))));
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * x->y_) + p->gravity * (dp->body_mass * x->y_ + p->body_mass * dx->y_);
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
-    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = d_stance_torque;
-    outputs[OUTPUT_normal_force] = d_normal;
-    outputs[OUTPUT_tangential_force] = d_tangential_force;
-    outputs[OUTPUT_ground_force_x] = d_tangential_force;
-    outputs[OUTPUT_ground_force_y] = d_normal;
-    outputs[OUTPUT_force_of_leg] = d_spring;
-    outputs[OUTPUT_body_x] = d_x;
-    outputs[OUTPUT_body_y] = dx->y_;
-    outputs[OUTPUT_body_vx] = d_vx;
-    outputs[OUTPUT_body_vy] = dx->vy;
-    outputs[OUTPUT_center_x] = d_center_x;
-    outputs[OUTPUT_center_y] = d_y;
-    outputs[OUTPUT_center_vx] = d_center_vx;
-    outputs[OUTPUT_center_vy] = d_vy;
-    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
-    outputs[OUTPUT_potential_energy] = d_potential_energy;
-    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
-    outputs[OUTPUT_energy] = d_energy;
-    outputs[OUTPUT_kind_of_contact] = 0.0;
-    outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
@@ -986,13 +742,13 @@ static void leave_slip_constant(const real *parameters, const real *states, real
     const real slid = x->way * (x->foot_x - x->slid_from);
     const real lasted = x->time - x->mode_began;
     const real letter = select(x->way > 0.0, 3.0, 1.0);
-    const real adds =
-        select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real adds = select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0,
+        x->bar_is_due), 0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_letter = 4.0 * after_bar + letter;
     const real longer = select(after_bar < 0.0, -1.0,
-                               select(by_4_times_after_bar_plus_letter < 4503599627370496.0,
-                                      by_4_times_after_bar_plus_letter, -1.0));
+        select(by_4_times_after_bar_plus_letter < 4503599627370496.0, by_4_times_after_bar_plus_letter,
+        -1.0));
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slip_so_far = x->slip_so_far + slid;
@@ -1006,7 +762,7 @@ static void leave_slip_constant(const real *parameters, const real *states, real
 
 /* First variation of leave_slip_constant. */
 static void vary_leave_slip_constant(const real *parameters, const real *states, const real *d_parameters,
-                                     const real *d_states, real counted, real *after) {
+    const real *d_states, real counted, real *after) {
     (void)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1016,14 +772,14 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
     const real letter = select(x->way > 0.0, 3.0, 1.0);
-    const real adds =
-        select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real adds = select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0,
+        x->bar_is_due), 0.0);
     const real bar_is_due_times_word_so_far = x->bar_is_due * x->word_so_far;
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
-    const real d_after_bar =
-        select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far, dx->word_so_far);
-    const real d_longer = select(
-        after_bar < 0.0, 0.0, select(4.0 * after_bar + letter < 4503599627370496.0, 4.0 * d_after_bar, 0.0));
+    const real d_after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far,
+        dx->word_so_far);
+    const real d_longer = select(after_bar < 0.0, 0.0, select(4.0 * after_bar + letter < 4503599627370496.0,
+        4.0 * d_after_bar, 0.0));
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slip_so_far = dx->slip_so_far + d_slid;
@@ -1059,7 +815,7 @@ static void from_world_slip_constant(const real *parameters, const real *states,
 
 /* First variation of from_world_slip_constant. */
 static void vary_from_world_slip_constant(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states, real *after) {
+    const real *d_parameters, const real *d_states, real *after) {
     (void)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1074,10 +830,10 @@ static void vary_from_world_slip_constant(const real *parameters, const real *st
     const real d_y = dx->length * cosine - x->length * sine_times_angle;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
     const real turn = x->length * x->angle_rate;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real y_2 = x->length * cosine;
     const real length_times_sine = x->length * sine;
     y->foot_x = dx->seen_x;
@@ -1086,8 +842,8 @@ static void vary_from_world_slip_constant(const real *parameters, const real *st
     y->y_ = d_y;
     y->vx = d_vx;
     y->vy = d_vy;
-    y->winding = dx->angle - (y_2 * sum_2 - length_times_sine * d_y) /
-                                 (length_times_sine * length_times_sine + y_2 * y_2);
+    y->winding = dx->angle - (y_2 * sum_2
+        - length_times_sine * d_y) / (length_times_sine * length_times_sine + y_2 * y_2);
 }
 
 /* to world, in slip. */
@@ -1113,7 +869,7 @@ static void to_world_slip_constant(const real *parameters, const real *states, r
 
 /* First variation of to_world_slip_constant. */
 static void vary_to_world_slip_constant(const real *parameters, const real *states, const real *d_parameters,
-                                        const real *d_states, real *after) {
+    const real *d_states, real *after) {
     (void)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1125,9 +881,8 @@ static void vary_to_world_slip_constant(const real *parameters, const real *stat
     const real d_length = 0.5 * d_square / length;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
@@ -1142,146 +897,19 @@ static void vary_to_world_slip_constant(const real *parameters, const real *stat
     y->angle_rate = d_angle_rate;
 }
 
-/* Rates of the world's states in slip. */
-static void world_rates_slip_constant(const real *parameters, const real *states, real *after) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    plain_runner_states *y = (void *)after;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real x__times_vx = x->x_ * x->vx;
-    const real y__times_vy = x->y_ * x->vy;
-    const real length_rate = (x__times_vx + y__times_vy) / length;
-    const real spring = p->stiffness * (p->free_length - length) - p->damping * length_rate;
-    const real axial = spring / length;
-    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
-    const real turning = stance_torque / square;
-    const real along = axial * x->x_ - turning * x->y_;
-    const real off = axial * x->y_ + turning * x->x_;
-    const real normal = off + p->foot_mass * p->gravity;
-    const real friction_force = x->way * x->friction * normal;
-    const real acceleration = (-along - friction_force) / p->foot_mass;
-    const real sum_2 = 2.0 * x__times_vx + 2.0 * y__times_vy;
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real along_over_body_mass_minus_acceleration = along / p->body_mass - acceleration;
-    const real off_over_body_mass_minus_gravity = off / p->body_mass - p->gravity;
-    y->seen_x = x->foot_vx;
-    y->seen_y = 0.0;
-    y->seen_vx = acceleration;
-    y->seen_vy = 0.0;
-    y->length = 0.5 * sum_2 / length;
-    y->angle = angle_rate;
-    y->length_rate =
-        (x->vx * x->vx + x->x_ * along_over_body_mass_minus_acceleration +
-         (x->vy * x->vy + x->y_ * off_over_body_mass_minus_gravity) - length_rate * (0.5 * sum_2 / length)) /
-        length;
-    y->angle_rate = (x->vx * x->vy + x->x_ * off_over_body_mass_minus_gravity -
-                     (x->vy * x->vx + x->y_ * along_over_body_mass_minus_acceleration) - angle_rate * sum_2) /
-                    square;
-}
-
-/* First variation of world_rates_slip_constant. */
-static void vary_world_rates_slip_constant(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states, real *after) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    plain_runner_states *y = (void *)after;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real free_length_minus_length = p->free_length - length;
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real x__times_vx = x->x_ * x->vx;
-    const real y__times_vy = x->y_ * x->vy;
-    const real length_rate = (x__times_vx + y__times_vy) / length;
-    const real x__times_vx_plus_x__times_vx = dx->x_ * x->vx + x->x_ * dx->vx;
-    const real y__times_vy_plus_y__times_vy = dx->y_ * x->vy + x->y_ * dx->vy;
-    const real d_length_rate =
-        (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy - length_rate * d_length) / length;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
-    const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
-    const real axial = spring / length;
-    const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque =
-        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
-    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
-    const real turning = stance_torque / square;
-    const real d_turning = (d_stance_torque - turning * d_square) / square;
-    const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
-    const real off = axial * x->y_ + turning * x->x_;
-    const real normal = off + p->foot_mass * p->gravity;
-    const real way_times_friction = x->way * x->friction;
-    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
-    const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
-    const real d_friction_force =
-        (dx->way * x->friction + x->way * dx->friction) * normal + way_times_friction * d_normal;
-    const real along = axial * x->x_ - turning * x->y_;
-    const real friction_force = way_times_friction * normal;
-    const real acceleration = (-along - friction_force) / p->foot_mass;
-    const real d_acceleration = (-d_along - d_friction_force - acceleration * dp->foot_mass) / p->foot_mass;
-    const real sum_2 = 2.0 * x__times_vx_plus_x__times_vx + 2.0 * y__times_vy_plus_y__times_vy;
-    const real sum_3 = 2.0 * x__times_vx + 2.0 * y__times_vy;
-    const real by_0_5_times_sum_over_length = 0.5 * sum_3 / length;
-    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real along_over_body_mass = along / p->body_mass;
-    const real along_over_body_mass_minus_acceleration = along_over_body_mass - acceleration;
-    const real sum_over_body_mass_minus_d_acceleration =
-        (d_along - along_over_body_mass * dp->body_mass) / p->body_mass - d_acceleration;
-    const real off_over_body_mass = off / p->body_mass;
-    const real off_over_body_mass_minus_gravity = off_over_body_mass - p->gravity;
-    const real sum_over_body_mass_minus_gravity =
-        (d_off - off_over_body_mass * dp->body_mass) / p->body_mass - dp->gravity;
-    y->seen_x = dx->foot_vx;
-    y->seen_y = 0.0;
-    y->seen_vx = d_acceleration;
-    y->seen_vy = 0.0;
-    y->length = (0.5 * sum_2 - by_0_5_times_sum_over_length * d_length) / length;
-    y->angle = d_angle_rate;
-    y->length_rate = (2.0 * (x->vx * dx->vx) +
-                      (dx->x_ * along_over_body_mass_minus_acceleration +
-                       x->x_ * sum_over_body_mass_minus_d_acceleration) +
-                      (2.0 * (x->vy * dx->vy) + (dx->y_ * off_over_body_mass_minus_gravity +
-                                                 x->y_ * sum_over_body_mass_minus_gravity)) -
-                      (d_length_rate * by_0_5_times_sum_over_length +
-                       length_rate * ((0.5 * sum_2 - by_0_5_times_sum_over_length * d_length) / length)) -
-                      (x->vx * x->vx + x->x_ * along_over_body_mass_minus_acceleration +
-                       (x->vy * x->vy + x->y_ * off_over_body_mass_minus_gravity) -
-                       length_rate * by_0_5_times_sum_over_length) /
-                          length * d_length) /
-                     length;
-    y->angle_rate =
-        (dx->vx * x->vy + x->vx * dx->vy +
-         (dx->x_ * off_over_body_mass_minus_gravity + x->x_ * sum_over_body_mass_minus_gravity) -
-         (dx->vy * x->vx + x->vy * dx->vx +
-          (dx->y_ * along_over_body_mass_minus_acceleration +
-           x->y_ * sum_over_body_mass_minus_d_acceleration)) -
-         (d_angle_rate * sum_3 + angle_rate * sum_2) -
-         (x->vx * x->vy + x->x_ * off_over_body_mass_minus_gravity -
-          (x->vy * x->vx + x->y_ * along_over_body_mass_minus_acceleration) - angle_rate * sum_3) /
-             square * d_square) /
-        square;
-}
-
 /* Constants of stick. */
 static void open_stick(const real *parameters, const real *states, real *constants) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     stick_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
     const real stance_torque = x->external_torque - x->driving * p->drive_torque;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
+    c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->damping = p->damping;
     c->stance_torque = stance_torque;
-    c->body_mass = p->body_mass;
     c->gravity = p->gravity;
     c->foot_vx = x->foot_vx;
     c->least_length = p->least_length;
@@ -1292,20 +920,22 @@ static void open_stick(const real *parameters, const real *states, real *constan
 
 /* First variation of open_stick. */
 static void vary_open_stick(const real *parameters, const real *states, const real *d_parameters,
-                            const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     stick_constants *c = (void *)constants;
-    const real d_stance_torque =
-        dx->external_torque - (p->drive_torque * dx->driving + x->driving * dp->drive_torque);
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
+    const real d_stance_torque = dx->external_torque - (p->drive_torque * dx->driving
+        + x->driving * dp->drive_torque);
     const real d_foot_mass_times_gravity = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
+    c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->damping = dp->damping;
     c->stance_torque = d_stance_torque;
-    c->body_mass = dp->body_mass;
     c->gravity = dp->gravity;
     c->foot_vx = dx->foot_vx;
     c->least_length = dp->least_length;
@@ -1316,7 +946,7 @@ static void vary_open_stick(const real *parameters, const real *states, const re
 
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_stick_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
-                                  real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -1327,7 +957,7 @@ static int react_stick_mid_stance(const real *parameters, const real *states, co
 
 /* slips_forward: The push of the leg exceeds static friction, and the foot slips forward. */
 static int react_stick_slips_forward(const real *parameters, const real *states, const tdmf_table *tables,
-                                     real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -1338,8 +968,7 @@ static int react_stick_slips_forward(const real *parameters, const real *states,
 
 /* First variation of slips_forward. */
 static void vary_react_stick_slips_forward(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states,
-                                           const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -1352,7 +981,7 @@ static void vary_react_stick_slips_forward(const real *parameters, const real *s
 
 /* First variation of the guard of slips_forward. */
 static real vary_guard_stick_slips_forward(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -1369,15 +998,13 @@ static real vary_guard_stick_slips_forward(const real *parameters, const real *s
     const real normal = off + p->foot_mass * p->gravity;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * free_length_minus_length + p->stiffness * (dp->free_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque =
-        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - (dp->drive_torque * x->driving
+        + p->drive_torque * dx->driving);
     const real d_turning = (d_stance_torque - turning * d_square) / square;
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
@@ -1388,7 +1015,7 @@ static real vary_guard_stick_slips_forward(const real *parameters, const real *s
 
 /* slips_backward: The push of the leg exceeds static friction, and the foot slips backward. */
 static int react_stick_slips_backward(const real *parameters, const real *states, const tdmf_table *tables,
-                                      real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -1399,7 +1026,7 @@ static int react_stick_slips_backward(const real *parameters, const real *states
 
 /* First variation of the guard of slips_backward. */
 static real vary_guard_stick_slips_backward(const real *parameters, const real *states,
-                                            const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -1416,146 +1043,19 @@ static real vary_guard_stick_slips_backward(const real *parameters, const real *
     const real normal = off + p->foot_mass * p->gravity;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * free_length_minus_length + p->stiffness * (dp->free_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque =
-        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - (dp->drive_torque * x->driving
+        + p->drive_torque * dx->driving);
     const real d_turning = (d_stance_torque - turning * d_square) / square;
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
     const real d_cone = dx->friction * normal + x->friction * d_normal;
     const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
     return d_cone - d_along;
-}
-
-/* Outputs in stick. */
-static void outputs_stick(const real *parameters, const real *states, real *outputs) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real shorter = p->free_length - length;
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real spring = p->stiffness * shorter - p->damping * length_rate;
-    const real axial = spring / length;
-    const real turning = stance_torque / square;
-    const real off = axial * x->y_ + turning * x->x_;
-    const real normal = off + p->foot_mass * p->gravity;
-    const real along = axial * x->x_ - turning * x->y_;
-    const real x_2 = x->foot_x + x->x_;
-    const real vx = x->foot_vx + x->vx;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real center_x = x->foot_x + share * x->x_;
-    const real y_2 = share * x->y_;
-    const real center_vx = x->foot_vx + share * x->vx;
-    const real vy = share * x->vy;
-    const real of_body = p->body_mass * (vx * vx + x->vy * x->vy);
-    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (x->foot_vx * x->foot_vx));
-    const real potential_energy = p->gravity * (p->body_mass * x->y_);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    const real phase_of_hip = select(x->driving > 0.0, 1.0, 2.0);
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = stance_torque;
-    outputs[OUTPUT_normal_force] = normal;
-    outputs[OUTPUT_tangential_force] = along;
-    outputs[OUTPUT_ground_force_x] = along;
-    outputs[OUTPUT_ground_force_y] = normal;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = x_2;
-    outputs[OUTPUT_body_y] = x->y_;
-    outputs[OUTPUT_body_vx] = vx;
-    outputs[OUTPUT_body_vy] = x->vy;
-    outputs[OUTPUT_center_x] = center_x;
-    outputs[OUTPUT_center_y] = y_2;
-    outputs[OUTPUT_center_vx] = center_vx;
-    outputs[OUTPUT_center_vy] = vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 2.0;
-    outputs[OUTPUT_phase_of_hip] = phase_of_hip;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* First variation of outputs_stick. */
-static void vary_outputs_stick(const real *parameters, const real *states, const real *d_parameters,
-                               const real *d_states, real *outputs) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    const real d_stance_torque =
-        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real shorter = p->free_length - length;
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real d_shorter = dp->free_length - d_length;
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
-    const real spring = p->stiffness * shorter - p->damping * length_rate;
-    const real axial = spring / length;
-    const real d_axial = (d_spring - axial * d_length) / length;
-    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
-    const real turning = stance_torque / square;
-    const real d_turning = (d_stance_torque - turning * d_square) / square;
-    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
-    const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
-    const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
-    const real d_x = dx->foot_x + dx->x_;
-    const real d_vx = dx->foot_vx + dx->vx;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_center_x = dx->foot_x + (d_share * x->x_ + share * dx->x_);
-    const real d_y = d_share * x->y_ + share * dx->y_;
-    const real d_center_vx = dx->foot_vx + (d_share * x->vx + share * dx->vx);
-    const real d_vy = d_share * x->vy + share * dx->vy;
-    const real vx = x->foot_vx + x->vx;
-    const real d_of_body = dp->body_mass * (vx * vx + x->vy * x->vy) +
-                           p->body_mass * (2.0 * (vx * d_vx) + 2.0 * (x->vy * dx->vy));
-    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (x->foot_vx * x->foot_vx) +
-                                                      p->foot_mass * (2.0 * (x->foot_vx * dx->foot_vx))));
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * x->y_) + p->gravity * (dp->body_mass * x->y_ + p->body_mass * dx->y_);
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
-    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = d_stance_torque;
-    outputs[OUTPUT_normal_force] = d_normal;
-    outputs[OUTPUT_tangential_force] = d_along;
-    outputs[OUTPUT_ground_force_x] = d_along;
-    outputs[OUTPUT_ground_force_y] = d_normal;
-    outputs[OUTPUT_force_of_leg] = d_spring;
-    outputs[OUTPUT_body_x] = d_x;
-    outputs[OUTPUT_body_y] = dx->y_;
-    outputs[OUTPUT_body_vx] = d_vx;
-    outputs[OUTPUT_body_vy] = dx->vy;
-    outputs[OUTPUT_center_x] = d_center_x;
-    outputs[OUTPUT_center_y] = d_y;
-    outputs[OUTPUT_center_vx] = d_center_vx;
-    outputs[OUTPUT_center_vy] = d_vy;
-    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
-    outputs[OUTPUT_potential_energy] = d_potential_energy;
-    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
-    outputs[OUTPUT_energy] = d_energy;
-    outputs[OUTPUT_kind_of_contact] = 0.0;
-    outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
@@ -1565,12 +1065,11 @@ static void leave_stick(const real *parameters, const real *states, real counted
     plain_runner_states *y = (void *)after;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real lasted = x->time - x->mode_began;
-    const real adds =
-        select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real adds = select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due),
+        0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_by_2 = 4.0 * after_bar + 2.0;
-    const real longer = select(
-        after_bar < 0.0, -1.0,
+    const real longer = select(after_bar < 0.0, -1.0,
         select(by_4_times_after_bar_plus_by_2 < 4503599627370496.0, by_4_times_after_bar_plus_by_2, -1.0));
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
@@ -1584,7 +1083,7 @@ static void leave_stick(const real *parameters, const real *states, real counted
 
 /* First variation of leave_stick. */
 static void vary_leave_stick(const real *parameters, const real *states, const real *d_parameters,
-                             const real *d_states, real counted, real *after) {
+    const real *d_states, real counted, real *after) {
     (void)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1592,14 +1091,14 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     plain_runner_states *y = (void *)after;
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
-    const real adds =
-        select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real adds = select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due),
+        0.0);
     const real bar_is_due_times_word_so_far = x->bar_is_due * x->word_so_far;
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
-    const real d_after_bar =
-        select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far, dx->word_so_far);
-    const real d_longer = select(after_bar < 0.0, 0.0,
-                                 select(4.0 * after_bar + 2.0 < 4503599627370496.0, 4.0 * d_after_bar, 0.0));
+    const real d_after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far,
+        dx->word_so_far);
+    const real d_longer = select(after_bar < 0.0, 0.0, select(4.0 * after_bar + 2.0 < 4503599627370496.0,
+        4.0 * d_after_bar, 0.0));
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slid_from = dx->foot_x;
@@ -1608,117 +1107,6 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     y->last_letter = select(lasted > 0.0, 0.0, dx->last_letter);
     y->bar_is_due = select(lasted > 0.0, 0.0, dx->bar_is_due);
     y->mode_began = dx->time;
-}
-
-/* Rates of the world's states in stick. */
-static void world_rates_stick(const real *parameters, const real *states, real *after) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    plain_runner_states *y = (void *)after;
-    const real x__times_vx = x->x_ * x->vx;
-    const real y__times_vy = x->y_ * x->vy;
-    const real sum_2 = 2.0 * x__times_vx + 2.0 * y__times_vy;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real length_rate = (x__times_vx + y__times_vy) / length;
-    const real spring = p->stiffness * (p->free_length - length) - p->damping * length_rate;
-    const real axial = spring / length;
-    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
-    const real turning = stance_torque / square;
-    const real along = axial * x->x_ - turning * x->y_;
-    const real along_over_body_mass = along / p->body_mass;
-    const real off = axial * x->y_ + turning * x->x_;
-    const real off_over_body_mass_minus_gravity = off / p->body_mass - p->gravity;
-    y->seen_x = x->foot_vx;
-    y->seen_y = 0.0;
-    y->seen_vx = 0.0;
-    y->seen_vy = 0.0;
-    y->length = 0.5 * sum_2 / length;
-    y->angle = angle_rate;
-    y->length_rate =
-        (x->vx * x->vx + x->x_ * along_over_body_mass +
-         (x->vy * x->vy + x->y_ * off_over_body_mass_minus_gravity) - length_rate * (0.5 * sum_2 / length)) /
-        length;
-    y->angle_rate = (x->vx * x->vy + x->x_ * off_over_body_mass_minus_gravity -
-                     (x->vy * x->vx + x->y_ * along_over_body_mass) - angle_rate * sum_2) /
-                    square;
-}
-
-/* First variation of world_rates_stick. */
-static void vary_world_rates_stick(const real *parameters, const real *states, const real *d_parameters,
-                                   const real *d_states, real *after) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    plain_runner_states *y = (void *)after;
-    const real x__times_vx_plus_x__times_vx = dx->x_ * x->vx + x->x_ * dx->vx;
-    const real y__times_vy_plus_y__times_vy = dx->y_ * x->vy + x->y_ * dx->vy;
-    const real sum_2 = 2.0 * x__times_vx_plus_x__times_vx + 2.0 * y__times_vy_plus_y__times_vy;
-    const real x__times_vx = x->x_ * x->vx;
-    const real y__times_vy = x->y_ * x->vy;
-    const real sum_3 = 2.0 * x__times_vx + 2.0 * y__times_vy;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real by_0_5_times_sum_over_length = 0.5 * sum_3 / length;
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real free_length_minus_length = p->free_length - length;
-    const real length_rate = (x__times_vx + y__times_vy) / length;
-    const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
-    const real axial = spring / length;
-    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
-    const real turning = stance_torque / square;
-    const real along = axial * x->x_ - turning * x->y_;
-    const real along_over_body_mass = along / p->body_mass;
-    const real d_length_rate =
-        (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy - length_rate * d_length) / length;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
-    const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque =
-        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
-    const real d_turning = (d_stance_torque - turning * d_square) / square;
-    const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
-    const real sum_over_body_mass = (d_along - along_over_body_mass * dp->body_mass) / p->body_mass;
-    const real off = axial * x->y_ + turning * x->x_;
-    const real off_over_body_mass = off / p->body_mass;
-    const real off_over_body_mass_minus_gravity = off_over_body_mass - p->gravity;
-    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
-    const real sum_over_body_mass_minus_gravity =
-        (d_off - off_over_body_mass * dp->body_mass) / p->body_mass - dp->gravity;
-    y->seen_x = dx->foot_vx;
-    y->seen_y = 0.0;
-    y->seen_vx = 0.0;
-    y->seen_vy = 0.0;
-    y->length = (0.5 * sum_2 - by_0_5_times_sum_over_length * d_length) / length;
-    y->angle = d_angle_rate;
-    y->length_rate = (2.0 * (x->vx * dx->vx) + (dx->x_ * along_over_body_mass + x->x_ * sum_over_body_mass) +
-                      (2.0 * (x->vy * dx->vy) + (dx->y_ * off_over_body_mass_minus_gravity +
-                                                 x->y_ * sum_over_body_mass_minus_gravity)) -
-                      (d_length_rate * by_0_5_times_sum_over_length +
-                       length_rate * ((0.5 * sum_2 - by_0_5_times_sum_over_length * d_length) / length)) -
-                      (x->vx * x->vx + x->x_ * along_over_body_mass +
-                       (x->vy * x->vy + x->y_ * off_over_body_mass_minus_gravity) -
-                       length_rate * by_0_5_times_sum_over_length) /
-                          length * d_length) /
-                     length;
-    y->angle_rate =
-        (dx->vx * x->vy + x->vx * dx->vy +
-         (dx->x_ * off_over_body_mass_minus_gravity + x->x_ * sum_over_body_mass_minus_gravity) -
-         (dx->vy * x->vx + x->vy * dx->vx + (dx->y_ * along_over_body_mass + x->y_ * sum_over_body_mass)) -
-         (d_angle_rate * sum_3 + angle_rate * sum_2) -
-         (x->vx * x->vy + x->x_ * off_over_body_mass_minus_gravity -
-          (x->vy * x->vx + x->y_ * along_over_body_mass) - angle_rate * sum_3) /
-             square * d_square) /
-        square;
 }
 
 /* Constants of flight_place_calm. */
@@ -1747,14 +1135,14 @@ static void open_flight_place_calm(const real *parameters, const real *states, r
 
 /* First variation of open_flight_place_calm. */
 static void vary_open_flight_place_calm(const real *parameters, const real *states, const real *d_parameters,
-                                        const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const plain_runner_parameters *p = (const void *)parameters;
     (void)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     flight_place_calm_constants *c = (void *)constants;
-    const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass) -
-                            1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
+    const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass)
+        - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
     const real d_minus_gravity = -dp->gravity;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
@@ -1777,7 +1165,7 @@ static void vary_open_flight_place_calm(const real *parameters, const real *stat
 
 /* falls: The body reaches the ground. */
 static int react_flight_place_calm_falls(const real *parameters, const real *states, const tdmf_table *tables,
-                                         real *after, const int *next) {
+    real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)tables;
@@ -1801,8 +1189,7 @@ static int react_flight_place_calm_falls(const real *parameters, const real *sta
 
 /* First variation of falls. */
 static void vary_react_flight_place_calm_falls(const real *parameters, const real *states,
-                                               const real *d_parameters, const real *d_states,
-                                               const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -1822,11 +1209,11 @@ static void vary_react_flight_place_calm_falls(const real *parameters, const rea
     const real turn = x->momentum / x->length;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
@@ -1840,7 +1227,7 @@ static void vary_react_flight_place_calm_falls(const real *parameters, const rea
 
 /* First variation of the guard of falls. */
 static real vary_guard_flight_place_calm_falls(const real *parameters, const real *states,
-                                               const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -1849,15 +1236,15 @@ static real vary_guard_flight_place_calm_falls(const real *parameters, const rea
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real by_1_minus_share = 1.0 - share;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_above =
-        dx->com_y + ((by_1_minus_share * dx->length - d_share * x->length) * real_cos(x->angle) -
-                     by_1_minus_share * x->length * (real_sin(x->angle) * dx->angle));
+    const real d_above = dx->com_y + ((by_1_minus_share * dx->length
+        - d_share * x->length) * real_cos(x->angle)
+        - by_1_minus_share * x->length * (real_sin(x->angle) * dx->angle));
     return d_above;
 }
 
 /* First variation of the guard of collapses. */
 static real vary_guard_flight_place_calm_collapses(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -1867,7 +1254,7 @@ static real vary_guard_flight_place_calm_collapses(const real *parameters, const
 
 /* apex: A stride closes and place begins. An external force can cause further apices in place. */
 static int react_flight_place_calm_apex(const real *parameters, const real *states, const tdmf_table *tables,
-                                        real *after, const int *next) {
+    real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)tables;
@@ -1897,8 +1284,8 @@ static int react_flight_place_calm_apex(const real *parameters, const real *stat
     y->rise_of_stride = select(x->is_open > 0.0, x->com_y - x->y_then, x->rise_of_stride);
     y->work_of_stride = select(x->is_open > 0.0, hip, x->work_of_stride);
     y->hip_work = select(x->is_open > 0.0, hip, x->hip_work);
-    y->positive_work =
-        select(x->is_open > 0.0, x->positive_work_so_far - x->positive_work_then, x->positive_work);
+    y->positive_work = select(x->is_open > 0.0, x->positive_work_so_far - x->positive_work_then,
+        x->positive_work);
     y->speed = select(x->is_open > 0.0, distance / period, x->speed);
     y->cost_of_transport = select(x->is_open > 0.0, hip / (weight * distance), x->cost_of_transport);
     y->touchdowns = select(x->is_open > 0.0, x->touchdowns_so_far, x->touchdowns);
@@ -1921,8 +1308,7 @@ static int react_flight_place_calm_apex(const real *parameters, const real *stat
 
 /* First variation of apex. */
 static void vary_react_flight_place_calm_apex(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states,
-                                              const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -1939,8 +1325,8 @@ static void vary_react_flight_place_calm_apex(const real *parameters, const real
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real weight = body_mass_plus_foot_mass * p->gravity;
     const real weight_times_distance = weight * distance;
-    const real d_weight =
-        p->gravity * (dp->body_mass + dp->foot_mass) + body_mass_plus_foot_mass * dp->gravity;
+    const real d_weight = p->gravity * (dp->body_mass + dp->foot_mass)
+        + body_mass_plus_foot_mass * dp->gravity;
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
@@ -1964,19 +1350,16 @@ static void vary_react_flight_place_calm_apex(const real *parameters, const real
     y->rise_of_stride = select(x->is_open > 0.0, dx->com_y - dx->y_then, dx->rise_of_stride);
     y->work_of_stride = select(x->is_open > 0.0, d_hip, dx->work_of_stride);
     y->hip_work = select(x->is_open > 0.0, d_hip, dx->hip_work);
-    y->positive_work =
-        select(x->is_open > 0.0, dx->positive_work_so_far - dx->positive_work_then, dx->positive_work);
+    y->positive_work = select(x->is_open > 0.0, dx->positive_work_so_far - dx->positive_work_then,
+        dx->positive_work);
     y->speed = select(x->is_open > 0.0, (d_distance - distance / period * d_period) / period, dx->speed);
-    y->cost_of_transport =
-        select(x->is_open > 0.0,
-               (d_hip - hip / weight_times_distance * (d_weight * distance + weight * d_distance)) /
-                   weight_times_distance,
-               dx->cost_of_transport);
+    y->cost_of_transport = select(x->is_open > 0.0, (d_hip
+        - hip / weight_times_distance * (d_weight * distance + weight * d_distance)) / weight_times_distance,
+        dx->cost_of_transport);
     y->touchdowns = select(x->is_open > 0.0, dx->touchdowns_so_far, dx->touchdowns);
     y->stance_time = select(x->is_open > 0.0, dx->stance_so_far, dx->stance_time);
-    y->duty_factor =
-        select(x->is_open > 0.0, (dx->stance_so_far - x->stance_so_far / period * d_period) / period,
-               dx->duty_factor);
+    y->duty_factor = select(x->is_open > 0.0, (dx->stance_so_far
+        - x->stance_so_far / period * d_period) / period, dx->duty_factor);
     y->slip_distance = select(x->is_open > 0.0, dx->slip_so_far, dx->slip_distance);
     y->peak_force = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_force);
     y->peak_vertical_force = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_vertical_force);
@@ -2003,7 +1386,7 @@ static real watches_flight_place_calm_apex(const real *parameters, const real *s
 
 /* First variation of the guard of apex. */
 static real vary_guard_flight_place_calm_apex(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -2013,7 +1396,7 @@ static real vary_guard_flight_place_calm_apex(const real *parameters, const real
 
 /* touchdown: The foot reaches the ground. */
 static int react_flight_place_calm_touchdown(const real *parameters, const real *states,
-                                             const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)tables;
@@ -2068,8 +1451,7 @@ static int react_flight_place_calm_touchdown(const real *parameters, const real 
 
 /* First variation of touchdown. */
 static void vary_react_flight_place_calm_touchdown(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states,
-                                                   const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -2101,25 +1483,25 @@ static void vary_react_flight_place_calm_touchdown(const real *parameters, const
     const real sine_times_angle = sine * dx->angle;
     const real d_y = dx->length * cosine - x->length * sine_times_angle;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real d_along = dx->com_vx - (d_share * vx + share * d_vx);
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real d_off = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_after =
-        select(way_times_along <= lost, 0.0, way * d_along + (dx->friction * off + x->friction * d_off));
+    const real d_after = select(way_times_along <= lost, 0.0, way * d_along + (dx->friction * off
+        + x->friction * d_off));
     const real way_times_d_after = way * d_after;
     const real sum_3 = d_vx + d_along - way_times_d_after;
     const real d_vy_plus_d_off = d_vy + d_off;
     const real y_2 = x->length * cosine;
-    const real sum_4 = dx->angle - (y_2 * sum_2 - length_times_sine * d_y) /
-                                       (length_times_sine * length_times_sine + y_2 * y_2);
+    const real sum_4 = dx->angle - (y_2 * sum_2
+        - length_times_sine * d_y) / (length_times_sine * length_times_sine + y_2 * y_2);
     const real speeds = along * along + off * off - way_times_after * way_times_after;
-    const real d_speeds =
-        2.0 * (along * d_along) + 2.0 * (off * d_off) - 2.0 * (way_times_after * way_times_d_after);
-    const real impact_loss_plus_by_0_5_times_sum =
-        dx->impact_loss + 0.5 * (dp->foot_mass * speeds + p->foot_mass * d_speeds);
+    const real d_speeds = 2.0 * (along * d_along) + 2.0 * (off * d_off)
+        - 2.0 * (way_times_after * way_times_d_after);
+    const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss + 0.5 * (dp->foot_mass * speeds
+        + p->foot_mass * d_speeds);
     y->touchdowns_so_far = dx->touchdowns_so_far;
     y->slid_from = com_x_plus_sum;
     y->bar_is_due = 0.0;
@@ -2144,7 +1526,7 @@ static void vary_react_flight_place_calm_touchdown(const real *parameters, const
 
 /* First variation of the guard of touchdown. */
 static real vary_guard_flight_place_calm_touchdown(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -2152,154 +1534,9 @@ static real vary_guard_flight_place_calm_touchdown(const real *parameters, const
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_above = dx->com_y - ((d_share * x->length + share * dx->length) * real_cos(x->angle) -
-                                      share * x->length * (real_sin(x->angle) * dx->angle));
+    const real d_above = dx->com_y - ((d_share * x->length + share * dx->length) * real_cos(x->angle)
+        - share * x->length * (real_sin(x->angle) * dx->angle));
     return d_above;
-}
-
-/* Outputs in flight_place_calm. */
-static void outputs_flight_place_calm(const real *parameters, const real *states, real *outputs) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real servo = -(p->kp * (x->angle - p->touchdown_angle)) - p->kd * rate;
-    const real swing_torque = x->external_torque + servo;
-    const real shorter = p->free_length - x->length;
-    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sine = real_sin(x->angle);
-    const real length_times_sine = x->length * sine;
-    const real body_x = x->com_x + share * length_times_sine - length_times_sine;
-    const real cosine = real_cos(x->angle);
-    const real y_2 = x->length * cosine;
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
-    const real turn = x->momentum / x->length;
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                         com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
-    const real potential_energy =
-        p->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = swing_torque;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = body_x;
-    outputs[OUTPUT_body_y] = body_y;
-    outputs[OUTPUT_body_vx] = body_vx;
-    outputs[OUTPUT_body_vy] = body_vy;
-    outputs[OUTPUT_center_x] = x->com_x;
-    outputs[OUTPUT_center_y] = x->com_y;
-    outputs[OUTPUT_center_vx] = x->com_vx;
-    outputs[OUTPUT_center_vy] = x->com_vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 1.0;
-    outputs[OUTPUT_phase_of_hip] = 4.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* First variation of outputs_flight_place_calm. */
-static void vary_outputs_flight_place_calm(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states, real *outputs) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real d_servo =
-        -(dp->kp * (x->angle - p->touchdown_angle) + p->kp * (dx->angle - dp->touchdown_angle)) -
-        (dp->kd * rate + p->kd * d_rate);
-    const real d_swing_torque = dx->external_torque + d_servo;
-    const real shorter = p->free_length - x->length;
-    const real d_shorter = dp->free_length - dx->length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real d_sine = cosine * dx->angle;
-    const real sum_2 = dx->length * sine + x->length * d_sine;
-    const real d_body_x = dx->com_x + (d_share * (x->length * sine) + share * sum_2) - sum_2;
-    const real y_2 = x->length * cosine;
-    const real sine_times_angle = sine * dx->angle;
-    const real d_y = dx->length * cosine - x->length * sine_times_angle;
-    const real sum_3 = dx->com_y - (d_share * y_2 + share * d_y);
-    const real d_body_y = sum_3 + d_y;
-    const real turn = x->momentum / x->length;
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
-    const real sum_4 = dx->com_vx - (d_share * vx + share * d_vx);
-    const real d_body_vx = sum_4 + d_vx;
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
-    const real sum_5 = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_body_vy = sum_5 + d_vy;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 * (d_of_body + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                             com_vy_minus_share_times_vy * com_vy_minus_share_times_vy) +
-                            p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4) +
-                                            2.0 * (com_vy_minus_share_times_vy * sum_5))));
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y) +
-        p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                      (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
-    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = d_swing_torque;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = d_spring;
-    outputs[OUTPUT_body_x] = d_body_x;
-    outputs[OUTPUT_body_y] = d_body_y;
-    outputs[OUTPUT_body_vx] = d_body_vx;
-    outputs[OUTPUT_body_vy] = d_body_vy;
-    outputs[OUTPUT_center_x] = dx->com_x;
-    outputs[OUTPUT_center_y] = dx->com_y;
-    outputs[OUTPUT_center_vx] = dx->com_vx;
-    outputs[OUTPUT_center_vy] = dx->com_vy;
-    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
-    outputs[OUTPUT_potential_energy] = d_potential_energy;
-    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
-    outputs[OUTPUT_energy] = d_energy;
-    outputs[OUTPUT_kind_of_contact] = 0.0;
-    outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* from world, in flight. */
@@ -2325,7 +1562,7 @@ static void from_world_flight_place_calm(const real *parameters, const real *sta
 
 /* First variation of from_world_flight_place_calm. */
 static void vary_from_world_flight_place_calm(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states, real *after) {
+    const real *d_parameters, const real *d_states, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -2343,11 +1580,11 @@ static void vary_from_world_flight_place_calm(const real *parameters, const real
     const real turn = x->length * x->angle_rate;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real d_square = 2.0 * (x->length * dx->length);
     const real square = x->length * x->length;
     const real d_moment = d_square * x->angle_rate + square * dx->angle_rate;
@@ -2381,7 +1618,7 @@ static void to_world_flight_place_calm(const real *parameters, const real *state
 
 /* First variation of to_world_flight_place_calm. */
 static void vary_to_world_flight_place_calm(const real *parameters, const real *states,
-                                            const real *d_parameters, const real *d_states, real *after) {
+    const real *d_parameters, const real *d_states, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -2399,11 +1636,11 @@ static void vary_to_world_flight_place_calm(const real *parameters, const real *
     const real turn = x->momentum / x->length;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
@@ -2413,119 +1650,6 @@ static void vary_to_world_flight_place_calm(const real *parameters, const real *
     y->seen_vx = dx->com_vx - (d_share * vx + share * d_vx);
     y->seen_vy = dx->com_vy - (d_share * vy + share * d_vy);
     y->angle_rate = d_rate;
-}
-
-/* Rates of the world's states in flight. */
-static void world_rates_flight_place_calm(const real *parameters, const real *states, real *after) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    plain_runner_states *y = (void *)after;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real sine_times_rate = sine * rate;
-    const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
-    const real spring = p->stiffness * (p->free_length - x->length) - p->damping * x->length_rate;
-    const real sum_2 = x->length * (rate * rate) + mobility * spring;
-    const real servo = -(p->kp * (x->angle - p->touchdown_angle)) - p->kd * rate;
-    const real swing_torque = x->external_torque + servo;
-    const real mobility_times_swing_torque = mobility * swing_torque;
-    const real turn = x->momentum / x->length;
-    const real sum_over_length = (mobility_times_swing_torque - turn * x->length_rate) / x->length;
-    y->seen_x = x->com_vx + share * (x->length_rate * sine + x->length * cosine_times_rate);
-    y->seen_y = x->com_vy - share * (x->length_rate * cosine - x->length * sine_times_rate);
-    y->seen_vx = -(share * (-(sum_2 * sine + x->length_rate * cosine_times_rate) -
-                            (sum_over_length * cosine - turn * sine_times_rate)));
-    y->seen_vy = -p->gravity - share * (sum_2 * cosine - x->length_rate * sine_times_rate -
-                                        (sum_over_length * sine + turn * cosine_times_rate));
-    y->length = x->length_rate;
-    y->angle = rate;
-    y->length_rate = sum_2;
-    y->angle_rate = (mobility_times_swing_torque - rate * (2.0 * (x->length * x->length_rate))) / square;
-}
-
-/* First variation of world_rates_flight_place_calm. */
-static void vary_world_rates_flight_place_calm(const real *parameters, const real *states,
-                                               const real *d_parameters, const real *d_states, real *after) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    plain_runner_states *y = (void *)after;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real d_sine = cosine * dx->angle;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real sine_times_angle = sine * dx->angle;
-    const real sum_2 = cosine * d_rate - sine_times_angle * rate;
-    const real sine_times_rate = sine * rate;
-    const real sum_3 = d_sine * rate + sine * d_rate;
-    const real rate_times_rate = rate * rate;
-    const real by_1_over_body_mass = 1.0 / p->body_mass;
-    const real by_1_over_foot_mass = 1.0 / p->foot_mass;
-    const real mobility = by_1_over_body_mass + by_1_over_foot_mass;
-    const real free_length_minus_length = p->free_length - x->length;
-    const real spring = p->stiffness * free_length_minus_length - p->damping * x->length_rate;
-    const real sum_4 = x->length * rate_times_rate + mobility * spring;
-    const real angle_minus_touchdown_angle = x->angle - p->touchdown_angle;
-    const real servo = -(p->kp * angle_minus_touchdown_angle) - p->kd * rate;
-    const real swing_torque = x->external_torque + servo;
-    const real mobility_times_swing_torque = mobility * swing_torque;
-    const real turn = x->momentum / x->length;
-    const real sum_over_length = (mobility_times_swing_torque - turn * x->length_rate) / x->length;
-    const real d_mobility = -(by_1_over_body_mass * dp->body_mass / p->body_mass) -
-                            by_1_over_foot_mass * dp->foot_mass / p->foot_mass;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - dx->length) -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real sum_plus_sum = dx->length * rate_times_rate + x->length * (2.0 * (rate * d_rate)) +
-                              (d_mobility * spring + mobility * d_spring);
-    const real d_servo = -(dp->kp * angle_minus_touchdown_angle + p->kp * (dx->angle - dp->touchdown_angle)) -
-                         (dp->kd * rate + p->kd * d_rate);
-    const real d_swing_torque = dx->external_torque + d_servo;
-    const real sum_5 = d_mobility * swing_torque + mobility * d_swing_torque;
-    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real sum_over_length_2 =
-        (sum_5 - (d_turn * x->length_rate + turn * dx->length_rate) - sum_over_length * dx->length) /
-        x->length;
-    const real by_2_times_length_times_length_rate = 2.0 * (x->length * x->length_rate);
-    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate) +
-                              share * (dx->length_rate * sine + x->length_rate * d_sine +
-                                       (dx->length * cosine_times_rate + x->length * sum_2)));
-    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate) +
-                              share * (dx->length_rate * cosine - x->length_rate * sine_times_angle -
-                                       (dx->length * sine_times_rate + x->length * sum_3)));
-    y->seen_vx = -(d_share * (-(sum_4 * sine + x->length_rate * cosine_times_rate) -
-                              (sum_over_length * cosine - turn * sine_times_rate)) +
-                   share * (-(sum_plus_sum * sine + sum_4 * d_sine +
-                              (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)) -
-                            (sum_over_length_2 * cosine - sum_over_length * sine_times_angle -
-                             (d_turn * sine_times_rate + turn * sum_3))));
-    y->seen_vy = -dp->gravity - (d_share * (sum_4 * cosine - x->length_rate * sine_times_rate -
-                                            (sum_over_length * sine + turn * cosine_times_rate)) +
-                                 share * (sum_plus_sum * cosine - sum_4 * sine_times_angle -
-                                          (dx->length_rate * sine_times_rate + x->length_rate * sum_3) -
-                                          (sum_over_length_2 * sine + sum_over_length * d_sine +
-                                           (d_turn * cosine_times_rate + turn * sum_2))));
-    y->length = dx->length_rate;
-    y->angle = d_rate;
-    y->length_rate = sum_plus_sum;
-    y->angle_rate =
-        (sum_5 -
-         (d_rate * by_2_times_length_times_length_rate +
-          rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate))) -
-         (mobility_times_swing_torque - rate * by_2_times_length_times_length_rate) / square * d_square) /
-        square;
 }
 
 /* Constants of flight_rest_calm. */
@@ -2557,26 +1681,26 @@ static void open_flight_rest_calm(const real *parameters, const real *states, re
 
 /* First variation of open_flight_rest_calm. */
 static void vary_open_flight_rest_calm(const real *parameters, const real *states, const real *d_parameters,
-                                       const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     flight_rest_calm_constants *c = (void *)constants;
-    const real by_1_over_body_mass = 1.0 / p->body_mass;
-    const real by_1_over_foot_mass = 1.0 / p->foot_mass;
-    const real d_mobility = -(by_1_over_body_mass * dp->body_mass / p->body_mass) -
-                            by_1_over_foot_mass * dp->foot_mass / p->foot_mass;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real d_mobility = -(inverse_body_mass * dp->body_mass / p->body_mass)
+        - inverse_foot_mass * dp->foot_mass / p->foot_mass;
     const real d_minus_gravity = -dp->gravity;
-    const real mobility = by_1_over_body_mass + by_1_over_foot_mass;
-    const real d_mobility_times_external_torque =
-        x->external_torque * d_mobility + mobility * dx->external_torque;
+    const real mobility = inverse_body_mass + inverse_foot_mass;
+    const real d_mobility_times_external_torque = x->external_torque * d_mobility
+        + mobility * dx->external_torque;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real d_by_1_minus_share = -d_share;
-    const real d_liftoff_factor_times_liftoff_angle =
-        x->liftoff_angle * dp->liftoff_factor + p->liftoff_factor * dx->liftoff_angle;
+    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
+        + p->liftoff_factor * dx->liftoff_angle;
     c->mobility = d_mobility;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
@@ -2595,7 +1719,7 @@ static void vary_open_flight_rest_calm(const real *parameters, const real *state
 
 /* touchdown: The foot reaches the ground. */
 static int react_flight_rest_calm_touchdown(const real *parameters, const real *states,
-                                            const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)tables;
@@ -2650,7 +1774,7 @@ static int react_flight_rest_calm_touchdown(const real *parameters, const real *
 
 /* release: The clamp of (12) releases the retracting torque. */
 static int react_flight_rest_calm_release(const real *parameters, const real *states,
-                                          const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -2660,8 +1784,7 @@ static int react_flight_rest_calm_release(const real *parameters, const real *st
 
 /* First variation of release. */
 static void vary_react_flight_rest_calm_release(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states,
-                                                const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -2673,7 +1796,7 @@ static void vary_react_flight_rest_calm_release(const real *parameters, const re
 
 /* First variation of the guard of release. */
 static real vary_guard_flight_rest_calm_release(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -2682,250 +1805,10 @@ static real vary_guard_flight_rest_calm_release(const real *parameters, const re
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
     const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real d_servo =
-        -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) +
-          p->kp *
-              (dx->angle - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) -
-        (dp->kd * rate + p->kd * d_rate);
+    const real d_servo = -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (dx->angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate
+        + p->kd * d_rate);
     return -d_servo;
-}
-
-/* Outputs in flight_rest_calm. */
-static void outputs_flight_rest_calm(const real *parameters, const real *states, real *outputs) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const real shorter = p->free_length - x->length;
-    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sine = real_sin(x->angle);
-    const real length_times_sine = x->length * sine;
-    const real body_x = x->com_x + share * length_times_sine - length_times_sine;
-    const real cosine = real_cos(x->angle);
-    const real y_2 = x->length * cosine;
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
-    const real turn = x->momentum / x->length;
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                         com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
-    const real potential_energy =
-        p->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = x->external_torque;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = body_x;
-    outputs[OUTPUT_body_y] = body_y;
-    outputs[OUTPUT_body_vx] = body_vx;
-    outputs[OUTPUT_body_vy] = body_vy;
-    outputs[OUTPUT_center_x] = x->com_x;
-    outputs[OUTPUT_center_y] = x->com_y;
-    outputs[OUTPUT_center_vx] = x->com_vx;
-    outputs[OUTPUT_center_vy] = x->com_vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 1.0;
-    outputs[OUTPUT_phase_of_hip] = 3.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* First variation of outputs_flight_rest_calm. */
-static void vary_outputs_flight_rest_calm(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states, real *outputs) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    const real shorter = p->free_length - x->length;
-    const real d_shorter = dp->free_length - dx->length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real d_sine = cosine * dx->angle;
-    const real sum_2 = dx->length * sine + x->length * d_sine;
-    const real d_body_x = dx->com_x + (d_share * (x->length * sine) + share * sum_2) - sum_2;
-    const real y_2 = x->length * cosine;
-    const real sine_times_angle = sine * dx->angle;
-    const real d_y = dx->length * cosine - x->length * sine_times_angle;
-    const real sum_3 = dx->com_y - (d_share * y_2 + share * d_y);
-    const real d_body_y = sum_3 + d_y;
-    const real turn = x->momentum / x->length;
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
-    const real sum_4 = dx->com_vx - (d_share * vx + share * d_vx);
-    const real d_body_vx = sum_4 + d_vx;
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
-    const real sum_5 = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_body_vy = sum_5 + d_vy;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 * (d_of_body + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                             com_vy_minus_share_times_vy * com_vy_minus_share_times_vy) +
-                            p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4) +
-                                            2.0 * (com_vy_minus_share_times_vy * sum_5))));
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y) +
-        p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                      (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
-    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = dx->external_torque;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = d_spring;
-    outputs[OUTPUT_body_x] = d_body_x;
-    outputs[OUTPUT_body_y] = d_body_y;
-    outputs[OUTPUT_body_vx] = d_body_vx;
-    outputs[OUTPUT_body_vy] = d_body_vy;
-    outputs[OUTPUT_center_x] = dx->com_x;
-    outputs[OUTPUT_center_y] = dx->com_y;
-    outputs[OUTPUT_center_vx] = dx->com_vx;
-    outputs[OUTPUT_center_vy] = dx->com_vy;
-    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
-    outputs[OUTPUT_potential_energy] = d_potential_energy;
-    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
-    outputs[OUTPUT_energy] = d_energy;
-    outputs[OUTPUT_kind_of_contact] = 0.0;
-    outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* Rates of the world's states in flight. */
-static void world_rates_flight_rest_calm(const real *parameters, const real *states, real *after) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    plain_runner_states *y = (void *)after;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real sine_times_rate = sine * rate;
-    const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
-    const real spring = p->stiffness * (p->free_length - x->length) - p->damping * x->length_rate;
-    const real sum_2 = x->length * (rate * rate) + mobility * spring;
-    const real mobility_times_external_torque = mobility * x->external_torque;
-    const real turn = x->momentum / x->length;
-    const real sum_over_length = (mobility_times_external_torque - turn * x->length_rate) / x->length;
-    y->seen_x = x->com_vx + share * (x->length_rate * sine + x->length * cosine_times_rate);
-    y->seen_y = x->com_vy - share * (x->length_rate * cosine - x->length * sine_times_rate);
-    y->seen_vx = -(share * (-(sum_2 * sine + x->length_rate * cosine_times_rate) -
-                            (sum_over_length * cosine - turn * sine_times_rate)));
-    y->seen_vy = -p->gravity - share * (sum_2 * cosine - x->length_rate * sine_times_rate -
-                                        (sum_over_length * sine + turn * cosine_times_rate));
-    y->length = x->length_rate;
-    y->angle = rate;
-    y->length_rate = sum_2;
-    y->angle_rate = (mobility_times_external_torque - rate * (2.0 * (x->length * x->length_rate))) / square;
-}
-
-/* First variation of world_rates_flight_rest_calm. */
-static void vary_world_rates_flight_rest_calm(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states, real *after) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    plain_runner_states *y = (void *)after;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real d_sine = cosine * dx->angle;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real sine_times_angle = sine * dx->angle;
-    const real sum_2 = cosine * d_rate - sine_times_angle * rate;
-    const real sine_times_rate = sine * rate;
-    const real sum_3 = d_sine * rate + sine * d_rate;
-    const real rate_times_rate = rate * rate;
-    const real by_1_over_body_mass = 1.0 / p->body_mass;
-    const real by_1_over_foot_mass = 1.0 / p->foot_mass;
-    const real mobility = by_1_over_body_mass + by_1_over_foot_mass;
-    const real free_length_minus_length = p->free_length - x->length;
-    const real spring = p->stiffness * free_length_minus_length - p->damping * x->length_rate;
-    const real sum_4 = x->length * rate_times_rate + mobility * spring;
-    const real mobility_times_external_torque = mobility * x->external_torque;
-    const real turn = x->momentum / x->length;
-    const real sum_over_length = (mobility_times_external_torque - turn * x->length_rate) / x->length;
-    const real d_mobility = -(by_1_over_body_mass * dp->body_mass / p->body_mass) -
-                            by_1_over_foot_mass * dp->foot_mass / p->foot_mass;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - dx->length) -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real sum_plus_sum = dx->length * rate_times_rate + x->length * (2.0 * (rate * d_rate)) +
-                              (d_mobility * spring + mobility * d_spring);
-    const real sum_5 = d_mobility * x->external_torque + mobility * dx->external_torque;
-    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real sum_over_length_2 =
-        (sum_5 - (d_turn * x->length_rate + turn * dx->length_rate) - sum_over_length * dx->length) /
-        x->length;
-    const real by_2_times_length_times_length_rate = 2.0 * (x->length * x->length_rate);
-    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate) +
-                              share * (dx->length_rate * sine + x->length_rate * d_sine +
-                                       (dx->length * cosine_times_rate + x->length * sum_2)));
-    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate) +
-                              share * (dx->length_rate * cosine - x->length_rate * sine_times_angle -
-                                       (dx->length * sine_times_rate + x->length * sum_3)));
-    y->seen_vx = -(d_share * (-(sum_4 * sine + x->length_rate * cosine_times_rate) -
-                              (sum_over_length * cosine - turn * sine_times_rate)) +
-                   share * (-(sum_plus_sum * sine + sum_4 * d_sine +
-                              (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)) -
-                            (sum_over_length_2 * cosine - sum_over_length * sine_times_angle -
-                             (d_turn * sine_times_rate + turn * sum_3))));
-    y->seen_vy = -dp->gravity - (d_share * (sum_4 * cosine - x->length_rate * sine_times_rate -
-                                            (sum_over_length * sine + turn * cosine_times_rate)) +
-                                 share * (sum_plus_sum * cosine - sum_4 * sine_times_angle -
-                                          (dx->length_rate * sine_times_rate + x->length_rate * sum_3) -
-                                          (sum_over_length_2 * sine + sum_over_length * d_sine +
-                                           (d_turn * cosine_times_rate + turn * sum_2))));
-    y->length = dx->length_rate;
-    y->angle = d_rate;
-    y->length_rate = sum_plus_sum;
-    y->angle_rate =
-        (sum_5 -
-         (d_rate * by_2_times_length_times_length_rate +
-          rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate))) -
-         (mobility_times_external_torque - rate * by_2_times_length_times_length_rate) / square * d_square) /
-        square;
 }
 
 /* Constants of flight_retract_calm. */
@@ -2955,16 +1838,16 @@ static void open_flight_retract_calm(const real *parameters, const real *states,
 
 /* First variation of open_flight_retract_calm. */
 static void vary_open_flight_retract_calm(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states, real *constants) {
+    const real *d_parameters, const real *d_states, real *constants) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     flight_retract_calm_constants *c = (void *)constants;
-    const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass) -
-                            1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
-    const real d_liftoff_factor_times_liftoff_angle =
-        x->liftoff_angle * dp->liftoff_factor + p->liftoff_factor * dx->liftoff_angle;
+    const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass)
+        - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
+    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
+        + p->liftoff_factor * dx->liftoff_angle;
     const real d_minus_gravity = -dp->gravity;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
@@ -2997,7 +1880,7 @@ static real watches_flight_retract_calm_clamp(const real *parameters, const real
 
 /* First variation of the guard of clamp. */
 static real vary_guard_flight_retract_calm_clamp(const real *parameters, const real *states,
-                                                 const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -3006,326 +1889,10 @@ static real vary_guard_flight_retract_calm_clamp(const real *parameters, const r
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
     const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real d_servo =
-        -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) +
-          p->kp *
-              (dx->angle - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) -
-        (dp->kd * rate + p->kd * d_rate);
+    const real d_servo = -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (dx->angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate
+        + p->kd * d_rate);
     return d_servo;
-}
-
-/* Outputs in flight_retract_calm. */
-static void outputs_flight_retract_calm(const real *parameters, const real *states, real *outputs) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real servo = -(p->kp * (x->angle - p->liftoff_factor * x->liftoff_angle)) - p->kd * rate;
-    const real swing_torque = x->external_torque + servo;
-    const real shorter = p->free_length - x->length;
-    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sine = real_sin(x->angle);
-    const real length_times_sine = x->length * sine;
-    const real body_x = x->com_x + share * length_times_sine - length_times_sine;
-    const real cosine = real_cos(x->angle);
-    const real y_2 = x->length * cosine;
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
-    const real turn = x->momentum / x->length;
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                         com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
-    const real potential_energy =
-        p->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = swing_torque;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = body_x;
-    outputs[OUTPUT_body_y] = body_y;
-    outputs[OUTPUT_body_vx] = body_vx;
-    outputs[OUTPUT_body_vy] = body_vy;
-    outputs[OUTPUT_center_x] = x->com_x;
-    outputs[OUTPUT_center_y] = x->com_y;
-    outputs[OUTPUT_center_vx] = x->com_vx;
-    outputs[OUTPUT_center_vy] = x->com_vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 1.0;
-    outputs[OUTPUT_phase_of_hip] = 3.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* First variation of outputs_flight_retract_calm. */
-static void vary_outputs_flight_retract_calm(const real *parameters, const real *states,
-                                             const real *d_parameters, const real *d_states, real *outputs) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real d_servo =
-        -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) +
-          p->kp *
-              (dx->angle - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) -
-        (dp->kd * rate + p->kd * d_rate);
-    const real d_swing_torque = dx->external_torque + d_servo;
-    const real shorter = p->free_length - x->length;
-    const real d_shorter = dp->free_length - dx->length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real d_sine = cosine * dx->angle;
-    const real sum_2 = dx->length * sine + x->length * d_sine;
-    const real d_body_x = dx->com_x + (d_share * (x->length * sine) + share * sum_2) - sum_2;
-    const real y_2 = x->length * cosine;
-    const real sine_times_angle = sine * dx->angle;
-    const real d_y = dx->length * cosine - x->length * sine_times_angle;
-    const real sum_3 = dx->com_y - (d_share * y_2 + share * d_y);
-    const real d_body_y = sum_3 + d_y;
-    const real turn = x->momentum / x->length;
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
-    const real sum_4 = dx->com_vx - (d_share * vx + share * d_vx);
-    const real d_body_vx = sum_4 + d_vx;
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
-    const real sum_5 = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_body_vy = sum_5 + d_vy;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 * (d_of_body + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                             com_vy_minus_share_times_vy * com_vy_minus_share_times_vy) +
-                            p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4) +
-                                            2.0 * (com_vy_minus_share_times_vy * sum_5))));
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y) +
-        p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                      (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
-    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = d_swing_torque;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = d_spring;
-    outputs[OUTPUT_body_x] = d_body_x;
-    outputs[OUTPUT_body_y] = d_body_y;
-    outputs[OUTPUT_body_vx] = d_body_vx;
-    outputs[OUTPUT_body_vy] = d_body_vy;
-    outputs[OUTPUT_center_x] = dx->com_x;
-    outputs[OUTPUT_center_y] = dx->com_y;
-    outputs[OUTPUT_center_vx] = dx->com_vx;
-    outputs[OUTPUT_center_vy] = dx->com_vy;
-    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
-    outputs[OUTPUT_potential_energy] = d_potential_energy;
-    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
-    outputs[OUTPUT_energy] = d_energy;
-    outputs[OUTPUT_kind_of_contact] = 0.0;
-    outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* Rates of the world's states in flight. */
-static void world_rates_flight_retract_calm(const real *parameters, const real *states, real *after) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    plain_runner_states *y = (void *)after;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real sine_times_rate = sine * rate;
-    const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
-    const real spring = p->stiffness * (p->free_length - x->length) - p->damping * x->length_rate;
-    const real sum_2 = x->length * (rate * rate) + mobility * spring;
-    const real servo = -(p->kp * (x->angle - p->liftoff_factor * x->liftoff_angle)) - p->kd * rate;
-    const real swing_torque = x->external_torque + servo;
-    const real mobility_times_swing_torque = mobility * swing_torque;
-    const real turn = x->momentum / x->length;
-    const real sum_over_length = (mobility_times_swing_torque - turn * x->length_rate) / x->length;
-    y->seen_x = x->com_vx + share * (x->length_rate * sine + x->length * cosine_times_rate);
-    y->seen_y = x->com_vy - share * (x->length_rate * cosine - x->length * sine_times_rate);
-    y->seen_vx = -(share * (-(sum_2 * sine + x->length_rate * cosine_times_rate) -
-                            (sum_over_length * cosine - turn * sine_times_rate)));
-    y->seen_vy = -p->gravity - share * (sum_2 * cosine - x->length_rate * sine_times_rate -
-                                        (sum_over_length * sine + turn * cosine_times_rate));
-    y->length = x->length_rate;
-    y->angle = rate;
-    y->length_rate = sum_2;
-    y->angle_rate = (mobility_times_swing_torque - rate * (2.0 * (x->length * x->length_rate))) / square;
-}
-
-/* First variation of world_rates_flight_retract_calm. */
-static void vary_world_rates_flight_retract_calm(const real *parameters, const real *states,
-                                                 const real *d_parameters, const real *d_states,
-                                                 real *after) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    plain_runner_states *y = (void *)after;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real d_sine = cosine * dx->angle;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real sine_times_angle = sine * dx->angle;
-    const real sum_2 = cosine * d_rate - sine_times_angle * rate;
-    const real sine_times_rate = sine * rate;
-    const real sum_3 = d_sine * rate + sine * d_rate;
-    const real rate_times_rate = rate * rate;
-    const real by_1_over_body_mass = 1.0 / p->body_mass;
-    const real by_1_over_foot_mass = 1.0 / p->foot_mass;
-    const real mobility = by_1_over_body_mass + by_1_over_foot_mass;
-    const real free_length_minus_length = p->free_length - x->length;
-    const real spring = p->stiffness * free_length_minus_length - p->damping * x->length_rate;
-    const real sum_4 = x->length * rate_times_rate + mobility * spring;
-    const real sum_5 = x->angle - p->liftoff_factor * x->liftoff_angle;
-    const real servo = -(p->kp * sum_5) - p->kd * rate;
-    const real swing_torque = x->external_torque + servo;
-    const real mobility_times_swing_torque = mobility * swing_torque;
-    const real turn = x->momentum / x->length;
-    const real sum_over_length = (mobility_times_swing_torque - turn * x->length_rate) / x->length;
-    const real d_mobility = -(by_1_over_body_mass * dp->body_mass / p->body_mass) -
-                            by_1_over_foot_mass * dp->foot_mass / p->foot_mass;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - dx->length) -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real sum_plus_sum = dx->length * rate_times_rate + x->length * (2.0 * (rate * d_rate)) +
-                              (d_mobility * spring + mobility * d_spring);
-    const real d_servo = -(dp->kp * sum_5 + p->kp * (dx->angle - (dp->liftoff_factor * x->liftoff_angle +
-                                                                  p->liftoff_factor * dx->liftoff_angle))) -
-                         (dp->kd * rate + p->kd * d_rate);
-    const real d_swing_torque = dx->external_torque + d_servo;
-    const real sum_6 = d_mobility * swing_torque + mobility * d_swing_torque;
-    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real sum_over_length_2 =
-        (sum_6 - (d_turn * x->length_rate + turn * dx->length_rate) - sum_over_length * dx->length) /
-        x->length;
-    const real by_2_times_length_times_length_rate = 2.0 * (x->length * x->length_rate);
-    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate) +
-                              share * (dx->length_rate * sine + x->length_rate * d_sine +
-                                       (dx->length * cosine_times_rate + x->length * sum_2)));
-    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate) +
-                              share * (dx->length_rate * cosine - x->length_rate * sine_times_angle -
-                                       (dx->length * sine_times_rate + x->length * sum_3)));
-    y->seen_vx = -(d_share * (-(sum_4 * sine + x->length_rate * cosine_times_rate) -
-                              (sum_over_length * cosine - turn * sine_times_rate)) +
-                   share * (-(sum_plus_sum * sine + sum_4 * d_sine +
-                              (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)) -
-                            (sum_over_length_2 * cosine - sum_over_length * sine_times_angle -
-                             (d_turn * sine_times_rate + turn * sum_3))));
-    y->seen_vy = -dp->gravity - (d_share * (sum_4 * cosine - x->length_rate * sine_times_rate -
-                                            (sum_over_length * sine + turn * cosine_times_rate)) +
-                                 share * (sum_plus_sum * cosine - sum_4 * sine_times_angle -
-                                          (dx->length_rate * sine_times_rate + x->length_rate * sum_3) -
-                                          (sum_over_length_2 * sine + sum_over_length * d_sine +
-                                           (d_turn * cosine_times_rate + turn * sum_2))));
-    y->length = dx->length_rate;
-    y->angle = d_rate;
-    y->length_rate = sum_plus_sum;
-    y->angle_rate =
-        (sum_6 -
-         (d_rate * by_2_times_length_times_length_rate +
-          rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate))) -
-         (mobility_times_swing_torque - rate * by_2_times_length_times_length_rate) / square * d_square) /
-        square;
-}
-
-/* Outputs in fallen. */
-static void outputs_fallen(const real *parameters, const real *states, real *outputs) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const real shorter = p->free_length - x->length;
-    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real sine = real_sin(x->angle);
-    const real length_times_sine = x->length * sine;
-    const real body_x = x->seen_x - length_times_sine;
-    const real cosine = real_cos(x->angle);
-    const real y_2 = x->length * cosine;
-    const real body_y = x->seen_y + y_2;
-    const real turn = x->length * x->angle_rate;
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real body_vx = x->seen_vx + vx;
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real body_vy = x->seen_vy + vy;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real center_x = x->seen_x - share * length_times_sine;
-    const real center_y = x->seen_y + share * y_2;
-    const real center_vx = x->seen_vx + share * vx;
-    const real center_vy = x->seen_vy + share * vy;
-    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy));
-    const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = 0.0;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = body_x;
-    outputs[OUTPUT_body_y] = body_y;
-    outputs[OUTPUT_body_vx] = body_vx;
-    outputs[OUTPUT_body_vy] = body_vy;
-    outputs[OUTPUT_center_x] = center_x;
-    outputs[OUTPUT_center_y] = center_y;
-    outputs[OUTPUT_center_vx] = center_vx;
-    outputs[OUTPUT_center_vy] = center_vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 1.0;
-    outputs[OUTPUT_phase_of_hip] = 4.0;
-    outputs[OUTPUT_has_fallen] = 1.0;
 }
 
 /* Constants of graze_place. */
@@ -3333,15 +1900,17 @@ static void open_graze_place(const real *parameters, const real *states, real *c
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     graze_place_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
     const real off = p->foot_mass * p->gravity;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
     const real minus_off_over_body_mass_minus_gravity = -(off / p->body_mass) - p->gravity;
     const real stance_torque = x->external_torque - x->driving * p->drive_torque;
+    c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->damping = p->damping;
-    c->foot_mass = p->foot_mass;
     c->off = off;
-    c->body_mass = p->body_mass;
+    c->inverse_foot_mass = inverse_foot_mass;
     c->minus_off_over_body_mass_minus_gravity = minus_off_over_body_mass_minus_gravity;
     c->least_length = p->least_length;
     c->winding = x->winding;
@@ -3354,24 +1923,28 @@ static void open_graze_place(const real *parameters, const real *states, real *c
 
 /* First variation of open_graze_place. */
 static void vary_open_graze_place(const real *parameters, const real *states, const real *d_parameters,
-                                  const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     graze_place_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
     const real d_off = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
     const real off = p->foot_mass * p->gravity;
-    const real d_minus_off_over_body_mass_minus_gravity =
-        -((d_off - off / p->body_mass * dp->body_mass) / p->body_mass) - dp->gravity;
-    const real d_stance_torque =
-        dx->external_torque - (p->drive_torque * dx->driving + x->driving * dp->drive_torque);
+    const real d_minus_off_over_body_mass_minus_gravity = -((d_off
+        - off / p->body_mass * dp->body_mass) / p->body_mass) - dp->gravity;
+    const real d_stance_torque = dx->external_torque - (p->drive_torque * dx->driving
+        + x->driving * dp->drive_torque);
+    c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->damping = dp->damping;
-    c->foot_mass = dp->foot_mass;
     c->off = d_off;
-    c->body_mass = dp->body_mass;
+    c->inverse_foot_mass = d_inverse_foot_mass;
     c->minus_off_over_body_mass_minus_gravity = d_minus_off_over_body_mass_minus_gravity;
     c->least_length = dp->least_length;
     c->winding = dx->winding;
@@ -3384,7 +1957,7 @@ static void vary_open_graze_place(const real *parameters, const real *states, co
 
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_graze_place_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
-                                        real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -3395,7 +1968,7 @@ static int react_graze_place_mid_stance(const real *parameters, const real *stat
 
 /* graze_to_contact: The stance law presses the foot on the ground again. */
 static int react_graze_place_graze_to_contact(const real *parameters, const real *states,
-                                              const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)tables;
@@ -3427,8 +2000,7 @@ static int react_graze_place_graze_to_contact(const real *parameters, const real
 
 /* First variation of graze_to_contact. */
 static void vary_react_graze_place_graze_to_contact(const real *parameters, const real *states,
-                                                    const real *d_parameters, const real *d_states,
-                                                    const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -3461,7 +2033,7 @@ static void vary_react_graze_place_graze_to_contact(const real *parameters, cons
 
 /* First variation of the guard of graze_to_contact. */
 static real vary_guard_graze_place_graze_to_contact(const real *parameters, const real *states,
-                                                    const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -3472,17 +2044,15 @@ static real vary_guard_graze_place_graze_to_contact(const real *parameters, cons
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * free_length_minus_length + p->stiffness * (dp->free_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque =
-        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - (dp->drive_torque * x->driving
+        + p->drive_torque * dx->driving);
     const real stance_torque = x->external_torque - p->drive_torque * x->driving;
     const real turning = stance_torque / square;
     const real d_turning = (d_stance_torque - turning * d_square) / square;
@@ -3493,7 +2063,7 @@ static real vary_guard_graze_place_graze_to_contact(const real *parameters, cons
 
 /* graze_to_flight: The flight law lifts the foot. */
 static int react_graze_place_graze_to_flight(const real *parameters, const real *states,
-                                             const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     (void)tables;
@@ -3521,8 +2091,7 @@ static int react_graze_place_graze_to_flight(const real *parameters, const real 
 
 /* First variation of graze_to_flight. */
 static void vary_react_graze_place_graze_to_flight(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states,
-                                                   const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -3536,9 +2105,8 @@ static void vary_react_graze_place_graze_to_flight(const real *parameters, const
     const real d_length = 0.5 * d_square / length;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
@@ -3559,7 +2127,7 @@ static void vary_react_graze_place_graze_to_flight(const real *parameters, const
 
 /* First variation of the guard of graze_to_flight. */
 static real vary_guard_graze_place_graze_to_flight(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -3570,12 +2138,10 @@ static real vary_guard_graze_place_graze_to_flight(const real *parameters, const
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * free_length_minus_length + p->stiffness * (dp->free_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
@@ -3586,8 +2152,8 @@ static real vary_guard_graze_place_graze_to_flight(const real *parameters, const
     const real angle_rate = moment / square;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real d_servo = -(dp->kp * angle_minus_touchdown_angle + p->kp * (d_angle - dp->touchdown_angle)) -
-                         (dp->kd * angle_rate + p->kd * d_angle_rate);
+    const real d_servo = -(dp->kp * angle_minus_touchdown_angle + p->kp * (d_angle - dp->touchdown_angle))
+        - (dp->kd * angle_rate + p->kd * d_angle_rate);
     const real d_swing_torque = dx->external_torque + d_servo;
     const real servo = -(p->kp * angle_minus_touchdown_angle) - p->kd * angle_rate;
     const real swing_torque = x->external_torque + servo;
@@ -3596,124 +2162,6 @@ static real vary_guard_graze_place_graze_to_flight(const real *parameters, const
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
     return d_normal;
-}
-
-/* Outputs in graze_place. */
-static void outputs_graze_place(const real *parameters, const real *states, real *outputs) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real shorter = p->free_length - length;
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real spring = p->stiffness * shorter - p->damping * length_rate;
-    const real off = p->foot_mass * p->gravity;
-    const real torque = -((spring / length * x->y_ + off) / x->x_ * square);
-    const real x_2 = x->foot_x + x->x_;
-    const real vx = x->foot_vx + x->vx;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real center_x = x->foot_x + share * x->x_;
-    const real y_2 = share * x->y_;
-    const real center_vx = x->foot_vx + share * x->vx;
-    const real vy = share * x->vy;
-    const real of_body = p->body_mass * (vx * vx + x->vy * x->vy);
-    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (x->foot_vx * x->foot_vx));
-    const real potential_energy = p->gravity * (p->body_mass * x->y_);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = torque;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = x_2;
-    outputs[OUTPUT_body_y] = x->y_;
-    outputs[OUTPUT_body_vx] = vx;
-    outputs[OUTPUT_body_vy] = x->vy;
-    outputs[OUTPUT_center_x] = center_x;
-    outputs[OUTPUT_center_y] = y_2;
-    outputs[OUTPUT_center_vx] = center_vx;
-    outputs[OUTPUT_center_vy] = vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 5.0;
-    outputs[OUTPUT_phase_of_hip] = 4.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* First variation of outputs_graze_place. */
-static void vary_outputs_graze_place(const real *parameters, const real *states, const real *d_parameters,
-                                     const real *d_states, real *outputs) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real shorter = p->free_length - length;
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real d_shorter = dp->free_length - d_length;
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
-    const real spring = p->stiffness * shorter - p->damping * length_rate;
-    const real spring_over_length = spring / length;
-    const real d_off = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
-    const real off = p->foot_mass * p->gravity;
-    const real ratio = (spring_over_length * x->y_ + off) / x->x_;
-    const real d_torque = -(((d_spring - spring_over_length * d_length) / length * x->y_ +
-                             spring_over_length * dx->y_ + d_off - ratio * dx->x_) /
-                                x->x_ * square +
-                            ratio * d_square);
-    const real d_x = dx->foot_x + dx->x_;
-    const real d_vx = dx->foot_vx + dx->vx;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_center_x = dx->foot_x + (d_share * x->x_ + share * dx->x_);
-    const real d_y = d_share * x->y_ + share * dx->y_;
-    const real d_center_vx = dx->foot_vx + (d_share * x->vx + share * dx->vx);
-    const real d_vy = d_share * x->vy + share * dx->vy;
-    const real vx = x->foot_vx + x->vx;
-    const real d_of_body = dp->body_mass * (vx * vx + x->vy * x->vy) +
-                           p->body_mass * (2.0 * (vx * d_vx) + 2.0 * (x->vy * dx->vy));
-    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (x->foot_vx * x->foot_vx) +
-                                                      p->foot_mass * (2.0 * (x->foot_vx * dx->foot_vx))));
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * x->y_) + p->gravity * (dp->body_mass * x->y_ + p->body_mass * dx->y_);
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
-    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = d_torque;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = d_spring;
-    outputs[OUTPUT_body_x] = d_x;
-    outputs[OUTPUT_body_y] = dx->y_;
-    outputs[OUTPUT_body_vx] = d_vx;
-    outputs[OUTPUT_body_vy] = dx->vy;
-    outputs[OUTPUT_center_x] = d_center_x;
-    outputs[OUTPUT_center_y] = d_y;
-    outputs[OUTPUT_center_vx] = d_center_vx;
-    outputs[OUTPUT_center_vy] = d_vy;
-    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
-    outputs[OUTPUT_potential_energy] = d_potential_energy;
-    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
-    outputs[OUTPUT_energy] = d_energy;
-    outputs[OUTPUT_kind_of_contact] = 0.0;
-    outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
@@ -3730,7 +2178,7 @@ static void leave_graze_place(const real *parameters, const real *states, real c
 
 /* First variation of leave_graze_place. */
 static void vary_leave_graze_place(const real *parameters, const real *states, const real *d_parameters,
-                                   const real *d_states, real counted, real *after) {
+    const real *d_states, real counted, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -3742,137 +2190,24 @@ static void vary_leave_graze_place(const real *parameters, const real *states, c
     y->mode_began = dx->time;
 }
 
-/* Rates of the world's states in graze. */
-static void world_rates_graze_place(const real *parameters, const real *states, real *after) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    plain_runner_states *y = (void *)after;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real x__times_vx = x->x_ * x->vx;
-    const real y__times_vy = x->y_ * x->vy;
-    const real length_rate = (x__times_vx + y__times_vy) / length;
-    const real spring = p->stiffness * (p->free_length - length) - p->damping * length_rate;
-    const real axial = spring / length;
-    const real off = p->foot_mass * p->gravity;
-    const real axial_times_x__plus_product = axial * x->x_ + (axial * x->y_ + off) / x->x_ * x->y_;
-    const real ratio = axial_times_x__plus_product / p->foot_mass;
-    const real acceleration = -ratio;
-    const real sum_2 = 2.0 * x__times_vx + 2.0 * y__times_vy;
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real ratio_plus_ratio = axial_times_x__plus_product / p->body_mass + ratio;
-    const real minus_off_over_body_mass_minus_gravity = -(off / p->body_mass) - p->gravity;
-    y->seen_x = x->foot_vx;
-    y->seen_y = 0.0;
-    y->seen_vx = acceleration;
-    y->seen_vy = 0.0;
-    y->length = 0.5 * sum_2 / length;
-    y->angle = angle_rate;
-    y->length_rate = (x->vx * x->vx + x->x_ * ratio_plus_ratio +
-                      (x->vy * x->vy + minus_off_over_body_mass_minus_gravity * x->y_) -
-                      length_rate * (0.5 * sum_2 / length)) /
-                     length;
-    y->angle_rate = (x->vx * x->vy + minus_off_over_body_mass_minus_gravity * x->x_ -
-                     (x->vy * x->vx + x->y_ * ratio_plus_ratio) - angle_rate * sum_2) /
-                    square;
-}
-
-/* First variation of world_rates_graze_place. */
-static void vary_world_rates_graze_place(const real *parameters, const real *states, const real *d_parameters,
-                                         const real *d_states, real *after) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    plain_runner_states *y = (void *)after;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real free_length_minus_length = p->free_length - length;
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real x__times_vx = x->x_ * x->vx;
-    const real y__times_vy = x->y_ * x->vy;
-    const real length_rate = (x__times_vx + y__times_vy) / length;
-    const real x__times_vx_plus_x__times_vx = dx->x_ * x->vx + x->x_ * dx->vx;
-    const real y__times_vy_plus_y__times_vy = dx->y_ * x->vy + x->y_ * dx->vy;
-    const real d_length_rate =
-        (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy - length_rate * d_length) / length;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
-    const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
-    const real axial = spring / length;
-    const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_off = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
-    const real off = p->foot_mass * p->gravity;
-    const real axial_times_y__plus_off_over_x_ = (axial * x->y_ + off) / x->x_;
-    const real sum_2 =
-        d_axial * x->x_ + axial * dx->x_ +
-        ((d_axial * x->y_ + axial * dx->y_ + d_off - axial_times_y__plus_off_over_x_ * dx->x_) / x->x_ *
-             x->y_ +
-         axial_times_y__plus_off_over_x_ * dx->y_);
-    const real axial_times_x__plus_product = axial * x->x_ + axial_times_y__plus_off_over_x_ * x->y_;
-    const real ratio = axial_times_x__plus_product / p->foot_mass;
-    const real ratio_2 = (sum_2 - ratio * dp->foot_mass) / p->foot_mass;
-    const real d_acceleration = -ratio_2;
-    const real sum_3 = 2.0 * x__times_vx_plus_x__times_vx + 2.0 * y__times_vy_plus_y__times_vy;
-    const real sum_4 = 2.0 * x__times_vx + 2.0 * y__times_vy;
-    const real by_0_5_times_sum_over_length = 0.5 * sum_4 / length;
-    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real ratio_3 = axial_times_x__plus_product / p->body_mass;
-    const real ratio_plus_ratio = ratio_3 + ratio;
-    const real ratio_plus_ratio_2 = (sum_2 - ratio_3 * dp->body_mass) / p->body_mass + ratio_2;
-    const real off_over_body_mass = off / p->body_mass;
-    const real minus_sum_over_body_mass_minus_gravity =
-        -((d_off - off_over_body_mass * dp->body_mass) / p->body_mass) - dp->gravity;
-    const real minus_off_over_body_mass_minus_gravity = -off_over_body_mass - p->gravity;
-    y->seen_x = dx->foot_vx;
-    y->seen_y = 0.0;
-    y->seen_vx = d_acceleration;
-    y->seen_vy = 0.0;
-    y->length = (0.5 * sum_3 - by_0_5_times_sum_over_length * d_length) / length;
-    y->angle = d_angle_rate;
-    y->length_rate = (2.0 * (x->vx * dx->vx) + (dx->x_ * ratio_plus_ratio + x->x_ * ratio_plus_ratio_2) +
-                      (2.0 * (x->vy * dx->vy) + (minus_sum_over_body_mass_minus_gravity * x->y_ +
-                                                 minus_off_over_body_mass_minus_gravity * dx->y_)) -
-                      (d_length_rate * by_0_5_times_sum_over_length +
-                       length_rate * ((0.5 * sum_3 - by_0_5_times_sum_over_length * d_length) / length)) -
-                      (x->vx * x->vx + x->x_ * ratio_plus_ratio +
-                       (x->vy * x->vy + minus_off_over_body_mass_minus_gravity * x->y_) -
-                       length_rate * by_0_5_times_sum_over_length) /
-                          length * d_length) /
-                     length;
-    y->angle_rate =
-        (dx->vx * x->vy + x->vx * dx->vy +
-         (minus_sum_over_body_mass_minus_gravity * x->x_ + minus_off_over_body_mass_minus_gravity * dx->x_) -
-         (dx->vy * x->vx + x->vy * dx->vx + (dx->y_ * ratio_plus_ratio + x->y_ * ratio_plus_ratio_2)) -
-         (d_angle_rate * sum_4 + angle_rate * sum_3) -
-         (x->vx * x->vy + minus_off_over_body_mass_minus_gravity * x->x_ -
-          (x->vy * x->vx + x->y_ * ratio_plus_ratio) - angle_rate * sum_4) /
-             square * d_square) /
-        square;
-}
-
 /* Constants of graze_rest. */
 static void open_graze_rest(const real *parameters, const real *states, real *constants) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     graze_rest_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
     const real off = p->foot_mass * p->gravity;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
     const real minus_off_over_body_mass_minus_gravity = -(off / p->body_mass) - p->gravity;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
     const real stance_torque = x->external_torque - x->driving * p->drive_torque;
+    c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->damping = p->damping;
-    c->foot_mass = p->foot_mass;
     c->off = off;
-    c->body_mass = p->body_mass;
+    c->inverse_foot_mass = inverse_foot_mass;
     c->minus_off_over_body_mass_minus_gravity = minus_off_over_body_mass_minus_gravity;
     c->least_length = p->least_length;
     c->share = share;
@@ -3886,29 +2221,33 @@ static void open_graze_rest(const real *parameters, const real *states, real *co
 
 /* First variation of open_graze_rest. */
 static void vary_open_graze_rest(const real *parameters, const real *states, const real *d_parameters,
-                                 const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     graze_rest_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
     const real d_off = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
     const real off = p->foot_mass * p->gravity;
-    const real d_minus_off_over_body_mass_minus_gravity =
-        -((d_off - off / p->body_mass * dp->body_mass) / p->body_mass) - dp->gravity;
+    const real d_minus_off_over_body_mass_minus_gravity = -((d_off
+        - off / p->body_mass * dp->body_mass) / p->body_mass) - dp->gravity;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_liftoff_factor_times_liftoff_angle =
-        x->liftoff_angle * dp->liftoff_factor + p->liftoff_factor * dx->liftoff_angle;
-    const real d_stance_torque =
-        dx->external_torque - (p->drive_torque * dx->driving + x->driving * dp->drive_torque);
+    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
+        + p->liftoff_factor * dx->liftoff_angle;
+    const real d_stance_torque = dx->external_torque - (p->drive_torque * dx->driving
+        + x->driving * dp->drive_torque);
+    c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->damping = dp->damping;
-    c->foot_mass = dp->foot_mass;
     c->off = d_off;
-    c->body_mass = dp->body_mass;
+    c->inverse_foot_mass = d_inverse_foot_mass;
     c->minus_off_over_body_mass_minus_gravity = d_minus_off_over_body_mass_minus_gravity;
     c->least_length = dp->least_length;
     c->share = d_share;
@@ -3922,7 +2261,7 @@ static void vary_open_graze_rest(const real *parameters, const real *states, con
 
 /* apex_in_graze: Place begins. No stride closes, because the foot is on the ground. */
 static int react_graze_rest_apex_in_graze(const real *parameters, const real *states,
-                                          const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -3933,8 +2272,7 @@ static int react_graze_rest_apex_in_graze(const real *parameters, const real *st
 
 /* First variation of apex_in_graze. */
 static void vary_react_graze_rest_apex_in_graze(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states,
-                                                const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -3947,7 +2285,7 @@ static void vary_react_graze_rest_apex_in_graze(const real *parameters, const re
 
 /* First variation of the guard of apex_in_graze. */
 static real vary_guard_graze_rest_apex_in_graze(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -3961,7 +2299,7 @@ static real vary_guard_graze_rest_apex_in_graze(const real *parameters, const re
 
 /* release: The clamp of (12) releases the retracting torque. */
 static int react_graze_rest_release(const real *parameters, const real *states, const tdmf_table *tables,
-                                    real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -3971,7 +2309,7 @@ static int react_graze_rest_release(const real *parameters, const real *states, 
 
 /* First variation of the guard of release. */
 static real vary_guard_graze_rest_release(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -3984,17 +2322,15 @@ static real vary_guard_graze_rest_release(const real *parameters, const real *st
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real d_servo =
-        -(dp->kp * (angle - p->liftoff_factor * x->liftoff_angle) +
-          p->kp *
-              (d_angle - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) -
-        (dp->kd * angle_rate + p->kd * d_angle_rate);
+    const real d_servo = -(dp->kp * (angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (d_angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle)))
+        - (dp->kd * angle_rate + p->kd * d_angle_rate);
     return -d_servo;
 }
 
 /* First variation of the guard of graze_to_flight. */
 static real vary_guard_graze_rest_graze_to_flight(const real *parameters, const real *states,
-                                                  const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -4005,12 +2341,10 @@ static real vary_guard_graze_rest_graze_to_flight(const real *parameters, const 
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * free_length_minus_length + p->stiffness * (dp->free_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
@@ -4021,69 +2355,24 @@ static real vary_guard_graze_rest_graze_to_flight(const real *parameters, const 
     return d_normal;
 }
 
-/* Outputs in graze_rest. */
-static void outputs_graze_rest(const real *parameters, const real *states, real *outputs) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real shorter = p->free_length - length;
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real spring = p->stiffness * shorter - p->damping * length_rate;
-    const real off = p->foot_mass * p->gravity;
-    const real torque = -((spring / length * x->y_ + off) / x->x_ * square);
-    const real x_2 = x->foot_x + x->x_;
-    const real vx = x->foot_vx + x->vx;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real center_x = x->foot_x + share * x->x_;
-    const real y_2 = share * x->y_;
-    const real center_vx = x->foot_vx + share * x->vx;
-    const real vy = share * x->vy;
-    const real of_body = p->body_mass * (vx * vx + x->vy * x->vy);
-    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (x->foot_vx * x->foot_vx));
-    const real potential_energy = p->gravity * (p->body_mass * x->y_);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = torque;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = x_2;
-    outputs[OUTPUT_body_y] = x->y_;
-    outputs[OUTPUT_body_vx] = vx;
-    outputs[OUTPUT_body_vy] = x->vy;
-    outputs[OUTPUT_center_x] = center_x;
-    outputs[OUTPUT_center_y] = y_2;
-    outputs[OUTPUT_center_vx] = center_vx;
-    outputs[OUTPUT_center_vy] = vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 5.0;
-    outputs[OUTPUT_phase_of_hip] = 3.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
 /* Constants of graze_retract. */
 static void open_graze_retract(const real *parameters, const real *states, real *constants) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     graze_retract_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
     const real off = p->foot_mass * p->gravity;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
     const real minus_off_over_body_mass_minus_gravity = -(off / p->body_mass) - p->gravity;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
     const real stance_torque = x->external_torque - x->driving * p->drive_torque;
+    c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->damping = p->damping;
-    c->foot_mass = p->foot_mass;
     c->off = off;
-    c->body_mass = p->body_mass;
+    c->inverse_foot_mass = inverse_foot_mass;
     c->minus_off_over_body_mass_minus_gravity = minus_off_over_body_mass_minus_gravity;
     c->least_length = p->least_length;
     c->share = share;
@@ -4097,29 +2386,33 @@ static void open_graze_retract(const real *parameters, const real *states, real 
 
 /* First variation of open_graze_retract. */
 static void vary_open_graze_retract(const real *parameters, const real *states, const real *d_parameters,
-                                    const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     graze_retract_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
     const real d_off = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
     const real off = p->foot_mass * p->gravity;
-    const real d_minus_off_over_body_mass_minus_gravity =
-        -((d_off - off / p->body_mass * dp->body_mass) / p->body_mass) - dp->gravity;
+    const real d_minus_off_over_body_mass_minus_gravity = -((d_off
+        - off / p->body_mass * dp->body_mass) / p->body_mass) - dp->gravity;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_liftoff_factor_times_liftoff_angle =
-        x->liftoff_angle * dp->liftoff_factor + p->liftoff_factor * dx->liftoff_angle;
-    const real d_stance_torque =
-        dx->external_torque - (p->drive_torque * dx->driving + x->driving * dp->drive_torque);
+    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
+        + p->liftoff_factor * dx->liftoff_angle;
+    const real d_stance_torque = dx->external_torque - (p->drive_torque * dx->driving
+        + x->driving * dp->drive_torque);
+    c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->damping = dp->damping;
-    c->foot_mass = dp->foot_mass;
     c->off = d_off;
-    c->body_mass = dp->body_mass;
+    c->inverse_foot_mass = d_inverse_foot_mass;
     c->minus_off_over_body_mass_minus_gravity = d_minus_off_over_body_mass_minus_gravity;
     c->least_length = dp->least_length;
     c->share = d_share;
@@ -4133,7 +2426,7 @@ static void vary_open_graze_retract(const real *parameters, const real *states, 
 
 /* First variation of the guard of clamp. */
 static real vary_guard_graze_retract_clamp(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -4146,17 +2439,15 @@ static real vary_guard_graze_retract_clamp(const real *parameters, const real *s
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real d_servo =
-        -(dp->kp * (angle - p->liftoff_factor * x->liftoff_angle) +
-          p->kp *
-              (d_angle - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) -
-        (dp->kd * angle_rate + p->kd * d_angle_rate);
+    const real d_servo = -(dp->kp * (angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (d_angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle)))
+        - (dp->kd * angle_rate + p->kd * d_angle_rate);
     return d_servo;
 }
 
 /* First variation of the guard of graze_to_flight. */
 static real vary_guard_graze_retract_graze_to_flight(const real *parameters, const real *states,
-                                                     const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -4167,12 +2458,10 @@ static real vary_guard_graze_retract_graze_to_flight(const real *parameters, con
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * free_length_minus_length +
-                          p->stiffness * (dp->free_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * free_length_minus_length + p->stiffness * (dp->free_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
@@ -4183,9 +2472,8 @@ static real vary_guard_graze_retract_graze_to_flight(const real *parameters, con
     const real angle_rate = moment / square;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real d_servo = -(dp->kp * sum_2 + p->kp * (d_angle - (dp->liftoff_factor * x->liftoff_angle +
-                                                                p->liftoff_factor * dx->liftoff_angle))) -
-                         (dp->kd * angle_rate + p->kd * d_angle_rate);
+    const real d_servo = -(dp->kp * sum_2 + p->kp * (d_angle - (dp->liftoff_factor * x->liftoff_angle
+        + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * angle_rate + p->kd * d_angle_rate);
     const real d_swing_torque = dx->external_torque + d_servo;
     const real servo = -(p->kp * sum_2) - p->kd * angle_rate;
     const real swing_torque = x->external_torque + servo;
@@ -4226,7 +2514,7 @@ static void enter_at_apex(const real *parameters, const real *states, const real
 
 /* First variation of enter_at_apex. */
 static void vary_enter_at_apex(const real *parameters, const real *states, const real *d_parameters,
-                               const real *d_states, const real *at, const real *d_at, real *after) {
+    const real *d_states, const real *at, const real *d_at, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     (void)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -4254,13 +2542,13 @@ static void vary_enter_at_apex(const real *parameters, const real *states, const
     const real turn = at_apex_length * at_apex_angle_rate;
     const real vx = -(at_apex_length_rate * sine) - turn * cosine;
     const real d_turn = d_at_apex_length * at_apex_angle_rate + at_apex_length * d_at_apex_angle_rate;
-    const real d_vx = -(d_at_apex_length_rate * sine + at_apex_length_rate * d_sine) -
-                      (d_turn * cosine - turn * sine_times_d_at_apex_angle);
+    const real d_vx = -(d_at_apex_length_rate * sine + at_apex_length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_d_at_apex_angle);
     const real vy = at_apex_length_rate * cosine - turn * sine;
-    const real d_vy = d_at_apex_length_rate * cosine - at_apex_length_rate * sine_times_d_at_apex_angle -
-                      (d_turn * sine + turn * d_sine);
-    y->seen_x =
-        d_share * (at_apex_length * sine) + share * (d_at_apex_length * sine + at_apex_length * d_sine);
+    const real d_vy = d_at_apex_length_rate * cosine - at_apex_length_rate * sine_times_d_at_apex_angle
+        - (d_turn * sine + turn * d_sine);
+    y->seen_x = d_share * (at_apex_length * sine) + share * (d_at_apex_length * sine
+        + at_apex_length * d_sine);
     y->seen_y = d_at_apex_com_height - (d_share * y_2 + share * d_y);
     y->length = d_at_apex_length;
     y->angle = d_at_apex_angle;
@@ -4367,51 +2655,30 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
 }
 
 static const tdmf_guard_kind guards_start_of_run[] = {
-    {.event = EVENT_begins,
-     .is_counted = false,
-     .react = react_start_of_run_begins,
-     .vary_react = vary_react_start_of_run_begins,
-     .vary_guard = vary_guard_start_of_run_begins,
-     .next = {MODE_slip_constant, MODE_stick, MODE_flight_place_calm, MODE_flight_rest_calm,
-              MODE_flight_retract_calm}},
+    {.event = EVENT_begins, .react = react_start_of_run_begins, .vary_react = vary_react_start_of_run_begins,
+        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_slip_constant, MODE_stick,
+        MODE_flight_place_calm, MODE_flight_rest_calm, MODE_flight_retract_calm}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_start_of_run[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_slip_constant[] = {
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_mid_stance,
-     .is_counted = true,
-     .react = react_slip_constant_mid_stance,
-     .vary_react = vary_react_slip_constant_mid_stance,
-     .is_watched = watches_slip_constant_mid_stance,
-     .vary_guard = vary_guard_slip_constant_mid_stance,
-     .next = {MODE_slip_constant}},
-    {.event = EVENT_lift_off,
-     .is_counted = true,
-     .react = react_slip_constant_lift_off,
-     .vary_react = vary_react_slip_constant_lift_off,
-     .vary_guard = vary_guard_slip_constant_lift_off,
-     .next = {MODE_graze_place, MODE_flight_place_calm, MODE_graze_rest, MODE_flight_rest_calm,
-              MODE_graze_retract, MODE_flight_retract_calm}},
-    {.event = EVENT_comes_to_rest,
-     .is_counted = true,
-     .react = react_slip_constant_comes_to_rest,
-     .vary_react = vary_react_slip_constant_comes_to_rest,
-     .vary_guard = vary_guard_slip_constant_comes_to_rest,
-     .next = {MODE_stick, MODE_slip_constant}},
+    {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
+        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
+        .next = {MODE_fallen}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_slip_constant_mid_stance,
+        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_constant}},
+    {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
+        .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
+        .next = {MODE_graze_place, MODE_flight_place_calm, MODE_graze_rest, MODE_flight_rest_calm,
+        MODE_graze_retract, MODE_flight_retract_calm}},
+    {.event = EVENT_comes_to_rest, .is_counted = true, .react = react_slip_constant_comes_to_rest,
+        .vary_react = vary_react_slip_constant_comes_to_rest,
+        .vary_guard = vary_guard_slip_constant_comes_to_rest, .next = {MODE_stick, MODE_slip_constant}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_slip_constant[] = {
@@ -4420,44 +2687,24 @@ static const tdmf_watch_kind watches_slip_constant[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_stick[] = {
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_mid_stance,
-     .is_counted = true,
-     .react = react_stick_mid_stance,
-     .vary_react = vary_react_slip_constant_mid_stance,
-     .is_watched = watches_slip_constant_mid_stance,
-     .vary_guard = vary_guard_slip_constant_mid_stance,
-     .next = {MODE_stick}},
-    {.event = EVENT_lift_off,
-     .is_counted = true,
-     .react = react_slip_constant_lift_off,
-     .vary_react = vary_react_slip_constant_lift_off,
-     .vary_guard = vary_guard_slip_constant_lift_off,
-     .next = {MODE_graze_place, MODE_flight_place_calm, MODE_graze_rest, MODE_flight_rest_calm,
-              MODE_graze_retract, MODE_flight_retract_calm}},
-    {.event = EVENT_slips_forward,
-     .is_counted = true,
-     .react = react_stick_slips_forward,
-     .vary_react = vary_react_stick_slips_forward,
-     .vary_guard = vary_guard_stick_slips_forward,
-     .next = {MODE_slip_constant}},
-    {.event = EVENT_slips_backward,
-     .is_counted = true,
-     .react = react_stick_slips_backward,
-     .vary_react = vary_react_stick_slips_forward,
-     .vary_guard = vary_guard_stick_slips_backward,
-     .next = {MODE_slip_constant}},
+    {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
+        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
+        .next = {MODE_fallen}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_stick_mid_stance,
+        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_stick}},
+    {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
+        .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
+        .next = {MODE_graze_place, MODE_flight_place_calm, MODE_graze_rest, MODE_flight_rest_calm,
+        MODE_graze_retract, MODE_flight_retract_calm}},
+    {.event = EVENT_slips_forward, .is_counted = true, .react = react_stick_slips_forward,
+        .vary_react = vary_react_stick_slips_forward, .vary_guard = vary_guard_stick_slips_forward,
+        .next = {MODE_slip_constant}},
+    {.event = EVENT_slips_backward, .is_counted = true, .react = react_stick_slips_backward,
+        .vary_react = vary_react_stick_slips_forward, .vary_guard = vary_guard_stick_slips_backward,
+        .next = {MODE_slip_constant}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_stick[] = {
@@ -4466,32 +2713,19 @@ static const tdmf_watch_kind watches_stick[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_place_calm[] = {
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_apex,
-     .is_counted = true,
-     .react = react_flight_place_calm_apex,
-     .vary_react = vary_react_flight_place_calm_apex,
-     .is_watched = watches_flight_place_calm_apex,
-     .is_crossing = true,
-     .vary_guard = vary_guard_flight_place_calm_apex,
-     .next = {MODE_flight_place_calm}},
-    {.event = EVENT_touchdown,
-     .is_counted = true,
-     .react = react_flight_place_calm_touchdown,
-     .vary_react = vary_react_flight_place_calm_touchdown,
-     .vary_guard = vary_guard_flight_place_calm_touchdown,
-     .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
+        .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
+        .vary_react = vary_react_flight_place_calm_apex, .is_watched = watches_flight_place_calm_apex,
+        .is_crossing = true, .vary_guard = vary_guard_flight_place_calm_apex,
+        .next = {MODE_flight_place_calm}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_place_calm_touchdown,
+        .vary_react = vary_react_flight_place_calm_touchdown,
+        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_place_calm[] = {
@@ -4499,36 +2733,21 @@ static const tdmf_watch_kind watches_flight_place_calm[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_rest_calm[] = {
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_apex,
-     .is_counted = true,
-     .react = react_flight_place_calm_apex,
-     .vary_react = vary_react_flight_place_calm_apex,
-     .vary_guard = vary_guard_flight_place_calm_apex,
-     .next = {MODE_flight_place_calm}},
-    {.event = EVENT_touchdown,
-     .is_counted = true,
-     .react = react_flight_rest_calm_touchdown,
-     .vary_react = vary_react_flight_place_calm_touchdown,
-     .vary_guard = vary_guard_flight_place_calm_touchdown,
-     .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_release,
-     .is_counted = false,
-     .react = react_flight_rest_calm_release,
-     .vary_react = vary_react_flight_rest_calm_release,
-     .vary_guard = vary_guard_flight_rest_calm_release,
-     .next = {MODE_flight_retract_calm}},
+    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
+        .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
+        .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
+        .next = {MODE_flight_place_calm}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_rest_calm_touchdown,
+        .vary_react = vary_react_flight_place_calm_touchdown,
+        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_release, .react = react_flight_rest_calm_release,
+        .vary_react = vary_react_flight_rest_calm_release, .vary_guard = vary_guard_flight_rest_calm_release,
+        .next = {MODE_flight_retract_calm}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_rest_calm[] = {
@@ -4536,37 +2755,21 @@ static const tdmf_watch_kind watches_flight_rest_calm[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_retract_calm[] = {
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_apex,
-     .is_counted = true,
-     .react = react_flight_place_calm_apex,
-     .vary_react = vary_react_flight_place_calm_apex,
-     .vary_guard = vary_guard_flight_place_calm_apex,
-     .next = {MODE_flight_place_calm}},
-    {.event = EVENT_touchdown,
-     .is_counted = true,
-     .react = react_flight_rest_calm_touchdown,
-     .vary_react = vary_react_flight_place_calm_touchdown,
-     .vary_guard = vary_guard_flight_place_calm_touchdown,
-     .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_clamp,
-     .is_counted = false,
-     .react = react_flight_rest_calm_release,
-     .vary_react = vary_react_flight_rest_calm_release,
-     .is_watched = watches_flight_retract_calm_clamp,
-     .vary_guard = vary_guard_flight_retract_calm_clamp,
-     .next = {MODE_flight_rest_calm}},
+    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
+        .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
+        .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
+        .next = {MODE_flight_place_calm}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_rest_calm_touchdown,
+        .vary_react = vary_react_flight_place_calm_touchdown,
+        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_clamp, .react = react_flight_rest_calm_release,
+        .vary_react = vary_react_flight_rest_calm_release, .is_watched = watches_flight_retract_calm_clamp,
+        .vary_guard = vary_guard_flight_retract_calm_clamp, .next = {MODE_flight_rest_calm}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_retract_calm[] = {
@@ -4580,37 +2783,20 @@ static const tdmf_watch_kind watches_fallen[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_graze_place[] = {
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_mid_stance,
-     .is_counted = true,
-     .react = react_graze_place_mid_stance,
-     .vary_react = vary_react_slip_constant_mid_stance,
-     .is_watched = watches_slip_constant_mid_stance,
-     .vary_guard = vary_guard_slip_constant_mid_stance,
-     .next = {MODE_graze_place}},
-    {.event = EVENT_graze_to_contact,
-     .is_counted = true,
-     .react = react_graze_place_graze_to_contact,
-     .vary_react = vary_react_graze_place_graze_to_contact,
-     .vary_guard = vary_guard_graze_place_graze_to_contact,
-     .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_graze_to_flight,
-     .is_counted = true,
-     .react = react_graze_place_graze_to_flight,
-     .vary_react = vary_react_graze_place_graze_to_flight,
-     .vary_guard = vary_guard_graze_place_graze_to_flight,
-     .next = {MODE_flight_place_calm}},
+    {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
+        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
+        .next = {MODE_fallen}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_graze_place_mid_stance,
+        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_graze_place}},
+    {.event = EVENT_graze_to_contact, .is_counted = true, .react = react_graze_place_graze_to_contact,
+        .vary_react = vary_react_graze_place_graze_to_contact,
+        .vary_guard = vary_guard_graze_place_graze_to_contact, .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_graze_to_flight, .is_counted = true, .react = react_graze_place_graze_to_flight,
+        .vary_react = vary_react_graze_place_graze_to_flight,
+        .vary_guard = vary_guard_graze_place_graze_to_flight, .next = {MODE_flight_place_calm}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_graze_place[] = {
@@ -4618,49 +2804,26 @@ static const tdmf_watch_kind watches_graze_place[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_graze_rest[] = {
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_apex_in_graze,
-     .is_counted = true,
-     .react = react_graze_rest_apex_in_graze,
-     .vary_react = vary_react_graze_rest_apex_in_graze,
-     .vary_guard = vary_guard_graze_rest_apex_in_graze,
-     .next = {MODE_graze_place}},
-    {.event = EVENT_release,
-     .is_counted = false,
-     .react = react_graze_rest_release,
-     .vary_react = vary_react_flight_rest_calm_release,
-     .vary_guard = vary_guard_graze_rest_release,
-     .next = {MODE_graze_retract}},
-    {.event = EVENT_mid_stance,
-     .is_counted = true,
-     .react = react_graze_place_mid_stance,
-     .vary_react = vary_react_slip_constant_mid_stance,
-     .is_watched = watches_slip_constant_mid_stance,
-     .vary_guard = vary_guard_slip_constant_mid_stance,
-     .next = {MODE_graze_rest}},
-    {.event = EVENT_graze_to_contact,
-     .is_counted = true,
-     .react = react_graze_place_graze_to_contact,
-     .vary_react = vary_react_graze_place_graze_to_contact,
-     .vary_guard = vary_guard_graze_place_graze_to_contact,
-     .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_graze_to_flight,
-     .is_counted = true,
-     .react = react_graze_place_graze_to_flight,
-     .vary_react = vary_react_graze_place_graze_to_flight,
-     .vary_guard = vary_guard_graze_rest_graze_to_flight,
-     .next = {MODE_flight_rest_calm}},
+    {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
+        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
+        .next = {MODE_fallen}},
+    {.event = EVENT_apex_in_graze, .is_counted = true, .react = react_graze_rest_apex_in_graze,
+        .vary_react = vary_react_graze_rest_apex_in_graze, .vary_guard = vary_guard_graze_rest_apex_in_graze,
+        .next = {MODE_graze_place}},
+    {.event = EVENT_release, .react = react_graze_rest_release,
+        .vary_react = vary_react_flight_rest_calm_release, .vary_guard = vary_guard_graze_rest_release,
+        .next = {MODE_graze_retract}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_graze_place_mid_stance,
+        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_graze_rest}},
+    {.event = EVENT_graze_to_contact, .is_counted = true, .react = react_graze_place_graze_to_contact,
+        .vary_react = vary_react_graze_place_graze_to_contact,
+        .vary_guard = vary_guard_graze_place_graze_to_contact, .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_graze_to_flight, .is_counted = true, .react = react_graze_place_graze_to_flight,
+        .vary_react = vary_react_graze_place_graze_to_flight,
+        .vary_guard = vary_guard_graze_rest_graze_to_flight, .next = {MODE_flight_rest_calm}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_graze_rest[] = {
@@ -4668,50 +2831,26 @@ static const tdmf_watch_kind watches_graze_rest[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_graze_retract[] = {
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_apex_in_graze,
-     .is_counted = true,
-     .react = react_graze_rest_apex_in_graze,
-     .vary_react = vary_react_graze_rest_apex_in_graze,
-     .vary_guard = vary_guard_graze_rest_apex_in_graze,
-     .next = {MODE_graze_place}},
-    {.event = EVENT_clamp,
-     .is_counted = false,
-     .react = react_graze_rest_release,
-     .vary_react = vary_react_flight_rest_calm_release,
-     .is_watched = watches_flight_retract_calm_clamp,
-     .vary_guard = vary_guard_graze_retract_clamp,
-     .next = {MODE_graze_rest}},
-    {.event = EVENT_mid_stance,
-     .is_counted = true,
-     .react = react_graze_place_mid_stance,
-     .vary_react = vary_react_slip_constant_mid_stance,
-     .is_watched = watches_slip_constant_mid_stance,
-     .vary_guard = vary_guard_slip_constant_mid_stance,
-     .next = {MODE_graze_retract}},
-    {.event = EVENT_graze_to_contact,
-     .is_counted = true,
-     .react = react_graze_place_graze_to_contact,
-     .vary_react = vary_react_graze_place_graze_to_contact,
-     .vary_guard = vary_guard_graze_place_graze_to_contact,
-     .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_graze_to_flight,
-     .is_counted = true,
-     .react = react_graze_place_graze_to_flight,
-     .vary_react = vary_react_graze_place_graze_to_flight,
-     .vary_guard = vary_guard_graze_retract_graze_to_flight,
-     .next = {MODE_flight_retract_calm}},
+    {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
+        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
+        .next = {MODE_fallen}},
+    {.event = EVENT_apex_in_graze, .is_counted = true, .react = react_graze_rest_apex_in_graze,
+        .vary_react = vary_react_graze_rest_apex_in_graze, .vary_guard = vary_guard_graze_rest_apex_in_graze,
+        .next = {MODE_graze_place}},
+    {.event = EVENT_clamp, .react = react_graze_rest_release,
+        .vary_react = vary_react_flight_rest_calm_release, .is_watched = watches_flight_retract_calm_clamp,
+        .vary_guard = vary_guard_graze_retract_clamp, .next = {MODE_graze_rest}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_graze_place_mid_stance,
+        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_graze_retract}},
+    {.event = EVENT_graze_to_contact, .is_counted = true, .react = react_graze_place_graze_to_contact,
+        .vary_react = vary_react_graze_place_graze_to_contact,
+        .vary_guard = vary_guard_graze_place_graze_to_contact, .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_graze_to_flight, .is_counted = true, .react = react_graze_place_graze_to_flight,
+        .vary_react = vary_react_graze_place_graze_to_flight,
+        .vary_guard = vary_guard_graze_retract_graze_to_flight, .next = {MODE_flight_retract_calm}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_graze_retract[] = {
@@ -4721,388 +2860,115 @@ static const tdmf_watch_kind watches_graze_retract[] = {
 static const int coordinates_at_apex[] = {35, 36, 37, 38, 39, 40};
 
 static const tdmf_mode_kind modes[] = {
-    {.motion = &tdmf_plain_runner_motions[MODE_start_of_run],
-     .ends = false,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 1,
-     .guards = guards_start_of_run,
-     .watch_count = 0,
-     .watches = watches_start_of_run,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_plain_runner_motions[MODE_slip_constant],
-     .ends = false,
-     .open = open_slip_constant,
-     .vary_open = vary_open_slip_constant,
-     .guard_count = 5,
-     .guards = guards_slip_constant,
-     .watch_count = 2,
-     .watches = watches_slip_constant,
-     .outputs = outputs_slip_constant,
-     .vary_outputs = vary_outputs_slip_constant,
-     .leave = leave_slip_constant,
-     .vary_leave = vary_leave_slip_constant,
-     .from_world = from_world_slip_constant,
-     .vary_from_world = vary_from_world_slip_constant,
-     .to_world = to_world_slip_constant,
-     .vary_to_world = vary_to_world_slip_constant,
-     .world_rates = world_rates_slip_constant,
-     .vary_world_rates = vary_world_rates_slip_constant},
-    {.motion = &tdmf_plain_runner_motions[MODE_stick],
-     .ends = false,
-     .open = open_stick,
-     .vary_open = vary_open_stick,
-     .guard_count = 6,
-     .guards = guards_stick,
-     .watch_count = 2,
-     .watches = watches_stick,
-     .outputs = outputs_stick,
-     .vary_outputs = vary_outputs_stick,
-     .leave = leave_stick,
-     .vary_leave = vary_leave_stick,
-     .from_world = from_world_slip_constant,
-     .vary_from_world = vary_from_world_slip_constant,
-     .to_world = to_world_slip_constant,
-     .vary_to_world = vary_to_world_slip_constant,
-     .world_rates = world_rates_stick,
-     .vary_world_rates = vary_world_rates_stick},
-    {.motion = &tdmf_plain_runner_motions[MODE_flight_place_calm],
-     .ends = false,
-     .open = open_flight_place_calm,
-     .vary_open = vary_open_flight_place_calm,
-     .guard_count = 4,
-     .guards = guards_flight_place_calm,
-     .watch_count = 1,
-     .watches = watches_flight_place_calm,
-     .outputs = outputs_flight_place_calm,
-     .vary_outputs = vary_outputs_flight_place_calm,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run,
-     .from_world = from_world_flight_place_calm,
-     .vary_from_world = vary_from_world_flight_place_calm,
-     .to_world = to_world_flight_place_calm,
-     .vary_to_world = vary_to_world_flight_place_calm,
-     .world_rates = world_rates_flight_place_calm,
-     .vary_world_rates = vary_world_rates_flight_place_calm},
-    {.motion = &tdmf_plain_runner_motions[MODE_flight_rest_calm],
-     .ends = false,
-     .open = open_flight_rest_calm,
-     .vary_open = vary_open_flight_rest_calm,
-     .guard_count = 5,
-     .guards = guards_flight_rest_calm,
-     .watch_count = 1,
-     .watches = watches_flight_rest_calm,
-     .outputs = outputs_flight_rest_calm,
-     .vary_outputs = vary_outputs_flight_rest_calm,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run,
-     .from_world = from_world_flight_place_calm,
-     .vary_from_world = vary_from_world_flight_place_calm,
-     .to_world = to_world_flight_place_calm,
-     .vary_to_world = vary_to_world_flight_place_calm,
-     .world_rates = world_rates_flight_rest_calm,
-     .vary_world_rates = vary_world_rates_flight_rest_calm},
-    {.motion = &tdmf_plain_runner_motions[MODE_flight_retract_calm],
-     .ends = false,
-     .open = open_flight_retract_calm,
-     .vary_open = vary_open_flight_retract_calm,
-     .guard_count = 5,
-     .guards = guards_flight_retract_calm,
-     .watch_count = 1,
-     .watches = watches_flight_retract_calm,
-     .outputs = outputs_flight_retract_calm,
-     .vary_outputs = vary_outputs_flight_retract_calm,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run,
-     .from_world = from_world_flight_place_calm,
-     .vary_from_world = vary_from_world_flight_place_calm,
-     .to_world = to_world_flight_place_calm,
-     .vary_to_world = vary_to_world_flight_place_calm,
-     .world_rates = world_rates_flight_retract_calm,
-     .vary_world_rates = vary_world_rates_flight_retract_calm},
-    {.motion = &tdmf_plain_runner_motions[MODE_fallen],
-     .ends = true,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 0,
-     .guards = guards_fallen,
-     .watch_count = 0,
-     .watches = watches_fallen,
-     .outputs = outputs_fallen,
-     .vary_outputs = vary_outputs_start_of_run,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_plain_runner_motions[MODE_graze_place],
-     .ends = false,
-     .open = open_graze_place,
-     .vary_open = vary_open_graze_place,
-     .guard_count = 5,
-     .guards = guards_graze_place,
-     .watch_count = 1,
-     .watches = watches_graze_place,
-     .outputs = outputs_graze_place,
-     .vary_outputs = vary_outputs_graze_place,
-     .leave = leave_graze_place,
-     .vary_leave = vary_leave_graze_place,
-     .from_world = from_world_slip_constant,
-     .vary_from_world = vary_from_world_slip_constant,
-     .to_world = to_world_slip_constant,
-     .vary_to_world = vary_to_world_slip_constant,
-     .world_rates = world_rates_graze_place,
-     .vary_world_rates = vary_world_rates_graze_place},
-    {.motion = &tdmf_plain_runner_motions[MODE_graze_rest],
-     .ends = false,
-     .open = open_graze_rest,
-     .vary_open = vary_open_graze_rest,
-     .guard_count = 7,
-     .guards = guards_graze_rest,
-     .watch_count = 1,
-     .watches = watches_graze_rest,
-     .outputs = outputs_graze_rest,
-     .vary_outputs = vary_outputs_graze_place,
-     .leave = leave_graze_place,
-     .vary_leave = vary_leave_graze_place,
-     .from_world = from_world_slip_constant,
-     .vary_from_world = vary_from_world_slip_constant,
-     .to_world = to_world_slip_constant,
-     .vary_to_world = vary_to_world_slip_constant,
-     .world_rates = world_rates_graze_place,
-     .vary_world_rates = vary_world_rates_graze_place},
-    {.motion = &tdmf_plain_runner_motions[MODE_graze_retract],
-     .ends = false,
-     .open = open_graze_retract,
-     .vary_open = vary_open_graze_retract,
-     .guard_count = 7,
-     .guards = guards_graze_retract,
-     .watch_count = 1,
-     .watches = watches_graze_retract,
-     .outputs = outputs_graze_rest,
-     .vary_outputs = vary_outputs_graze_place,
-     .leave = leave_graze_place,
-     .vary_leave = vary_leave_graze_place,
-     .from_world = from_world_slip_constant,
-     .vary_from_world = vary_from_world_slip_constant,
-     .to_world = to_world_slip_constant,
-     .vary_to_world = vary_to_world_slip_constant,
-     .world_rates = world_rates_graze_place,
-     .vary_world_rates = vary_world_rates_graze_place},
+    {.motion = &tdmf_plain_runner_motions[MODE_start_of_run], .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 1, .guards = guards_start_of_run,
+        .watch_count = 0, .watches = watches_start_of_run, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_plain_runner_motions[MODE_slip_constant], .open = open_slip_constant,
+        .vary_open = vary_open_slip_constant, .guard_count = 5, .guards = guards_slip_constant,
+        .watch_count = 2, .watches = watches_slip_constant, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_slip_constant,
+        .vary_leave = vary_leave_slip_constant, .from_world = from_world_slip_constant,
+        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
+        .vary_to_world = vary_to_world_slip_constant},
+    {.motion = &tdmf_plain_runner_motions[MODE_stick], .open = open_stick, .vary_open = vary_open_stick,
+        .guard_count = 6, .guards = guards_stick, .watch_count = 2, .watches = watches_stick,
+        .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run, .leave = leave_stick,
+        .vary_leave = vary_leave_stick, .from_world = from_world_slip_constant,
+        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
+        .vary_to_world = vary_to_world_slip_constant},
+    {.motion = &tdmf_plain_runner_motions[MODE_flight_place_calm], .open = open_flight_place_calm,
+        .vary_open = vary_open_flight_place_calm, .guard_count = 4, .guards = guards_flight_place_calm,
+        .watch_count = 1, .watches = watches_flight_place_calm, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
+        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
+        .vary_to_world = vary_to_world_flight_place_calm},
+    {.motion = &tdmf_plain_runner_motions[MODE_flight_rest_calm], .open = open_flight_rest_calm,
+        .vary_open = vary_open_flight_rest_calm, .guard_count = 5, .guards = guards_flight_rest_calm,
+        .watch_count = 1, .watches = watches_flight_rest_calm, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
+        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
+        .vary_to_world = vary_to_world_flight_place_calm},
+    {.motion = &tdmf_plain_runner_motions[MODE_flight_retract_calm], .open = open_flight_retract_calm,
+        .vary_open = vary_open_flight_retract_calm, .guard_count = 5, .guards = guards_flight_retract_calm,
+        .watch_count = 1, .watches = watches_flight_retract_calm, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
+        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
+        .vary_to_world = vary_to_world_flight_place_calm},
+    {.motion = &tdmf_plain_runner_motions[MODE_fallen], .ends = true, .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_fallen, .watch_count = 0,
+        .watches = watches_fallen, .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_plain_runner_motions[MODE_graze_place], .open = open_graze_place,
+        .vary_open = vary_open_graze_place, .guard_count = 5, .guards = guards_graze_place, .watch_count = 1,
+        .watches = watches_graze_place, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_graze_place,
+        .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
+        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
+        .vary_to_world = vary_to_world_slip_constant},
+    {.motion = &tdmf_plain_runner_motions[MODE_graze_rest], .open = open_graze_rest,
+        .vary_open = vary_open_graze_rest, .guard_count = 7, .guards = guards_graze_rest, .watch_count = 1,
+        .watches = watches_graze_rest, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_graze_place,
+        .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
+        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
+        .vary_to_world = vary_to_world_slip_constant},
+    {.motion = &tdmf_plain_runner_motions[MODE_graze_retract], .open = open_graze_retract,
+        .vary_open = vary_open_graze_retract, .guard_count = 7, .guards = guards_graze_retract,
+        .watch_count = 1, .watches = watches_graze_retract, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_graze_place,
+        .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
+        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
+        .vary_to_world = vary_to_world_slip_constant},
 };
 
 static const tdmf_set_kind sets[] = {
     {.index = -1},
 };
 static const tdmf_section_kind sections[] = {
-    {.enter = enter_at_apex,
-     .vary_enter = vary_enter_at_apex,
-     .event = EVENT_apex,
-     .count = 6,
-     .coordinates = coordinates_at_apex},
+    {.enter = enter_at_apex, .vary_enter = vary_enter_at_apex, .event = EVENT_apex, .count = 6,
+        .coordinates = coordinates_at_apex},
     {.event = -1},
 };
 
-static const char *const mode_names[] = {
-    "start_of_run",        "slip_constant", "stick",       "flight_place_calm", "flight_rest_calm",
-    "flight_retract_calm", "fallen",        "graze_place", "graze_rest",        "graze_retract"};
-static const char *const state_names[] = {"time",
-                                          "events",
-                                          "last_event",
-                                          "is_open",
-                                          "work_then",
-                                          "positive_work_so_far",
-                                          "positive_work_then",
-                                          "peak_force_so_far",
-                                          "touchdowns_so_far",
-                                          "slip_so_far",
-                                          "slid_from",
-                                          "stance_so_far",
-                                          "word_so_far",
-                                          "last_letter",
-                                          "bar_is_due",
-                                          "mode_began",
-                                          "x_then",
-                                          "y_then",
-                                          "count",
-                                          "word_code",
-                                          "period",
-                                          "distance",
-                                          "rise_of_stride",
-                                          "work_of_stride",
-                                          "hip_work",
-                                          "positive_work",
-                                          "speed",
-                                          "cost_of_transport",
-                                          "touchdowns",
-                                          "stance_time",
-                                          "duty_factor",
-                                          "slip_distance",
-                                          "peak_force",
-                                          "peak_vertical_force",
-                                          "apex_time",
-                                          "apex_com_height",
-                                          "apex_com_speed",
-                                          "apex_length",
-                                          "apex_angle",
-                                          "apex_length_rate",
-                                          "apex_angle_rate",
-                                          "seen_x",
-                                          "seen_y",
-                                          "length",
-                                          "angle",
-                                          "seen_vx",
-                                          "seen_vy",
-                                          "length_rate",
-                                          "angle_rate",
-                                          "com_x",
-                                          "com_y",
-                                          "com_vx",
-                                          "com_vy",
-                                          "momentum",
-                                          "x",
-                                          "y",
-                                          "vx",
-                                          "vy",
-                                          "foot_x",
-                                          "foot_vx",
-                                          "winding",
-                                          "damper_loss",
-                                          "friction",
-                                          "way",
-                                          "friction_loss",
-                                          "impact_loss",
-                                          "external_torque",
-                                          "liftoff_angle",
-                                          "driving",
-                                          "placing",
-                                          "touchdown_time",
-                                          "was_placed",
-                                          "placed_for",
-                                          "rises_again",
-                                          "work"};
-static const char *const parameter_names[] = {
-    "body_mass",    "foot_mass", "stiffness", "damping",         "free_length",    "least_length", "gravity",
-    "drive_torque", "kp",        "kd",        "touchdown_angle", "liftoff_factor", "swing_clamp"};
-static const char *const event_names[] = {"begins",         "falls",
-                                          "collapses",      "apex",
-                                          "apex_in_graze",  "touchdown",
-                                          "clamp",          "release",
-                                          "mid_stance",     "lift_off",
-                                          "slips_forward",  "slips_backward",
-                                          "comes_to_rest",  "graze_to_contact",
-                                          "graze_to_flight"};
-static const char *const output_names[] = {
-    "pending",        "torque",           "normal_force",   "tangential_force", "ground_force_x",
-    "ground_force_y", "force_of_leg",     "body_x",         "body_y",           "body_vx",
-    "body_vy",        "center_x",         "center_y",       "center_vx",        "center_vy",
-    "kinetic_energy", "potential_energy", "elastic_energy", "energy",           "kind_of_contact",
-    "phase_of_hip",   "has_fallen"};
+static const char *const mode_names[] = {"start_of_run", "slip_constant", "stick", "flight_place_calm",
+    "flight_rest_calm", "flight_retract_calm", "fallen", "graze_place", "graze_rest", "graze_retract"};
+static const char *const state_names[] = {"time", "events", "last_event", "is_open", "work_then",
+    "positive_work_so_far", "positive_work_then", "peak_force_so_far", "touchdowns_so_far", "slip_so_far",
+    "slid_from", "stance_so_far", "word_so_far", "last_letter", "bar_is_due", "mode_began", "x_then",
+    "y_then", "count", "word_code", "period", "distance", "rise_of_stride", "work_of_stride", "hip_work",
+    "positive_work", "speed", "cost_of_transport", "touchdowns", "stance_time", "duty_factor",
+    "slip_distance", "peak_force", "peak_vertical_force", "apex_time", "apex_com_height", "apex_com_speed",
+    "apex_length", "apex_angle", "apex_length_rate", "apex_angle_rate", "seen_x", "seen_y", "length", "angle",
+    "seen_vx", "seen_vy", "length_rate", "angle_rate", "com_x", "com_y", "com_vx", "com_vy", "momentum", "x",
+    "y", "vx", "vy", "foot_x", "foot_vx", "winding", "damper_loss", "friction", "way", "friction_loss",
+    "impact_loss", "external_torque", "liftoff_angle", "driving", "placing", "touchdown_time", "was_placed",
+    "placed_for", "rises_again", "work"};
+static const char *const parameter_names[] = {"body_mass", "foot_mass", "stiffness", "damping", "free_length",
+    "least_length", "gravity", "drive_torque", "kp", "kd", "touchdown_angle", "liftoff_factor",
+    "swing_clamp"};
+static const char *const event_names[] = {"begins", "falls", "collapses", "apex", "apex_in_graze",
+    "touchdown", "clamp", "release", "mid_stance", "lift_off", "slips_forward", "slips_backward",
+    "comes_to_rest", "graze_to_contact", "graze_to_flight"};
+static const char *const output_names[] = {0};
 static const char *const table_names[] = {0};
 static const char *const section_names[] = {"at_apex"};
-static const double state_defaults[] = {0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        -0.4722627765193387,
-                                        0.6417114468531165,
-                                        0.9999993776846997,
-                                        -0.5462532571145313,
-                                        1.062035591761993,
-                                        -1.9951712441925837e-05,
-                                        1.1268102275039307e-06,
-                                        4.039363331769765e-05,
-                                        0.0,
-                                        1.4,
-                                        1.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        1.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.6,
-                                        1.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0};
-static const double parameter_defaults[] = {
-    1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01, 0.2, 0.1, 0.1, 0.6981317007977318, 1.2, 0.0};
-static const double parameter_least[] = {1e-09,
-                                         1e-12,
-                                         1e-09,
-                                         0.0,
-                                         1e-06,
-                                         1e-09,
-                                         1e-09,
-                                         -1e+18,
-                                         0.0,
-                                         0.0,
-                                         -1.5707963267948966,
-                                         0.0,
-                                         -1.7976931348623157e+308};
-static const double parameter_most[] = {1000000000.0,
-                                        1000000000.0,
-                                        1000000000000.0,
-                                        1000000000000.0,
-                                        1000000.0,
-                                        1000000.0,
-                                        1000000.0,
-                                        1e+18,
-                                        1e+18,
-                                        1e+18,
-                                        1.5707963267948966,
-                                        100.0,
-                                        1.7976931348623157e+308};
+static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.4722627765193387, 0.6417114468531165, 0.9999993776846997,
+    -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05, 1.1268102275039307e-06,
+    4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+static const double parameter_defaults[] = {1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01, 0.2, 0.1, 0.1,
+    0.6981317007977318, 1.2, 0.0};
+static const double parameter_least[] = {1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09, -1e+18, 0.0, 0.0,
+    -1.5707963267948966, 0.0, -1.7976931348623157e+308};
+static const double parameter_most[] = {1000000000.0, 1000000000.0, 1000000000000.0, 1000000000000.0,
+    1000000.0, 1000000.0, 1000000.0, 1e+18, 1e+18, 1e+18, 1.5707963267948966, 100.0, 1.7976931348623157e+308};
 
 const tdmf_model_kind tdmf_plain_runner_model = {
     .modes = modes,
@@ -5113,7 +2979,7 @@ const tdmf_model_kind tdmf_plain_runner_model = {
     .series_count = 28,
     .constant_count = 15,
     .lanes = {TDMF_TWO_LANES(tdmf_plain_runner_motions_of_2), TDMF_FOUR_LANES(tdmf_plain_runner_motions_of_4),
-              TDMF_EIGHT_LANES(tdmf_plain_runner_motions_of_8)},
+        TDMF_EIGHT_LANES(tdmf_plain_runner_motions_of_8)},
     .seeds = TDMF_FOR_SEEDS(tdmf_plain_runner_seeds),
     .mode_count = 10,
     .mode_names = mode_names,
@@ -5123,7 +2989,7 @@ const tdmf_model_kind tdmf_plain_runner_model = {
     .parameter_names = parameter_names,
     .event_count = 15,
     .event_names = event_names,
-    .output_count = 22,
+    .output_count = 0,
     .output_names = output_names,
     .table_count = 0,
     .table_names = table_names,

@@ -4,158 +4,108 @@
 
 #include "driver.h"
 
-enum {
-    MODE_start_of_run,
-    MODE_slip_constant,
-    MODE_stick,
-    MODE_flight_place_calm,
-    MODE_flight_rest_calm,
-    MODE_flight_retract_calm,
-    MODE_fallen,
-    MODE_graze_place,
-    MODE_graze_rest,
-    MODE_graze_retract,
-    MODE_COUNT
-};
-enum {
-    EVENT_begins,
-    EVENT_falls,
-    EVENT_collapses,
-    EVENT_apex,
-    EVENT_apex_in_graze,
-    EVENT_touchdown,
-    EVENT_clamp,
-    EVENT_release,
-    EVENT_mid_stance,
-    EVENT_lift_off,
-    EVENT_slips_forward,
-    EVENT_slips_backward,
-    EVENT_comes_to_rest,
-    EVENT_graze_to_contact,
-    EVENT_graze_to_flight,
-    EVENT_COUNT
-};
-enum {
-    OUTPUT_pending,
-    OUTPUT_torque,
-    OUTPUT_normal_force,
-    OUTPUT_tangential_force,
-    OUTPUT_ground_force_x,
-    OUTPUT_ground_force_y,
-    OUTPUT_force_of_leg,
-    OUTPUT_body_x,
-    OUTPUT_body_y,
-    OUTPUT_body_vx,
-    OUTPUT_body_vy,
-    OUTPUT_center_x,
-    OUTPUT_center_y,
-    OUTPUT_center_vx,
-    OUTPUT_center_vy,
-    OUTPUT_kinetic_energy,
-    OUTPUT_potential_energy,
-    OUTPUT_elastic_energy,
-    OUTPUT_energy,
-    OUTPUT_kind_of_contact,
-    OUTPUT_phase_of_hip,
-    OUTPUT_has_fallen,
-    OUTPUT_COUNT
-};
+enum {MODE_start_of_run, MODE_slip_constant, MODE_stick, MODE_flight_place_calm, MODE_flight_rest_calm,
+    MODE_flight_retract_calm, MODE_fallen, MODE_graze_place, MODE_graze_rest, MODE_graze_retract, MODE_COUNT};
+enum {EVENT_begins, EVENT_falls, EVENT_collapses, EVENT_apex, EVENT_apex_in_graze, EVENT_touchdown,
+    EVENT_clamp, EVENT_release, EVENT_mid_stance, EVENT_lift_off, EVENT_slips_forward, EVENT_slips_backward,
+    EVENT_comes_to_rest, EVENT_graze_to_contact, EVENT_graze_to_flight, EVENT_COUNT};
+enum {OUTPUT_COUNT};
 
-enum { TABLE_COUNT };
+enum {TABLE_COUNT};
 
 typedef struct {
-    real body_mass;       /* kg: Mass of the body, m */
-    real foot_mass;       /* kg: Mass of the foot, m_f */
-    real stiffness;       /* N/m: Stiffness of the leg spring, k */
-    real damping;         /* N.s/m: Damping of the leg, c */
-    real free_length;     /* m: Length of the unloaded leg, l0 */
-    real least_length;    /* m: Leg length below which the runner falls */
-    real gravity;         /* m/s2: Acceleration of gravity, g */
-    real drive_torque;    /* N.m: Hip torque in the first half of a stance, tau0 */
-    real kp;              /* N.m/rad: Proportional gain of the hip in flight */
-    real kd;              /* N.m.s/rad: Derivative gain of the hip in flight */
+    real body_mass; /* kg: Mass of the body, m */
+    real foot_mass; /* kg: Mass of the foot, m_f */
+    real stiffness; /* N/m: Stiffness of the leg spring, k */
+    real damping; /* N.s/m: Damping of the leg, c */
+    real free_length; /* m: Length of the unloaded leg, l0 */
+    real least_length; /* m: Leg length below which the runner falls */
+    real gravity; /* m/s2: Acceleration of gravity, g */
+    real drive_torque; /* N.m: Hip torque in the first half of a stance, tau0 */
+    real kp; /* N.m/rad: Proportional gain of the hip in flight */
+    real kd; /* N.m.s/rad: Derivative gain of the hip in flight */
     real touchdown_angle; /* rad: Target of the leg angle before touchdown, theta0 */
-    real liftoff_factor;  /* 1: Target of the leg angle after lift-off, over the angle at lift-off, eta */
-    real swing_clamp;     /* 1: Whether the torque that retracts the leg is clamped at 0 from below */
+    real liftoff_factor; /* 1: Target of the leg angle after lift-off, over the angle at lift-off, eta */
+    real swing_clamp; /* 1: Whether the torque that retracts the leg is clamped at 0 from below */
 } plain_runner_parameters;
 
 typedef struct {
-    real time;                 /* s: Time */
-    real events;               /* 1: Changes of contact and phase since the start */
-    real last_event;           /* s: Time of the last change of contact or phase */
-    real is_open;              /* 1: 1 if the open stride began at an apex, else 0 */
-    real work_then;            /* J: Work of the hip at the start of the stride */
+    real time; /* s: Time */
+    real events; /* 1: Changes of contact and phase since the start */
+    real last_event; /* s: Time of the last change of contact or phase */
+    real is_open; /* 1: 1 if the open stride began at an apex, else 0 */
+    real work_then; /* J: Work of the hip at the start of the stride */
     real positive_work_so_far; /* J: Positive work of the hip since the start */
-    real positive_work_then;   /* J: Positive work of the hip at the start of the stride */
-    real peak_force_so_far;    /* N: Largest normal force in the open stride */
-    real touchdowns_so_far;    /* 1: Impacts in the open stride */
-    real slip_so_far;          /* m: Slip distance in the open stride before the present mode */
-    real slid_from;            /* m: Position of the foot at the last event */
-    real stance_so_far;        /* s: Time in contact in the open stride before the present mode */
-    real word_so_far;          /* 1: Gait word of the open stride, in base 4 */
-    real last_letter;          /* 1: Last letter of the open stride's gait word */
-    real bar_is_due;           /* 1: 1 from touchdown until a contact mode lasts, else 0 */
-    real mode_began;           /* s: Time of the last event */
-    real x_then;               /* m: Position of the centre of mass at the start of the stride */
-    real y_then;               /* m: Height of the centre of mass at the start of the stride */
-    real count;                /* 1: Number of completed strides */
-    real word_code; /* 1: Gait word: + slip forward, 0 stick, - slip backward, | new stance; -1 for over 26
-        letters */
-    real period;    /* s: Period of the last stride, T */
-    real distance;  /* m: Distance covered in the last stride */
-    real rise_of_stride;      /* m: Height gained in the last stride */
-    real work_of_stride;      /* J: Net work of hip and leg in the last stride, W */
-    real hip_work;            /* J: Net work of the hip in the last stride */
-    real positive_work;       /* J: Positive work of the hip in the last stride */
-    real speed;               /* m/s: Average speed of the last stride, V */
-    real cost_of_transport;   /* 1: Mechanical cost of transport of the last stride, c_mt */
-    real touchdowns;          /* 1: Impacts of the foot in the last stride */
-    real stance_time;         /* s: Time in contact in the last stride */
-    real duty_factor;         /* 1: Share of the last stride in which the foot was in contact */
-    real slip_distance;       /* m: Slip distance of the foot in the last stride */
-    real peak_force;          /* N: Largest normal force in the last stride */
+    real positive_work_then; /* J: Positive work of the hip at the start of the stride */
+    real peak_force_so_far; /* N: Largest normal force in the open stride */
+    real touchdowns_so_far; /* 1: Impacts in the open stride */
+    real slip_so_far; /* m: Slip distance in the open stride before the present mode */
+    real slid_from; /* m: Position of the foot at the last event */
+    real stance_so_far; /* s: Time in contact in the open stride before the present mode */
+    real word_so_far; /* 1: Gait word of the open stride, in base 4 */
+    real last_letter; /* 1: Last letter of the open stride's gait word */
+    real bar_is_due; /* 1: 1 from touchdown until a contact mode lasts, else 0 */
+    real mode_began; /* s: Time of the last event */
+    real x_then; /* m: Position of the centre of mass at the start of the stride */
+    real y_then; /* m: Height of the centre of mass at the start of the stride */
+    real count; /* 1: Number of completed strides */
+    real word_code; /* 1: Gait word: + slip forward, 0 stick, - slip backward,
+        | new stance; -1 for over 26 letters */
+    real period; /* s: Period of the last stride, T */
+    real distance; /* m: Distance covered in the last stride */
+    real rise_of_stride; /* m: Height gained in the last stride */
+    real work_of_stride; /* J: Net work of hip and leg in the last stride, W */
+    real hip_work; /* J: Net work of the hip in the last stride */
+    real positive_work; /* J: Positive work of the hip in the last stride */
+    real speed; /* m/s: Average speed of the last stride, V */
+    real cost_of_transport; /* 1: Mechanical cost of transport of the last stride, c_mt */
+    real touchdowns; /* 1: Impacts of the foot in the last stride */
+    real stance_time; /* s: Time in contact in the last stride */
+    real duty_factor; /* 1: Share of the last stride in which the foot was in contact */
+    real slip_distance; /* m: Slip distance of the foot in the last stride */
+    real peak_force; /* N: Largest normal force in the last stride */
     real peak_vertical_force; /* N: Largest vertical ground force in the last stride */
-    real apex_time;           /* s: Time of the last apex */
-    real apex_com_height;     /* m: Height of the centre of mass at the last apex */
-    real apex_com_speed;      /* m/s: Speed of the centre of mass at the last apex */
-    real apex_length;         /* m: Leg length at the last apex */
-    real apex_angle;          /* rad: Leg angle at the last apex */
-    real apex_length_rate;    /* m/s: Rate of the leg length at the last apex */
-    real apex_angle_rate;     /* rad/s: Rate of the leg angle at the last apex */
-    real seen_x;              /* m: Horizontal position of the foot, x */
-    real seen_y;              /* m: Height of the foot, y */
-    real length;              /* m: Length of the leg, r */
-    real angle;           /* rad: Angle of the leg from the vertical, positive with the foot ahead, theta */
-    real seen_vx;         /* m/s: Horizontal velocity of the foot */
-    real seen_vy;         /* m/s: Vertical velocity of the foot */
-    real length_rate;     /* m/s: Rate of the leg length */
-    real angle_rate;      /* rad/s: Rate of the leg angle */
-    real com_x;           /* m: Horizontal position of the centre of mass */
-    real com_y;           /* m: Height of the centre of mass */
-    real com_vx;          /* m/s: Horizontal velocity of the centre of mass */
-    real com_vy;          /* m/s: Vertical velocity of the centre of mass */
-    real momentum;        /* m2/s: Angular momentum of the leg per reduced mass, r^2 thetadot */
-    real x_;              /* m: Position of the body relative to the foot, along the ground */
-    real y_;              /* m: Position of the body relative to the foot, normal to the ground */
-    real vx;              /* m/s: Velocity of the body relative to the foot, along the ground */
-    real vy;              /* m/s: Velocity of the body relative to the foot, normal to the ground */
-    real foot_x;          /* m: Position of the foot along the ground */
-    real foot_vx;         /* m/s: Velocity of the foot along the ground */
-    real winding;         /* rad: Leg angle less its principal value: a multiple of 2 pi */
-    real damper_loss;     /* J: Energy lost in the damper since the start */
-    real friction;        /* 1: Friction coefficient between foot and ground, mu */
-    real way;             /* 1: Direction of slip, 1 or -1 */
-    real friction_loss;   /* J: Energy lost to sliding friction since the start */
-    real impact_loss;     /* J: Energy lost in impacts since the start */
+    real apex_time; /* s: Time of the last apex */
+    real apex_com_height; /* m: Height of the centre of mass at the last apex */
+    real apex_com_speed; /* m/s: Speed of the centre of mass at the last apex */
+    real apex_length; /* m: Leg length at the last apex */
+    real apex_angle; /* rad: Leg angle at the last apex */
+    real apex_length_rate; /* m/s: Rate of the leg length at the last apex */
+    real apex_angle_rate; /* rad/s: Rate of the leg angle at the last apex */
+    real seen_x; /* m: Horizontal position of the foot, x */
+    real seen_y; /* m: Height of the foot, y */
+    real length; /* m: Length of the leg, r */
+    real angle; /* rad: Angle of the leg from the vertical, positive with the foot ahead, theta */
+    real seen_vx; /* m/s: Horizontal velocity of the foot */
+    real seen_vy; /* m/s: Vertical velocity of the foot */
+    real length_rate; /* m/s: Rate of the leg length */
+    real angle_rate; /* rad/s: Rate of the leg angle */
+    real com_x; /* m: Horizontal position of the centre of mass */
+    real com_y; /* m: Height of the centre of mass */
+    real com_vx; /* m/s: Horizontal velocity of the centre of mass */
+    real com_vy; /* m/s: Vertical velocity of the centre of mass */
+    real momentum; /* m2/s: Angular momentum of the leg per reduced mass, r^2 thetadot */
+    real x_; /* m: Position of the body relative to the foot, along the ground */
+    real y_; /* m: Position of the body relative to the foot, normal to the ground */
+    real vx; /* m/s: Velocity of the body relative to the foot, along the ground */
+    real vy; /* m/s: Velocity of the body relative to the foot, normal to the ground */
+    real foot_x; /* m: Position of the foot along the ground */
+    real foot_vx; /* m/s: Velocity of the foot along the ground */
+    real winding; /* rad: Leg angle less its principal value: a multiple of 2 pi */
+    real damper_loss; /* J: Energy lost in the damper since the start */
+    real friction; /* 1: Friction coefficient between foot and ground, mu */
+    real way; /* 1: Direction of slip, 1 or -1 */
+    real friction_loss; /* J: Energy lost to sliding friction since the start */
+    real impact_loss; /* J: Energy lost in impacts since the start */
     real external_torque; /* N.m: Torque added to the hip law */
-    real liftoff_angle;   /* rad: Leg angle when the foot last left the ground, theta_LO */
-    real driving;         /* 1: 1 from touchdown to mid-stance, else 0 */
-    real placing;         /* s: In place, the time since it began; else 0 */
-    real touchdown_time;  /* s: Time of the last impact */
-    real was_placed;      /* 1: 1 if the leg was being placed at the last impact, else 0 */
-    real placed_for;      /* s: Time in place at the last impact */
-    real rises_again;     /* 1: 1 if an impact with immediate lift-off interrupted place, else 0 */
-    real work;            /* J: Work of the total hip torque since the start, W */
+    real liftoff_angle; /* rad: Leg angle when the foot last left the ground, theta_LO */
+    real driving; /* 1: 1 from touchdown to mid-stance, else 0 */
+    real placing; /* s: In place, the time since it began; else 0 */
+    real touchdown_time; /* s: Time of the last impact */
+    real was_placed; /* 1: 1 if the leg was being placed at the last impact, else 0 */
+    real placed_for; /* s: Time in place at the last impact */
+    real rises_again; /* 1: 1 if an impact with immediate lift-off interrupted place, else 0 */
+    real work; /* J: Work of the total hip torque since the start, W */
 } plain_runner_states;
 
 typedef struct {
@@ -163,14 +113,14 @@ typedef struct {
 } start_of_run_constants;
 
 typedef struct {
+    real inverse_body_mass;
     real stiffness;
     real free_length;
     real damping;
     real stance_torque;
-    real body_mass;
+    real inverse_foot_mass;
     real way;
     real way_times_friction;
-    real foot_mass;
     real gravity;
     real foot_mass_times_gravity;
     real least_length;
@@ -178,11 +128,11 @@ typedef struct {
 } slip_constant_constants;
 
 typedef struct {
+    real inverse_body_mass;
     real stiffness;
     real free_length;
     real damping;
     real stance_torque;
-    real body_mass;
     real gravity;
     real foot_vx;
     real least_length;
@@ -245,12 +195,12 @@ typedef struct {
 } fallen_constants;
 
 typedef struct {
+    real inverse_body_mass;
     real stiffness;
     real free_length;
     real damping;
-    real foot_mass;
     real off;
-    real body_mass;
+    real inverse_foot_mass;
     real minus_off_over_body_mass_minus_gravity;
     real least_length;
     real winding;
@@ -262,12 +212,12 @@ typedef struct {
 } graze_place_constants;
 
 typedef struct {
+    real inverse_body_mass;
     real stiffness;
     real free_length;
     real damping;
-    real foot_mass;
     real off;
-    real body_mass;
+    real inverse_foot_mass;
     real minus_off_over_body_mass_minus_gravity;
     real least_length;
     real share;
@@ -280,12 +230,12 @@ typedef struct {
 } graze_rest_constants;
 
 typedef struct {
+    real inverse_body_mass;
     real stiffness;
     real free_length;
     real damping;
-    real foot_mass;
     real off;
-    real body_mass;
+    real inverse_foot_mass;
     real minus_off_over_body_mass_minus_gravity;
     real least_length;
     real share;

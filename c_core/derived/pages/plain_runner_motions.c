@@ -8,65 +8,17 @@ typedef struct {
     real time[TERMS];
 } start_of_run_series;
 
-typedef struct {
-    pair none;
-} start_of_run_sums;
-
-typedef struct {
-    real none;
-} start_of_run_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_start_of_run_sums(const start_of_run_series *s, int i, int j, start_of_run_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_start_of_run_sums(const start_of_run_series *s, int i, start_of_run_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_start_of_run(const start_of_run_constants *c, const start_of_run_factors *by, int k,
-                              const start_of_run_sums *sum, int odd, start_of_run_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)s;
-    (void)k;
-    (void)odd;
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_start_of_run(const real *constants, int order, real *series) {
-    const start_of_run_constants copy = *(const start_of_run_constants *)(const void *)constants, *c = &copy;
-    start_of_run_series *s = (void *)series;
-    static const start_of_run_sums none;
-    start_of_run_sums sum = none;
+/* All coefficients. */
+static void expand_start_of_run(const real *constants, int order, real *expanded) {
+    (void)constants;
+    (void)order;
+    start_of_run_series *s = (void *)expanded;
     s->time[1] = broadcast(1.0);
-    const start_of_run_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_start_of_run(c, by, 0, &sum, 0, s);
-    begin_start_of_run_sums(s, 0, &sum);
-    step_start_of_run(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_start_of_run_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_start_of_run_sums(s, i, j, &sum);
-        }
-        step_start_of_run(c, by, k, &sum, 0, s);
-        add_start_of_run_sums(s, 1, k, &sum);
-        step_start_of_run(c, by, k + 1, &sum, 1, s);
-    }
 }
 
 /* First variation of the series. */
 static void vary_start_of_run(const real *constants, const real *series, const real *d_constants, int order,
-                              real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -87,7 +39,7 @@ static void guard_start_of_run_begins(const real *constants, const real *series,
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_start_of_run(const real *constants, const real *series, const real *power, int order,
-                                uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     (void)constants;
     (void)series;
     (void)power;
@@ -158,51 +110,40 @@ KERNEL void add_slip_constant_sums(const slip_constant_series *s, int i, int j, 
     add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
     add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
     add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_products(&sum->axial, s->axial + i - 1, s->length[j]);
-    add_products(&sum->axial, s->length + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_x_, s->axial + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_x_, s->x_ + i - 1, s->axial[j]);
-    add_products(&sum->turning, s->turning + i - 1, s->square[j]);
-    add_products(&sum->turning, s->square + i - 1, s->turning[j]);
-    add_products(&sum->turning_times_y_, s->turning + i - 1, s->y_[j]);
-    add_products(&sum->turning_times_y_, s->y_ + i - 1, s->turning[j]);
-    add_products(&sum->axial_times_y_, s->axial + i - 1, s->y_[j]);
-    add_products(&sum->axial_times_y_, s->y_ + i - 1, s->axial[j]);
-    add_products(&sum->turning_times_x_, s->turning + i - 1, s->x_[j]);
-    add_products(&sum->turning_times_x_, s->x_ + i - 1, s->turning[j]);
+    add_both_products(&sum->axial, s->axial, s->length, i, j);
+    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
+    add_both_products(&sum->turning, s->turning, s->square, i, j);
+    add_both_products(&sum->turning_times_y_, s->turning, s->y_, i, j);
+    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
+    add_both_products(&sum->turning_times_x_, s->turning, s->x_, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->friction_force_times_foot_vx, s->friction_force + i - 1, s->foot_vx[j]);
-    add_products(&sum->friction_force_times_foot_vx, s->foot_vx + i - 1, s->friction_force[j]);
-    add_products(&sum->x__times_vy, s->x_ + i - 1, s->vy[j]);
-    add_products(&sum->x__times_vy, s->vy + i - 1, s->x_[j]);
-    add_products(&sum->y__times_vx, s->y_ + i - 1, s->vx[j]);
-    add_products(&sum->y__times_vx, s->vx + i - 1, s->y_[j]);
-    add_products(&sum->angle_rate, s->angle_rate + i - 1, s->square[j]);
-    add_products(&sum->angle_rate, s->square + i - 1, s->angle_rate[j]);
+    add_both_products(&sum->friction_force_times_foot_vx, s->friction_force, s->foot_vx, i, j);
+    add_both_products(&sum->x__times_vy, s->x_, s->vy, i, j);
+    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
+    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_slip_constant_sums(const slip_constant_series *s, int i, slip_constant_sums *sum) {
-    sum->x__times_x_ = pair_of(s->x_[i] * s->x_[i + 1], 0.5 * (s->x_[i + 1] * s->x_[i + 1]));
-    sum->y__times_y_ = pair_of(s->y_[i] * s->y_[i + 1], 0.5 * (s->y_[i + 1] * s->y_[i + 1]));
-    sum->length = pair_of(s->length[i] * s->length[i + 1], 0.5 * (s->length[i + 1] * s->length[i + 1]));
-    sum->axial = pair_of((s->axial[i] * s->length[i]), broadcast(0.0));
-    sum->axial_times_x_ = pair_of((s->axial[i] * s->x_[i]), broadcast(0.0));
-    sum->turning = pair_of((s->turning[i] * s->square[i]), broadcast(0.0));
-    sum->turning_times_y_ = pair_of((s->turning[i] * s->y_[i]), broadcast(0.0));
-    sum->axial_times_y_ = pair_of((s->axial[i] * s->y_[i]), broadcast(0.0));
-    sum->turning_times_x_ = pair_of((s->turning[i] * s->x_[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->friction_force_times_foot_vx = pair_of((s->friction_force[i] * s->foot_vx[i]), broadcast(0.0));
-    sum->x__times_vy = pair_of((s->x_[i] * s->vy[i]), broadcast(0.0));
-    sum->y__times_vx = pair_of((s->y_[i] * s->vx[i]), broadcast(0.0));
-    sum->angle_rate = pair_of((s->angle_rate[i] * s->square[i]), broadcast(0.0));
+    sum->x__times_x_ = next_middle_of_square(s->x_, i);
+    sum->y__times_y_ = next_middle_of_square(s->y_, i);
+    sum->length = next_middle_of_square(s->length, i);
+    sum->axial = middle_of_product(s->axial, s->length, i);
+    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
+    sum->turning = middle_of_product(s->turning, s->square, i);
+    sum->turning_times_y_ = middle_of_product(s->turning, s->y_, i);
+    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
+    sum->turning_times_x_ = middle_of_product(s->turning, s->x_, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->friction_force_times_foot_vx = middle_of_product(s->friction_force, s->foot_vx, i);
+    sum->x__times_vy = middle_of_product(s->x_, s->vy, i);
+    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
+    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_constant_factors *by, int k,
-                               const slip_constant_sums *sum, int odd, slip_constant_series *s) {
+    const slip_constant_sums *sum, int odd, slip_constant_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
     s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     s->foot_x[k + 1] = s->foot_vx[k] * series_reciprocal[k + 1];
@@ -213,21 +154,19 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
     /* square = x__times_x_ + y__times_y_ */
     s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
     /* length = real_sqrt(square) */
-    s->length[k + 1] =
-        root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length, by->inverse_length);
+    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
+        by->inverse_length);
     /* length_rate = real_rate(length) */
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length - length) - c->damping * length_rate) / length */
-    s->axial[k] =
-        quotient_of(k, part_of(sum->axial, odd),
-                    with_constant(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
-                                  c->stiffness * c->free_length),
-                    s->axial, s->length, by->inverse_length);
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, -(c->stiffness * s->length[k])
+        - c->damping * s->length_rate[k], c->stiffness * c->free_length), s->axial, s->length,
+        by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
     /* turning = c->stance_torque / square */
     s->turning[k] = quotient_of(k, part_of(sum->turning, odd), constant_of(k, c->stance_torque), s->turning,
-                                s->square, by->inverse_square);
+        s->square, by->inverse_square);
     /* turning_times_y_ = turning * y_ */
     s->turning_times_y_[k] = product_of(k, part_of(sum->turning_times_y_, odd), s->turning, s->y_);
     /* axial_times_y_ = axial * y_ */
@@ -236,33 +175,28 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
     s->turning_times_x_[k] = product_of(k, part_of(sum->turning_times_x_, odd), s->turning, s->x_);
     /* friction_force = c->way_times_friction * (axial_times_y_ + turning_times_x_ +
      * c->foot_mass_times_gravity) */
-    s->friction_force[k] = with_constant(
-        k, c->way_times_friction * s->axial_times_y_[k] + c->way_times_friction * s->turning_times_x_[k],
-        c->way_times_friction * c->foot_mass_times_gravity);
+    s->friction_force[k] = with_constant(k, c->way_times_friction * s->axial_times_y_[k]
+        + c->way_times_friction * s->turning_times_x_[k], c->way_times_friction * c->foot_mass_times_gravity);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* friction_force_times_foot_vx = friction_force * foot_vx */
-    s->friction_force_times_foot_vx[k] =
-        product_of(k, part_of(sum->friction_force_times_foot_vx, odd), s->friction_force, s->foot_vx);
+    s->friction_force_times_foot_vx[k] = product_of(k, part_of(sum->friction_force_times_foot_vx, odd),
+        s->friction_force, s->foot_vx);
     /* x__times_vy = x_ * vy */
     s->x__times_vy[k] = product_of(k, part_of(sum->x__times_vy, odd), s->x_, s->vy);
     /* y__times_vx = y_ * vx */
     s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-                                   s->angle_rate, s->square, by->inverse_square);
-    s->vx[k + 1] =
-        series_reciprocal[k + 1] * ((1.0 / c->body_mass + 1.0 / c->foot_mass) * s->axial_times_x_[k] +
-                                    (-(1.0 / c->body_mass) - 1.0 / c->foot_mass) * s->turning_times_y_[k] +
-                                    1.0 / c->foot_mass * s->friction_force[k]);
-    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-                                                             1.0 / c->body_mass * s->axial_times_y_[k] +
-                                                                 1.0 / c->body_mass * s->turning_times_x_[k],
-                                                             -c->gravity));
-    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (1.0 / c->foot_mass * s->turning_times_y_[k] -
-                                                    1.0 / c->foot_mass * s->axial_times_x_[k] -
-                                                    1.0 / c->foot_mass * s->friction_force[k]);
+        s->angle_rate, s->square, by->inverse_square);
+    s->vx[k + 1] = series_reciprocal[k + 1] * ((c->inverse_body_mass
+        + c->inverse_foot_mass) * s->axial_times_x_[k] + (-c->inverse_body_mass
+        - c->inverse_foot_mass) * s->turning_times_y_[k] + c->inverse_foot_mass * s->friction_force[k]);
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
+        + c->inverse_body_mass * s->turning_times_x_[k], -c->gravity));
+    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_foot_mass * s->turning_times_y_[k]
+        - c->inverse_foot_mass * s->axial_times_x_[k] - c->inverse_foot_mass * s->friction_force[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->friction_loss[k + 1] = series_reciprocal[k + 1] * (s->friction_force_times_foot_vx[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (c->stance_torque * s->angle_rate[k]);
@@ -272,7 +206,7 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
 static void expand_slip_constant(const real *constants, int order, real *series) {
     const slip_constant_constants copy = *(const slip_constant_constants *)(const void *)constants,
-                                  *c = &copy;
+        *c = &copy;
     slip_constant_series *s = (void *)series;
     static const slip_constant_sums none;
     slip_constant_sums sum = none;
@@ -299,7 +233,7 @@ static void expand_slip_constant(const real *constants, int order, real *series)
 
 /* First variation of the series. */
 static void vary_slip_constant(const real *constants, const real *series, const real *d_constants, int order,
-                               real *varied) {
+    real *varied) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     const slip_constant_constants *d = (const void *)d_constants;
@@ -346,32 +280,27 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k,
-                                    -(d->stiffness * s->length[k]) - c->stiffness * d_length[k] -
-                                        d->damping * s->length_rate[k] - c->damping * d_length_rate[k] -
-                                        axial_times_d_length[k],
-                                    d->stiffness * c->free_length + c->stiffness * d->free_length) -
-                      product_so_far(d_axial, s->length, k)) /
-                     s->length[0];
+        d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
+            d->stiffness * c->free_length + c->stiffness * d->free_length) - product_so_far(d_axial,
+            s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
         axial_times_x__2[k] = product(s->axial, t->x_, k);
         turning_times_d_square[k] = product(s->turning, d_square, k);
-        d_turning[k] = (with_constant(k, -turning_times_d_square[k], d->stance_torque) -
-                        product_so_far(d_turning, s->square, k)) /
-                       s->square[0];
+        d_turning[k] = (with_constant(k, -turning_times_d_square[k], d->stance_torque)
+            - product_so_far(d_turning, s->square, k)) / s->square[0];
         d_turning_times_y_[k] = product(d_turning, s->y_, k);
         turning_times_y__2[k] = product(s->turning, t->y_, k);
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         d_turning_times_x_[k] = product(d_turning, s->x_, k);
         turning_times_x__2[k] = product(s->turning, t->x_, k);
-        d_friction_force[k] = with_constant(
-            k,
-            d->way_times_friction * s->axial_times_y_[k] + d->way_times_friction * s->turning_times_x_[k] +
-                c->way_times_friction * d_axial_times_y_[k] + c->way_times_friction * axial_times_y__2[k] +
-                c->way_times_friction * d_turning_times_x_[k] + c->way_times_friction * turning_times_x__2[k],
-            d->way_times_friction * c->foot_mass_times_gravity +
-                c->way_times_friction * d->foot_mass_times_gravity);
+        d_friction_force[k] = with_constant(k, d->way_times_friction * s->axial_times_y_[k]
+            + d->way_times_friction * s->turning_times_x_[k] + c->way_times_friction * d_axial_times_y_[k]
+            + c->way_times_friction * axial_times_y__2[k] + c->way_times_friction * d_turning_times_x_[k]
+            + c->way_times_friction * turning_times_x__2[k],
+            d->way_times_friction * c->foot_mass_times_gravity
+            + c->way_times_friction * d->foot_mass_times_gravity);
         length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
         d_friction_force_times_foot_vx[k] = product(d_friction_force, s->foot_vx, k);
         friction_force_times_foot_vx_2[k] = product(s->friction_force, t->foot_vx, k);
@@ -380,46 +309,32 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k] -
-                           angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) /
-                          s->square[0];
-        t->vx[k + 1] = series_reciprocal[k + 1] *
-                       ((1.0 / c->body_mass + 1.0 / c->foot_mass) * d_axial_times_x_[k] +
-                        (1.0 / c->body_mass + 1.0 / c->foot_mass) * axial_times_x__2[k] +
-                        (-(1.0 / c->body_mass) - 1.0 / c->foot_mass) * d_turning_times_y_[k] +
-                        (-(1.0 / c->body_mass) - 1.0 / c->foot_mass) * turning_times_y__2[k] +
-                        (-(d->body_mass * (1.0 / c->body_mass) / c->body_mass) -
-                         d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                            s->axial_times_x_[k] +
-                        (d->body_mass * (1.0 / c->body_mass) / c->body_mass +
-                         d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                            s->turning_times_y_[k] +
-                        1.0 / c->foot_mass * d_friction_force[k] -
-                        d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->friction_force[k]);
-        t->vy[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                1.0 / c->body_mass * d_axial_times_y_[k] + 1.0 / c->body_mass * axial_times_y__2[k] +
-                    1.0 / c->body_mass * d_turning_times_x_[k] + 1.0 / c->body_mass * turning_times_x__2[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->axial_times_y_[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->turning_times_x_[k],
-                -d->gravity));
-        t->foot_vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (-(1.0 / c->foot_mass * d_axial_times_x_[k]) - 1.0 / c->foot_mass * axial_times_x__2[k] +
-             1.0 / c->foot_mass * d_turning_times_y_[k] + 1.0 / c->foot_mass * turning_times_y__2[k] -
-             1.0 / c->foot_mass * d_friction_force[k] +
-             d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->axial_times_x_[k] -
-             d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->turning_times_y_[k] +
-             d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->friction_force[k]);
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->friction_loss[k + 1] = series_reciprocal[k + 1] *
-                                  (d_friction_force_times_foot_vx[k] + friction_force_times_foot_vx_2[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] *
-                         (d->stance_torque * s->angle_rate[k] + c->stance_torque * d_angle_rate[k]);
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
+        t->vx[k + 1] = series_reciprocal[k + 1] * ((d->inverse_body_mass
+            + d->inverse_foot_mass) * s->axial_times_x_[k] + (-d->inverse_body_mass
+            - d->inverse_foot_mass) * s->turning_times_y_[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * axial_times_x__2[k] + (-c->inverse_body_mass
+            - c->inverse_foot_mass) * d_turning_times_y_[k] + (-c->inverse_body_mass
+            - c->inverse_foot_mass) * turning_times_y__2[k] + d->inverse_foot_mass * s->friction_force[k]
+            + c->inverse_foot_mass * d_friction_force[k]);
+        t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
+            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
+            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k],
+            -d->gravity));
+        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_foot_mass * s->turning_times_y_[k]
+            - d->inverse_foot_mass * s->axial_times_x_[k] - d->inverse_foot_mass * s->friction_force[k]
+            - c->inverse_foot_mass * d_axial_times_x_[k] - c->inverse_foot_mass * axial_times_x__2[k]
+            + c->inverse_foot_mass * d_turning_times_y_[k] + c->inverse_foot_mass * turning_times_y__2[k]
+            - c->inverse_foot_mass * d_friction_force[k]);
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+        t->friction_loss[k + 1] = series_reciprocal[k + 1] * (d_friction_force_times_foot_vx[k]
+            + friction_force_times_foot_vx_2[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (d->stance_torque * s->angle_rate[k]
+            + c->stance_torque * d_angle_rate[k]);
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->seen_angle[k + 1] = series_reciprocal[k + 1] * (d_angle_rate[k]);
     }
@@ -427,8 +342,7 @@ static void vary_slip_constant(const real *constants, const real *series, const 
 
 /* First variation of power_of_hip. */
 static void d_observed_slip_constant_power_of_hip(const real *constants, const real *series,
-                                                  const real *d_constants, const real *d_series, int order,
-                                                  real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -442,8 +356,7 @@ static void d_observed_slip_constant_power_of_hip(const real *constants, const r
 
 /* First variation of force_on_foot. */
 static void d_observed_slip_constant_force_on_foot(const real *constants, const real *series,
-                                                   const real *d_constants, const real *d_series, int order,
-                                                   real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     const slip_constant_constants *d = (const void *)d_constants;
@@ -469,29 +382,23 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
         own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
         own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
         own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
-        own_d_length[k + 1] =
-            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
+            + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] = (with_constant(k,
-                                        -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k] -
-                                            d->damping * s->length_rate[k] -
-                                            c->damping * own_d_length_rate[k] - own_axial_times_d_length[k],
-                                        d->stiffness * c->free_length + c->stiffness * d->free_length) -
-                          product_so_far(own_d_axial, s->length, k)) /
-                         s->length[0];
+        own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - own_axial_times_d_length[k], d->stiffness * c->free_length + c->stiffness * d->free_length)
+            - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
-        own_d_turning[k] = (with_constant(k, -own_turning_times_d_square[k], d->stance_torque) -
-                            product_so_far(own_d_turning, s->square, k)) /
-                           s->square[0];
+        own_d_turning[k] = (with_constant(k, -own_turning_times_d_square[k], d->stance_torque)
+            - product_so_far(own_d_turning, s->square, k)) / s->square[0];
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
-        dg[k] = with_constant(k,
-                              own_d_axial_times_y_[k] + own_axial_times_y__2[k] + own_d_turning_times_x_[k] +
-                                  own_turning_times_x__2[k],
-                              d->foot_mass_times_gravity);
+        dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
+            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity);
     }
 }
 
@@ -562,7 +469,7 @@ static void guard_slip_constant_force_on_foot(const real *constants, const real 
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_slip_constant(const real *constants, const real *series, const real *power, int order,
-                                 uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -652,48 +559,38 @@ KERNEL void add_stick_sums(const stick_series *s, int i, int j, stick_sums *sum)
     add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
     add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
     add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_products(&sum->axial, s->axial + i - 1, s->length[j]);
-    add_products(&sum->axial, s->length + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_x_, s->axial + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_x_, s->x_ + i - 1, s->axial[j]);
-    add_products(&sum->turning, s->turning + i - 1, s->square[j]);
-    add_products(&sum->turning, s->square + i - 1, s->turning[j]);
-    add_products(&sum->turning_times_y_, s->turning + i - 1, s->y_[j]);
-    add_products(&sum->turning_times_y_, s->y_ + i - 1, s->turning[j]);
-    add_products(&sum->axial_times_y_, s->axial + i - 1, s->y_[j]);
-    add_products(&sum->axial_times_y_, s->y_ + i - 1, s->axial[j]);
-    add_products(&sum->turning_times_x_, s->turning + i - 1, s->x_[j]);
-    add_products(&sum->turning_times_x_, s->x_ + i - 1, s->turning[j]);
+    add_both_products(&sum->axial, s->axial, s->length, i, j);
+    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
+    add_both_products(&sum->turning, s->turning, s->square, i, j);
+    add_both_products(&sum->turning_times_y_, s->turning, s->y_, i, j);
+    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
+    add_both_products(&sum->turning_times_x_, s->turning, s->x_, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->x__times_vy, s->x_ + i - 1, s->vy[j]);
-    add_products(&sum->x__times_vy, s->vy + i - 1, s->x_[j]);
-    add_products(&sum->y__times_vx, s->y_ + i - 1, s->vx[j]);
-    add_products(&sum->y__times_vx, s->vx + i - 1, s->y_[j]);
-    add_products(&sum->angle_rate, s->angle_rate + i - 1, s->square[j]);
-    add_products(&sum->angle_rate, s->square + i - 1, s->angle_rate[j]);
+    add_both_products(&sum->x__times_vy, s->x_, s->vy, i, j);
+    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
+    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_stick_sums(const stick_series *s, int i, stick_sums *sum) {
-    sum->x__times_x_ = pair_of(s->x_[i] * s->x_[i + 1], 0.5 * (s->x_[i + 1] * s->x_[i + 1]));
-    sum->y__times_y_ = pair_of(s->y_[i] * s->y_[i + 1], 0.5 * (s->y_[i + 1] * s->y_[i + 1]));
-    sum->length = pair_of(s->length[i] * s->length[i + 1], 0.5 * (s->length[i + 1] * s->length[i + 1]));
-    sum->axial = pair_of((s->axial[i] * s->length[i]), broadcast(0.0));
-    sum->axial_times_x_ = pair_of((s->axial[i] * s->x_[i]), broadcast(0.0));
-    sum->turning = pair_of((s->turning[i] * s->square[i]), broadcast(0.0));
-    sum->turning_times_y_ = pair_of((s->turning[i] * s->y_[i]), broadcast(0.0));
-    sum->axial_times_y_ = pair_of((s->axial[i] * s->y_[i]), broadcast(0.0));
-    sum->turning_times_x_ = pair_of((s->turning[i] * s->x_[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->x__times_vy = pair_of((s->x_[i] * s->vy[i]), broadcast(0.0));
-    sum->y__times_vx = pair_of((s->y_[i] * s->vx[i]), broadcast(0.0));
-    sum->angle_rate = pair_of((s->angle_rate[i] * s->square[i]), broadcast(0.0));
+    sum->x__times_x_ = next_middle_of_square(s->x_, i);
+    sum->y__times_y_ = next_middle_of_square(s->y_, i);
+    sum->length = next_middle_of_square(s->length, i);
+    sum->axial = middle_of_product(s->axial, s->length, i);
+    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
+    sum->turning = middle_of_product(s->turning, s->square, i);
+    sum->turning_times_y_ = middle_of_product(s->turning, s->y_, i);
+    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
+    sum->turning_times_x_ = middle_of_product(s->turning, s->x_, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->x__times_vy = middle_of_product(s->x_, s->vy, i);
+    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
+    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k, const stick_sums *sum,
-                       int odd, stick_series *s) {
+    int odd, stick_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
     s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     /* x__times_x_ = x_ * x_ */
@@ -703,21 +600,19 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
     /* square = x__times_x_ + y__times_y_ */
     s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
     /* length = real_sqrt(square) */
-    s->length[k + 1] =
-        root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length, by->inverse_length);
+    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
+        by->inverse_length);
     /* length_rate = real_rate(length) */
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length - length) - c->damping * length_rate) / length */
-    s->axial[k] =
-        quotient_of(k, part_of(sum->axial, odd),
-                    with_constant(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
-                                  c->stiffness * c->free_length),
-                    s->axial, s->length, by->inverse_length);
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, -(c->stiffness * s->length[k])
+        - c->damping * s->length_rate[k], c->stiffness * c->free_length), s->axial, s->length,
+        by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
     /* turning = c->stance_torque / square */
     s->turning[k] = quotient_of(k, part_of(sum->turning, odd), constant_of(k, c->stance_torque), s->turning,
-                                s->square, by->inverse_square);
+        s->square, by->inverse_square);
     /* turning_times_y_ = turning * y_ */
     s->turning_times_y_[k] = product_of(k, part_of(sum->turning_times_y_, odd), s->turning, s->y_);
     /* axial_times_y_ = axial * y_ */
@@ -725,21 +620,19 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
     /* turning_times_x_ = turning * x_ */
     s->turning_times_x_[k] = product_of(k, part_of(sum->turning_times_x_, odd), s->turning, s->x_);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* x__times_vy = x_ * vy */
     s->x__times_vy[k] = product_of(k, part_of(sum->x__times_vy, odd), s->x_, s->vy);
     /* y__times_vx = y_ * vx */
     s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-                                   s->angle_rate, s->square, by->inverse_square);
-    s->vx[k + 1] = series_reciprocal[k + 1] *
-                   (1.0 / c->body_mass * s->axial_times_x_[k] - 1.0 / c->body_mass * s->turning_times_y_[k]);
-    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-                                                             1.0 / c->body_mass * s->axial_times_y_[k] +
-                                                                 1.0 / c->body_mass * s->turning_times_x_[k],
-                                                             -c->gravity));
+        s->angle_rate, s->square, by->inverse_square);
+    s->vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_body_mass * s->axial_times_x_[k]
+        - c->inverse_body_mass * s->turning_times_y_[k]);
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
+        + c->inverse_body_mass * s->turning_times_x_[k], -c->gravity));
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (c->stance_torque * s->angle_rate[k]);
     s->seen_angle[k + 1] = series_reciprocal[k + 1] * (s->angle_rate[k]);
@@ -775,7 +668,7 @@ static void expand_stick(const real *constants, int order, real *series) {
 
 /* First variation of the series. */
 static void vary_stick(const real *constants, const real *series, const real *d_constants, int order,
-                       real *varied) {
+    real *varied) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     const stick_constants *d = (const void *)d_constants;
@@ -818,19 +711,15 @@ static void vary_stick(const real *constants, const real *series, const real *d_
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k,
-                                    -(d->stiffness * s->length[k]) - c->stiffness * d_length[k] -
-                                        d->damping * s->length_rate[k] - c->damping * d_length_rate[k] -
-                                        axial_times_d_length[k],
-                                    d->stiffness * c->free_length + c->stiffness * d->free_length) -
-                      product_so_far(d_axial, s->length, k)) /
-                     s->length[0];
+        d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
+            d->stiffness * c->free_length + c->stiffness * d->free_length) - product_so_far(d_axial,
+            s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
         axial_times_x__2[k] = product(s->axial, t->x_, k);
         turning_times_d_square[k] = product(s->turning, d_square, k);
-        d_turning[k] = (with_constant(k, -turning_times_d_square[k], d->stance_torque) -
-                        product_so_far(d_turning, s->square, k)) /
-                       s->square[0];
+        d_turning[k] = (with_constant(k, -turning_times_d_square[k], d->stance_torque)
+            - product_so_far(d_turning, s->square, k)) / s->square[0];
         d_turning_times_y_[k] = product(d_turning, s->y_, k);
         turning_times_y__2[k] = product(s->turning, t->y_, k);
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
@@ -843,29 +732,21 @@ static void vary_stick(const real *constants, const real *series, const real *d_
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k] -
-                           angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) /
-                          s->square[0];
-        t->vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (1.0 / c->body_mass * d_axial_times_x_[k] + 1.0 / c->body_mass * axial_times_x__2[k] -
-             1.0 / c->body_mass * d_turning_times_y_[k] - 1.0 / c->body_mass * turning_times_y__2[k] -
-             d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->axial_times_x_[k] +
-             d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->turning_times_y_[k]);
-        t->vy[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                1.0 / c->body_mass * d_axial_times_y_[k] + 1.0 / c->body_mass * axial_times_y__2[k] +
-                    1.0 / c->body_mass * d_turning_times_x_[k] + 1.0 / c->body_mass * turning_times_x__2[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->axial_times_y_[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->turning_times_x_[k],
-                -d->gravity));
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] *
-                         (d->stance_torque * s->angle_rate[k] + c->stance_torque * d_angle_rate[k]);
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
+        t->vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_body_mass * s->axial_times_x_[k]
+            - d->inverse_body_mass * s->turning_times_y_[k] + c->inverse_body_mass * d_axial_times_x_[k]
+            + c->inverse_body_mass * axial_times_x__2[k] - c->inverse_body_mass * d_turning_times_y_[k]
+            - c->inverse_body_mass * turning_times_y__2[k]);
+        t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
+            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
+            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k],
+            -d->gravity));
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (d->stance_torque * s->angle_rate[k]
+            + c->stance_torque * d_angle_rate[k]);
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->foot_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->foot_vx));
         t->seen_angle[k + 1] = series_reciprocal[k + 1] * (d_angle_rate[k]);
@@ -874,7 +755,7 @@ static void vary_stick(const real *constants, const real *series, const real *d_
 
 /* First variation of power_of_hip. */
 static void d_observed_stick_power_of_hip(const real *constants, const real *series, const real *d_constants,
-                                          const real *d_series, int order, real *dg) {
+    const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -888,7 +769,7 @@ static void d_observed_stick_power_of_hip(const real *constants, const real *ser
 
 /* First variation of force_on_foot. */
 static void d_observed_stick_force_on_foot(const real *constants, const real *series, const real *d_constants,
-                                           const real *d_series, int order, real *dg) {
+    const real *d_series, int order, real *dg) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     const stick_constants *d = (const void *)d_constants;
@@ -914,29 +795,23 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
         own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
         own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
         own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
-        own_d_length[k + 1] =
-            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
+            + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] = (with_constant(k,
-                                        -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k] -
-                                            d->damping * s->length_rate[k] -
-                                            c->damping * own_d_length_rate[k] - own_axial_times_d_length[k],
-                                        d->stiffness * c->free_length + c->stiffness * d->free_length) -
-                          product_so_far(own_d_axial, s->length, k)) /
-                         s->length[0];
+        own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - own_axial_times_d_length[k], d->stiffness * c->free_length + c->stiffness * d->free_length)
+            - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
-        own_d_turning[k] = (with_constant(k, -own_turning_times_d_square[k], d->stance_torque) -
-                            product_so_far(own_d_turning, s->square, k)) /
-                           s->square[0];
+        own_d_turning[k] = (with_constant(k, -own_turning_times_d_square[k], d->stance_torque)
+            - product_so_far(own_d_turning, s->square, k)) / s->square[0];
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
-        dg[k] = with_constant(k,
-                              own_d_axial_times_y_[k] + own_axial_times_y__2[k] + own_d_turning_times_x_[k] +
-                                  own_turning_times_x__2[k],
-                              d->foot_mass_times_gravity);
+        dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
+            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity);
     }
 }
 
@@ -981,10 +856,8 @@ static void guard_stick_slips_forward(const real *constants, const real *series,
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k,
-                             c->friction * s->axial_times_y_[k] + c->friction * s->turning_times_x_[k] +
-                                 s->axial_times_x_[k] - s->turning_times_y_[k],
-                             c->friction * c->foot_mass_times_gravity);
+        g[k] = with_constant(k, c->friction * s->axial_times_y_[k] + c->friction * s->turning_times_x_[k]
+            + s->axial_times_x_[k] - s->turning_times_y_[k], c->friction * c->foot_mass_times_gravity);
     }
 }
 
@@ -993,10 +866,8 @@ static void guard_stick_slips_backward(const real *constants, const real *series
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k,
-                             c->friction * s->axial_times_y_[k] + c->friction * s->turning_times_x_[k] -
-                                 s->axial_times_x_[k] + s->turning_times_y_[k],
-                             c->friction * c->foot_mass_times_gravity);
+        g[k] = with_constant(k, c->friction * s->axial_times_y_[k] + c->friction * s->turning_times_x_[k]
+            - s->axial_times_x_[k] + s->turning_times_y_[k], c->friction * c->foot_mass_times_gravity);
     }
 }
 
@@ -1022,7 +893,7 @@ static void guard_stick_force_on_foot(const real *constants, const real *series,
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_stick(const real *constants, const real *series, const real *power, int order,
-                         uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -1100,61 +971,53 @@ typedef struct {
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
 KERNEL void add_flight_place_calm_sums(const flight_place_calm_series *s, int i, int j,
-                                       flight_place_calm_sums *sum) {
+    flight_place_calm_sums *sum) {
     add_products(&sum->square, s->length + i - 1, s->length[j]);
-    add_products(&sum->rate, s->rate + i - 1, s->square[j]);
-    add_products(&sum->rate, s->square + i - 1, s->rate[j]);
+    add_both_products(&sum->rate, s->rate, s->square, i, j);
     add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->length + i - 1, s->rate_times_rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->rate_times_rate + i - 1, s->length[j]);
+    add_both_products(&sum->length_times_rate_times_rate, s->length, s->rate_times_rate, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->power_of_hip, s->swing_torque + i - 1, s->rate[j]);
-    add_products(&sum->power_of_hip, s->rate + i - 1, s->swing_torque[j]);
+    add_both_products(&sum->power_of_hip, s->swing_torque, s->rate, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_flight_place_calm_sums(const flight_place_calm_series *s, int i,
-                                         flight_place_calm_sums *sum) {
-    sum->square = pair_of(0.5 * (s->length[i] * s->length[i]), broadcast(0.0));
-    sum->rate = pair_of((s->rate[i] * s->square[i]), broadcast(0.0));
-    sum->rate_times_rate = pair_of(0.5 * (s->rate[i] * s->rate[i]), broadcast(0.0));
-    sum->length_times_rate_times_rate = pair_of((s->length[i] * s->rate_times_rate[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->power_of_hip = pair_of((s->swing_torque[i] * s->rate[i]), broadcast(0.0));
+    flight_place_calm_sums *sum) {
+    sum->square = middle_of_square(s->length, i);
+    sum->rate = middle_of_product(s->rate, s->square, i);
+    sum->rate_times_rate = middle_of_square(s->rate, i);
+    sum->length_times_rate_times_rate = middle_of_product(s->length, s->rate_times_rate, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->power_of_hip = middle_of_product(s->swing_torque, s->rate, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_flight_place_calm(const flight_place_calm_constants *c, const flight_place_calm_factors *by,
-                                   int k, const flight_place_calm_sums *sum, int odd,
-                                   flight_place_calm_series *s) {
+    int k, const flight_place_calm_sums *sum, int odd, flight_place_calm_series *s) {
     s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
     s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
     /* square = length * length */
     s->square[k] = square_of(k, part_of(sum->square, odd), s->length);
     /* rate = momentum / square */
-    s->rate[k] =
-        quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square, by->inverse_square);
+    s->rate[k] = quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square,
+        by->inverse_square);
     /* rate_times_rate = rate * rate */
     s->rate_times_rate[k] = square_of(k, part_of(sum->rate_times_rate, odd), s->rate);
     /* length_times_rate_times_rate = length * rate_times_rate */
-    s->length_times_rate_times_rate[k] =
-        product_of(k, part_of(sum->length_times_rate_times_rate, odd), s->length, s->rate_times_rate);
+    s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
+        s->length, s->rate_times_rate);
     /* swing_torque = c->external_torque + (-(c->kp * (angle - c->touchdown_angle)) - c->kd * rate) */
-    s->swing_torque[k] = with_constant(k, -(c->kp * s->angle[k]) - c->kd * s->rate[k],
-                                       c->external_torque + c->kp * c->touchdown_angle);
+    s->swing_torque[k] = with_constant(k, -(c->kp * s->angle[k]) - c->kd * s->rate[k], c->external_torque
+        + c->kp * c->touchdown_angle);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* power_of_hip = swing_torque * rate */
     s->power_of_hip[k] = product_of(k, part_of(sum->power_of_hip, odd), s->swing_torque, s->rate);
     s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
-    s->length_rate[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(k,
-                       s->length_times_rate_times_rate[k] - c->mobility * c->stiffness * s->length[k] -
-                           c->mobility * c->damping * s->length_rate[k],
-                       c->mobility * (c->stiffness * c->free_length)));
+    s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
+        - c->mobility * c->stiffness * s->length[k] - c->mobility * c->damping * s->length_rate[k],
+        c->mobility * (c->stiffness * c->free_length)));
     s->momentum[k + 1] = series_reciprocal[k + 1] * (c->mobility * s->swing_torque[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
@@ -1163,7 +1026,7 @@ KERNEL void step_flight_place_calm(const flight_place_calm_constants *c, const f
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
 static void expand_flight_place_calm(const real *constants, int order, real *series) {
     const flight_place_calm_constants copy = *(const flight_place_calm_constants *)(const void *)constants,
-                                      *c = &copy;
+        *c = &copy;
     flight_place_calm_series *s = (void *)series;
     static const flight_place_calm_sums none;
     flight_place_calm_sums sum = none;
@@ -1189,7 +1052,7 @@ static void expand_flight_place_calm(const real *constants, int order, real *ser
 
 /* First variation of the series. */
 static void vary_flight_place_calm(const real *constants, const real *series, const real *d_constants,
-                                   int order, real *varied) {
+    int order, real *varied) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
     const flight_place_calm_constants *d = (const void *)d_constants;
@@ -1212,36 +1075,32 @@ static void vary_flight_place_calm(const real *constants, const real *series, co
         length_times_length[k] = product(s->length, t->length, k);
         d_square[k] = 2.0 * length_times_length[k];
         rate_times_d_square[k] = product(s->rate, d_square, k);
-        d_rate[k] =
-            (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square, k)) / s->square[0];
+        d_rate[k] = (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square,
+            k)) / s->square[0];
         length_times_rate_times_rate_2[k] = product(t->length, s->rate_times_rate, k);
         rate_times_d_rate[k] = product(s->rate, d_rate, k);
         d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
         length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
-        d_swing_torque[k] = with_constant(
-            k, -(d->kp * s->angle[k]) - c->kp * t->angle[k] - d->kd * s->rate[k] - c->kd * d_rate[k],
-            d->external_torque - (-(d->kp * c->touchdown_angle) - c->kp * d->touchdown_angle));
+        d_swing_torque[k] = with_constant(k, -(d->kp * s->angle[k]) - c->kp * t->angle[k]
+            - d->kd * s->rate[k] - c->kd * d_rate[k], d->external_torque - (-(d->kp * c->touchdown_angle)
+            - c->kp * d->touchdown_angle));
         length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
         d_swing_torque_times_rate[k] = product(d_swing_torque, s->rate, k);
         swing_torque_times_d_rate[k] = product(s->swing_torque, d_rate, k);
         t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
-        t->length_rate[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k] +
-                    (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k] +
-                    (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k] -
-                    c->mobility * c->stiffness * t->length[k] - c->mobility * c->damping * t->length_rate[k],
-                d->mobility * (c->stiffness * c->free_length) +
-                    c->mobility * (d->stiffness * c->free_length + c->stiffness * d->free_length)));
-        t->momentum[k + 1] =
-            series_reciprocal[k + 1] * (d->mobility * s->swing_torque[k] + c->mobility * d_swing_torque[k]);
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_length_rate_2[k]);
-        t->work[k + 1] =
-            series_reciprocal[k + 1] * (d_swing_torque_times_rate[k] + swing_torque_times_d_rate[k]);
+        t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
+            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
+            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
+            - c->mobility * c->stiffness * t->length[k] - c->mobility * c->damping * t->length_rate[k],
+            d->mobility * (c->stiffness * c->free_length) + c->mobility * (d->stiffness * c->free_length
+            + c->stiffness * d->free_length)));
+        t->momentum[k + 1] = series_reciprocal[k + 1] * (d->mobility * s->swing_torque[k]
+            + c->mobility * d_swing_torque[k]);
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (d_swing_torque_times_rate[k]
+            + swing_torque_times_d_rate[k]);
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->com_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->com_vx));
         t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
@@ -1251,8 +1110,7 @@ static void vary_flight_place_calm(const real *constants, const real *series, co
 
 /* First variation of power_of_hip. */
 static void d_observed_flight_place_calm_power_of_hip(const real *constants, const real *series,
-                                                      const real *d_constants, const real *d_series,
-                                                      int order, real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -1318,7 +1176,7 @@ static void guard_flight_place_calm_touchdown(const real *constants, const real 
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_place_calm_power_of_hip(const real *constants, const real *series, int order,
-                                                 real *g) {
+    real *g) {
     (void)constants;
     const flight_place_calm_series *s = (const void *)series;
     real own_rate_of_work[TERMS];
@@ -1330,7 +1188,7 @@ static void guard_flight_place_calm_power_of_hip(const real *constants, const re
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_flight_place_calm(const real *constants, const real *series, const real *power, int order,
-                                     uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->angle, power, order);
@@ -1395,52 +1253,45 @@ typedef struct {
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
 KERNEL void add_flight_rest_calm_sums(const flight_rest_calm_series *s, int i, int j,
-                                      flight_rest_calm_sums *sum) {
+    flight_rest_calm_sums *sum) {
     add_products(&sum->square, s->length + i - 1, s->length[j]);
-    add_products(&sum->rate, s->rate + i - 1, s->square[j]);
-    add_products(&sum->rate, s->square + i - 1, s->rate[j]);
+    add_both_products(&sum->rate, s->rate, s->square, i, j);
     add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->length + i - 1, s->rate_times_rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->rate_times_rate + i - 1, s->length[j]);
+    add_both_products(&sum->length_times_rate_times_rate, s->length, s->rate_times_rate, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_flight_rest_calm_sums(const flight_rest_calm_series *s, int i, flight_rest_calm_sums *sum) {
-    sum->square = pair_of(0.5 * (s->length[i] * s->length[i]), broadcast(0.0));
-    sum->rate = pair_of((s->rate[i] * s->square[i]), broadcast(0.0));
-    sum->rate_times_rate = pair_of(0.5 * (s->rate[i] * s->rate[i]), broadcast(0.0));
-    sum->length_times_rate_times_rate = pair_of((s->length[i] * s->rate_times_rate[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
+    sum->square = middle_of_square(s->length, i);
+    sum->rate = middle_of_product(s->rate, s->square, i);
+    sum->rate_times_rate = middle_of_square(s->rate, i);
+    sum->length_times_rate_times_rate = middle_of_product(s->length, s->rate_times_rate, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_flight_rest_calm(const flight_rest_calm_constants *c, const flight_rest_calm_factors *by,
-                                  int k, const flight_rest_calm_sums *sum, int odd,
-                                  flight_rest_calm_series *s) {
+    int k, const flight_rest_calm_sums *sum, int odd, flight_rest_calm_series *s) {
     s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
     s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
     /* square = length * length */
     s->square[k] = square_of(k, part_of(sum->square, odd), s->length);
     /* rate = momentum / square */
-    s->rate[k] =
-        quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square, by->inverse_square);
+    s->rate[k] = quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square,
+        by->inverse_square);
     /* rate_times_rate = rate * rate */
     s->rate_times_rate[k] = square_of(k, part_of(sum->rate_times_rate, odd), s->rate);
     /* length_times_rate_times_rate = length * rate_times_rate */
-    s->length_times_rate_times_rate[k] =
-        product_of(k, part_of(sum->length_times_rate_times_rate, odd), s->length, s->rate_times_rate);
+    s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
+        s->length, s->rate_times_rate);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
-    s->length_rate[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(k,
-                       s->length_times_rate_times_rate[k] - c->mobility * c->stiffness * s->length[k] -
-                           c->mobility * c->damping * s->length_rate[k],
-                       c->mobility * (c->stiffness * c->free_length)));
+    s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
+        - c->mobility * c->stiffness * s->length[k] - c->mobility * c->damping * s->length_rate[k],
+        c->mobility * (c->stiffness * c->free_length)));
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (c->external_torque * s->rate[k]);
 }
@@ -1448,7 +1299,7 @@ KERNEL void step_flight_rest_calm(const flight_rest_calm_constants *c, const fli
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
 static void expand_flight_rest_calm(const real *constants, int order, real *series) {
     const flight_rest_calm_constants copy = *(const flight_rest_calm_constants *)(const void *)constants,
-                                     *c = &copy;
+        *c = &copy;
     flight_rest_calm_series *s = (void *)series;
     static const flight_rest_calm_sums none;
     flight_rest_calm_sums sum = none;
@@ -1474,7 +1325,7 @@ static void expand_flight_rest_calm(const real *constants, int order, real *seri
 
 /* First variation of the series. */
 static void vary_flight_rest_calm(const real *constants, const real *series, const real *d_constants,
-                                  int order, real *varied) {
+    int order, real *varied) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
     const flight_rest_calm_constants *d = (const void *)d_constants;
@@ -1494,29 +1345,25 @@ static void vary_flight_rest_calm(const real *constants, const real *series, con
         length_times_length[k] = product(s->length, t->length, k);
         d_square[k] = 2.0 * length_times_length[k];
         rate_times_d_square[k] = product(s->rate, d_square, k);
-        d_rate[k] =
-            (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square, k)) / s->square[0];
+        d_rate[k] = (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square,
+            k)) / s->square[0];
         length_times_rate_times_rate_2[k] = product(t->length, s->rate_times_rate, k);
         rate_times_d_rate[k] = product(s->rate, d_rate, k);
         d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
         length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
         length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
         t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
-        t->length_rate[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k] +
-                    (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k] +
-                    (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k] -
-                    c->mobility * c->stiffness * t->length[k] - c->mobility * c->damping * t->length_rate[k],
-                d->mobility * (c->stiffness * c->free_length) +
-                    c->mobility * (d->stiffness * c->free_length + c->stiffness * d->free_length)));
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_length_rate_2[k]);
-        t->work[k + 1] =
-            series_reciprocal[k + 1] * (d->external_torque * s->rate[k] + c->external_torque * d_rate[k]);
+        t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
+            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
+            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
+            - c->mobility * c->stiffness * t->length[k] - c->mobility * c->damping * t->length_rate[k],
+            d->mobility * (c->stiffness * c->free_length) + c->mobility * (d->stiffness * c->free_length
+            + c->stiffness * d->free_length)));
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (d->external_torque * s->rate[k]
+            + c->external_torque * d_rate[k]);
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->com_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->com_vx));
         t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
@@ -1526,8 +1373,7 @@ static void vary_flight_rest_calm(const real *constants, const real *series, con
 
 /* First variation of power_of_hip. */
 static void d_observed_flight_rest_calm_power_of_hip(const real *constants, const real *series,
-                                                     const real *d_constants, const real *d_series, int order,
-                                                     real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -1597,13 +1443,13 @@ static void guard_flight_rest_calm_release(const real *constants, const real *se
     const flight_rest_calm_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, c->kp * s->angle[k] + c->kd * s->rate[k],
-                             -(c->kp * c->liftoff_factor_times_liftoff_angle));
+            -(c->kp * c->liftoff_factor_times_liftoff_angle));
     }
 }
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_rest_calm_power_of_hip(const real *constants, const real *series, int order,
-                                                real *g) {
+    real *g) {
     (void)constants;
     const flight_rest_calm_series *s = (const void *)series;
     real own_rate_of_work[TERMS];
@@ -1615,7 +1461,7 @@ static void guard_flight_rest_calm_power_of_hip(const real *constants, const rea
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_flight_rest_calm(const real *constants, const real *series, const real *power, int order,
-                                    uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->angle, power, order);
@@ -1638,8 +1484,8 @@ static void bounds_flight_rest_calm(const real *constants, const real *series, c
     const interval span_14 = interval_difference(span_1, span_13);
     bounds[3] = span_14;
     const interval span_15 = interval_at(c->kp, c->kp);
-    const interval span_16 =
-        interval_at(c->liftoff_factor_times_liftoff_angle, c->liftoff_factor_times_liftoff_angle);
+    const interval span_16 = interval_at(c->liftoff_factor_times_liftoff_angle,
+        c->liftoff_factor_times_liftoff_angle);
     const interval span_17 = interval_difference(span_0, span_16);
     const interval span_18 = interval_product(span_15, span_17);
     const interval span_19 = interval_at(-span_18.high, -span_18.low);
@@ -1693,63 +1539,55 @@ typedef struct {
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
 KERNEL void add_flight_retract_calm_sums(const flight_retract_calm_series *s, int i, int j,
-                                         flight_retract_calm_sums *sum) {
+    flight_retract_calm_sums *sum) {
     add_products(&sum->square, s->length + i - 1, s->length[j]);
-    add_products(&sum->rate, s->rate + i - 1, s->square[j]);
-    add_products(&sum->rate, s->square + i - 1, s->rate[j]);
+    add_both_products(&sum->rate, s->rate, s->square, i, j);
     add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->length + i - 1, s->rate_times_rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->rate_times_rate + i - 1, s->length[j]);
+    add_both_products(&sum->length_times_rate_times_rate, s->length, s->rate_times_rate, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->power_of_hip, s->swing_torque + i - 1, s->rate[j]);
-    add_products(&sum->power_of_hip, s->rate + i - 1, s->swing_torque[j]);
+    add_both_products(&sum->power_of_hip, s->swing_torque, s->rate, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_flight_retract_calm_sums(const flight_retract_calm_series *s, int i,
-                                           flight_retract_calm_sums *sum) {
-    sum->square = pair_of(0.5 * (s->length[i] * s->length[i]), broadcast(0.0));
-    sum->rate = pair_of((s->rate[i] * s->square[i]), broadcast(0.0));
-    sum->rate_times_rate = pair_of(0.5 * (s->rate[i] * s->rate[i]), broadcast(0.0));
-    sum->length_times_rate_times_rate = pair_of((s->length[i] * s->rate_times_rate[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->power_of_hip = pair_of((s->swing_torque[i] * s->rate[i]), broadcast(0.0));
+    flight_retract_calm_sums *sum) {
+    sum->square = middle_of_square(s->length, i);
+    sum->rate = middle_of_product(s->rate, s->square, i);
+    sum->rate_times_rate = middle_of_square(s->rate, i);
+    sum->length_times_rate_times_rate = middle_of_product(s->length, s->rate_times_rate, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->power_of_hip = middle_of_product(s->swing_torque, s->rate, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_flight_retract_calm(const flight_retract_calm_constants *c,
-                                     const flight_retract_calm_factors *by, int k,
-                                     const flight_retract_calm_sums *sum, int odd,
-                                     flight_retract_calm_series *s) {
+    const flight_retract_calm_factors *by, int k, const flight_retract_calm_sums *sum, int odd,
+    flight_retract_calm_series *s) {
     s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
     s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
     /* square = length * length */
     s->square[k] = square_of(k, part_of(sum->square, odd), s->length);
     /* rate = momentum / square */
-    s->rate[k] =
-        quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square, by->inverse_square);
+    s->rate[k] = quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square,
+        by->inverse_square);
     /* rate_times_rate = rate * rate */
     s->rate_times_rate[k] = square_of(k, part_of(sum->rate_times_rate, odd), s->rate);
     /* length_times_rate_times_rate = length * rate_times_rate */
-    s->length_times_rate_times_rate[k] =
-        product_of(k, part_of(sum->length_times_rate_times_rate, odd), s->length, s->rate_times_rate);
+    s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
+        s->length, s->rate_times_rate);
     /* swing_torque = c->external_torque + (-(c->kp * (angle - c->liftoff_factor_times_liftoff_angle)) -
      * c->kd * rate) */
-    s->swing_torque[k] = with_constant(k, -(c->kp * s->angle[k]) - c->kd * s->rate[k],
-                                       c->external_torque + c->kp * c->liftoff_factor_times_liftoff_angle);
+    s->swing_torque[k] = with_constant(k, -(c->kp * s->angle[k]) - c->kd * s->rate[k], c->external_torque
+        + c->kp * c->liftoff_factor_times_liftoff_angle);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* power_of_hip = swing_torque * rate */
     s->power_of_hip[k] = product_of(k, part_of(sum->power_of_hip, odd), s->swing_torque, s->rate);
     s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
-    s->length_rate[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(k,
-                       s->length_times_rate_times_rate[k] - c->mobility * c->stiffness * s->length[k] -
-                           c->mobility * c->damping * s->length_rate[k],
-                       c->mobility * (c->stiffness * c->free_length)));
+    s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
+        - c->mobility * c->stiffness * s->length[k] - c->mobility * c->damping * s->length_rate[k],
+        c->mobility * (c->stiffness * c->free_length)));
     s->momentum[k + 1] = series_reciprocal[k + 1] * (c->mobility * s->swing_torque[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
@@ -1757,9 +1595,8 @@ KERNEL void step_flight_retract_calm(const flight_retract_calm_constants *c,
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
 static void expand_flight_retract_calm(const real *constants, int order, real *series) {
-    const flight_retract_calm_constants copy =
-                                            *(const flight_retract_calm_constants *)(const void *)constants,
-                                        *c = &copy;
+    const flight_retract_calm_constants copy = *(const flight_retract_calm_constants *)(const void
+        *)constants, *c = &copy;
     flight_retract_calm_series *s = (void *)series;
     static const flight_retract_calm_sums none;
     flight_retract_calm_sums sum = none;
@@ -1784,7 +1621,7 @@ static void expand_flight_retract_calm(const real *constants, int order, real *s
 
 /* First variation of the series. */
 static void vary_flight_retract_calm(const real *constants, const real *series, const real *d_constants,
-                                     int order, real *varied) {
+    int order, real *varied) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
     const flight_retract_calm_constants *d = (const void *)d_constants;
@@ -1807,37 +1644,33 @@ static void vary_flight_retract_calm(const real *constants, const real *series, 
         length_times_length[k] = product(s->length, t->length, k);
         d_square[k] = 2.0 * length_times_length[k];
         rate_times_d_square[k] = product(s->rate, d_square, k);
-        d_rate[k] =
-            (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square, k)) / s->square[0];
+        d_rate[k] = (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square,
+            k)) / s->square[0];
         length_times_rate_times_rate_2[k] = product(t->length, s->rate_times_rate, k);
         rate_times_d_rate[k] = product(s->rate, d_rate, k);
         d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
         length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
-        d_swing_torque[k] = with_constant(
-            k, -(d->kp * s->angle[k]) - c->kp * t->angle[k] - d->kd * s->rate[k] - c->kd * d_rate[k],
-            d->external_torque - (-(d->kp * c->liftoff_factor_times_liftoff_angle) -
-                                  c->kp * d->liftoff_factor_times_liftoff_angle));
+        d_swing_torque[k] = with_constant(k, -(d->kp * s->angle[k]) - c->kp * t->angle[k]
+            - d->kd * s->rate[k] - c->kd * d_rate[k], d->external_torque
+            - (-(d->kp * c->liftoff_factor_times_liftoff_angle)
+            - c->kp * d->liftoff_factor_times_liftoff_angle));
         length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
         d_swing_torque_times_rate[k] = product(d_swing_torque, s->rate, k);
         swing_torque_times_d_rate[k] = product(s->swing_torque, d_rate, k);
         t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
-        t->length_rate[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k] +
-                    (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k] +
-                    (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k] -
-                    c->mobility * c->stiffness * t->length[k] - c->mobility * c->damping * t->length_rate[k],
-                d->mobility * (c->stiffness * c->free_length) +
-                    c->mobility * (d->stiffness * c->free_length + c->stiffness * d->free_length)));
-        t->momentum[k + 1] =
-            series_reciprocal[k + 1] * (d->mobility * s->swing_torque[k] + c->mobility * d_swing_torque[k]);
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_length_rate_2[k]);
-        t->work[k + 1] =
-            series_reciprocal[k + 1] * (d_swing_torque_times_rate[k] + swing_torque_times_d_rate[k]);
+        t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
+            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
+            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
+            - c->mobility * c->stiffness * t->length[k] - c->mobility * c->damping * t->length_rate[k],
+            d->mobility * (c->stiffness * c->free_length) + c->mobility * (d->stiffness * c->free_length
+            + c->stiffness * d->free_length)));
+        t->momentum[k + 1] = series_reciprocal[k + 1] * (d->mobility * s->swing_torque[k]
+            + c->mobility * d_swing_torque[k]);
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (d_swing_torque_times_rate[k]
+            + swing_torque_times_d_rate[k]);
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->com_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->com_vx));
         t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
@@ -1846,8 +1679,7 @@ static void vary_flight_retract_calm(const real *constants, const real *series, 
 
 /* First variation of power_of_hip. */
 static void d_observed_flight_retract_calm_power_of_hip(const real *constants, const real *series,
-                                                        const real *d_constants, const real *d_series,
-                                                        int order, real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -1877,7 +1709,7 @@ static void guard_flight_retract_calm_falls(const real *constants, const real *s
 
 /* collapses: The leg is shorter than leg.min_length. */
 static void guard_flight_retract_calm_collapses(const real *constants, const real *series, int order,
-                                                real *g) {
+    real *g) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
@@ -1898,7 +1730,7 @@ static void guard_flight_retract_calm_apex(const real *constants, const real *se
 
 /* touchdown: The foot reaches the ground. */
 static void guard_flight_retract_calm_touchdown(const real *constants, const real *series, int order,
-                                                real *g) {
+    real *g) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
     real own_cos_of_angle[TERMS];
@@ -1919,13 +1751,13 @@ static void guard_flight_retract_calm_clamp(const real *constants, const real *s
     const flight_retract_calm_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, -(c->kp * s->angle[k]) - c->kd * s->rate[k],
-                             c->kp * c->liftoff_factor_times_liftoff_angle);
+            c->kp * c->liftoff_factor_times_liftoff_angle);
     }
 }
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_retract_calm_power_of_hip(const real *constants, const real *series, int order,
-                                                   real *g) {
+    real *g) {
     (void)constants;
     const flight_retract_calm_series *s = (const void *)series;
     real own_rate_of_work[TERMS];
@@ -1937,7 +1769,7 @@ static void guard_flight_retract_calm_power_of_hip(const real *constants, const 
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_flight_retract_calm(const real *constants, const real *series, const real *power,
-                                       int order, uint64_t watched, interval *bounds) {
+    int order, uint64_t watched, interval *bounds) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->angle, power, order);
@@ -1961,8 +1793,8 @@ static void bounds_flight_retract_calm(const real *constants, const real *series
     bounds[3] = span_14;
     if (watched >> 4 & 1) {
         const interval span_15 = interval_at(c->kp, c->kp);
-        const interval span_16 =
-            interval_at(c->liftoff_factor_times_liftoff_angle, c->liftoff_factor_times_liftoff_angle);
+        const interval span_16 = interval_at(c->liftoff_factor_times_liftoff_angle,
+            c->liftoff_factor_times_liftoff_angle);
         const interval span_17 = interval_difference(span_0, span_16);
         const interval span_18 = interval_product(span_15, span_17);
         const interval span_19 = interval_at(-span_18.high, -span_18.low);
@@ -1985,70 +1817,21 @@ typedef struct {
     real none[TERMS];
 } fallen_series;
 
-typedef struct {
-    pair none;
-} fallen_sums;
-
-typedef struct {
-    real none;
-} fallen_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_fallen_sums(const fallen_series *s, int i, int j, fallen_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_fallen_sums(const fallen_series *s, int i, fallen_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_fallen(const fallen_constants *c, const fallen_factors *by, int k, const fallen_sums *sum,
-                        int odd, fallen_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)s;
-    (void)k;
-    (void)odd;
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_fallen(const real *constants, int order, real *series) {
-    const fallen_constants copy = *(const fallen_constants *)(const void *)constants, *c = &copy;
-    fallen_series *s = (void *)series;
-    static const fallen_sums none;
-    fallen_sums sum = none;
-    const fallen_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_fallen(c, by, 0, &sum, 0, s);
-    begin_fallen_sums(s, 0, &sum);
-    step_fallen(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_fallen_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_fallen_sums(s, i, j, &sum);
-        }
-        step_fallen(c, by, k, &sum, 0, s);
-        add_fallen_sums(s, 1, k, &sum);
-        step_fallen(c, by, k + 1, &sum, 1, s);
-    }
+/* All coefficients. */
+static void expand_fallen(const real *constants, int order, real *expanded) {
+    (void)constants;
+    (void)order;
+    (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_fallen(const real *constants, const real *series, const real *d_constants, int order,
-                        real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     (void)d_constants;
+    (void)order;
     (void)varied;
-    for (int k = 0; k < order; ++k) {
-    }
 }
 
 /* ---- graze_place */
@@ -2111,49 +1894,38 @@ KERNEL void add_graze_place_sums(const graze_place_series *s, int i, int j, graz
     add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
     add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
     add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_products(&sum->axial, s->axial + i - 1, s->length[j]);
-    add_products(&sum->axial, s->length + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_x_, s->axial + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_x_, s->x_ + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_y_, s->axial + i - 1, s->y_[j]);
-    add_products(&sum->axial_times_y_, s->y_ + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_y__plus_off_over_x_, s->axial_times_y__plus_off_over_x_ + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_y__plus_off_over_x_, s->x_ + i - 1, s->axial_times_y__plus_off_over_x_[j]);
-    add_products(&sum->product_2, s->axial_times_y__plus_off_over_x_ + i - 1, s->y_[j]);
-    add_products(&sum->product_2, s->y_ + i - 1, s->axial_times_y__plus_off_over_x_[j]);
+    add_both_products(&sum->axial, s->axial, s->length, i, j);
+    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
+    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
+    add_both_products(&sum->axial_times_y__plus_off_over_x_, s->axial_times_y__plus_off_over_x_, s->x_, i, j);
+    add_both_products(&sum->product_2, s->axial_times_y__plus_off_over_x_, s->y_, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->product_3, s->axial_times_y__plus_off_over_x_ + i - 1, s->square[j]);
-    add_products(&sum->product_3, s->square + i - 1, s->axial_times_y__plus_off_over_x_[j]);
-    add_products(&sum->y__times_vx, s->y_ + i - 1, s->vx[j]);
-    add_products(&sum->y__times_vx, s->vx + i - 1, s->y_[j]);
-    add_products(&sum->angle_rate, s->angle_rate + i - 1, s->square[j]);
-    add_products(&sum->angle_rate, s->square + i - 1, s->angle_rate[j]);
-    add_products(&sum->product_3_times_angle_rate, s->product_3 + i - 1, s->angle_rate[j]);
-    add_products(&sum->product_3_times_angle_rate, s->angle_rate + i - 1, s->product_3[j]);
+    add_both_products(&sum->product_3, s->axial_times_y__plus_off_over_x_, s->square, i, j);
+    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
+    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
+    add_both_products(&sum->product_3_times_angle_rate, s->product_3, s->angle_rate, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_graze_place_sums(const graze_place_series *s, int i, graze_place_sums *sum) {
-    sum->x__times_x_ = pair_of(s->x_[i] * s->x_[i + 1], 0.5 * (s->x_[i + 1] * s->x_[i + 1]));
-    sum->y__times_y_ = pair_of(s->y_[i] * s->y_[i + 1], 0.5 * (s->y_[i + 1] * s->y_[i + 1]));
-    sum->length = pair_of(s->length[i] * s->length[i + 1], 0.5 * (s->length[i + 1] * s->length[i + 1]));
-    sum->axial = pair_of((s->axial[i] * s->length[i]), broadcast(0.0));
-    sum->axial_times_x_ = pair_of((s->axial[i] * s->x_[i]), broadcast(0.0));
-    sum->axial_times_y_ = pair_of((s->axial[i] * s->y_[i]), broadcast(0.0));
-    sum->axial_times_y__plus_off_over_x_ =
-        pair_of((s->axial_times_y__plus_off_over_x_[i] * s->x_[i]), broadcast(0.0));
-    sum->product_2 = pair_of((s->axial_times_y__plus_off_over_x_[i] * s->y_[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->product_3 = pair_of((s->axial_times_y__plus_off_over_x_[i] * s->square[i]), broadcast(0.0));
-    sum->y__times_vx = pair_of((s->y_[i] * s->vx[i]), broadcast(0.0));
-    sum->angle_rate = pair_of((s->angle_rate[i] * s->square[i]), broadcast(0.0));
-    sum->product_3_times_angle_rate = pair_of((s->product_3[i] * s->angle_rate[i]), broadcast(0.0));
+    sum->x__times_x_ = next_middle_of_square(s->x_, i);
+    sum->y__times_y_ = next_middle_of_square(s->y_, i);
+    sum->length = next_middle_of_square(s->length, i);
+    sum->axial = middle_of_product(s->axial, s->length, i);
+    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
+    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
+    sum->axial_times_y__plus_off_over_x_ = middle_of_product(s->axial_times_y__plus_off_over_x_, s->x_, i);
+    sum->product_2 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->y_, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->product_3 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->square, i);
+    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
+    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
+    sum->product_3_times_angle_rate = middle_of_product(s->product_3, s->angle_rate, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_graze_place(const graze_place_constants *c, const graze_place_factors *by, int k,
-                             const graze_place_sums *sum, int odd, graze_place_series *s) {
+    const graze_place_sums *sum, int odd, graze_place_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
     s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     s->foot_x[k + 1] = s->foot_vx[k] * series_reciprocal[k + 1];
@@ -2164,47 +1936,45 @@ KERNEL void step_graze_place(const graze_place_constants *c, const graze_place_f
     /* square = x__times_x_ + y__times_y_ */
     s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
     /* length = real_sqrt(square) */
-    s->length[k + 1] =
-        root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length, by->inverse_length);
+    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
+        by->inverse_length);
     /* length_rate = real_rate(length) */
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length - length) - c->damping * length_rate) / length */
-    s->axial[k] =
-        quotient_of(k, part_of(sum->axial, odd),
-                    with_constant(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
-                                  c->stiffness * c->free_length),
-                    s->axial, s->length, by->inverse_length);
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, -(c->stiffness * s->length[k])
+        - c->damping * s->length_rate[k], c->stiffness * c->free_length), s->axial, s->length,
+        by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
     /* axial_times_y_ = axial * y_ */
     s->axial_times_y_[k] = product_of(k, part_of(sum->axial_times_y_, odd), s->axial, s->y_);
     /* axial_times_y__plus_off_over_x_ = (axial_times_y_ + c->off) / x_ */
-    s->axial_times_y__plus_off_over_x_[k] = quotient_of(
-        k, part_of(sum->axial_times_y__plus_off_over_x_, odd), with_constant(k, s->axial_times_y_[k], c->off),
-        s->axial_times_y__plus_off_over_x_, s->x_, by->inverse_x_);
+    s->axial_times_y__plus_off_over_x_[k] = quotient_of(k, part_of(sum->axial_times_y__plus_off_over_x_, odd),
+        with_constant(k, s->axial_times_y_[k], c->off), s->axial_times_y__plus_off_over_x_, s->x_,
+        by->inverse_x_);
     /* product_2 = axial_times_y__plus_off_over_x_ * y_ */
     s->product_2[k] = product_of(k, part_of(sum->product_2, odd), s->axial_times_y__plus_off_over_x_, s->y_);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* product_3 = axial_times_y__plus_off_over_x_ * square */
-    s->product_3[k] =
-        product_of(k, part_of(sum->product_3, odd), s->axial_times_y__plus_off_over_x_, s->square);
+    s->product_3[k] = product_of(k, part_of(sum->product_3, odd), s->axial_times_y__plus_off_over_x_,
+        s->square);
     /* x__times_vy = x_ * vy */
     s->x__times_vy[k] = drift_times(k, s->vy[0], s->vy[1], s->x_);
     /* y__times_vx = y_ * vx */
     s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-                                   s->angle_rate, s->square, by->inverse_square);
+        s->angle_rate, s->square, by->inverse_square);
     /* product_3_times_angle_rate = product_3 * angle_rate */
-    s->product_3_times_angle_rate[k] =
-        product_of(k, part_of(sum->product_3_times_angle_rate, odd), s->product_3, s->angle_rate);
-    s->vx[k + 1] =
-        series_reciprocal[k + 1] * ((1.0 / c->body_mass + 1.0 / c->foot_mass) * s->axial_times_x_[k] +
-                                    (1.0 / c->body_mass + 1.0 / c->foot_mass) * s->product_2[k]);
-    s->foot_vx[k + 1] = series_reciprocal[k + 1] *
-                        (-(1.0 / c->foot_mass * s->axial_times_x_[k]) - 1.0 / c->foot_mass * s->product_2[k]);
+    s->product_3_times_angle_rate[k] = product_of(k, part_of(sum->product_3_times_angle_rate, odd),
+        s->product_3, s->angle_rate);
+    s->vx[k + 1] = series_reciprocal[k + 1] * ((c->inverse_body_mass
+        + c->inverse_foot_mass) * s->axial_times_x_[k] + (c->inverse_body_mass
+        + c->inverse_foot_mass) * s->product_2[k]);
+    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (-(c->inverse_foot_mass * s->axial_times_x_[k])
+        - c->inverse_foot_mass * s->product_2[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (-s->product_3_times_angle_rate[k]);
     s->seen_angle[k + 1] = series_reciprocal[k + 1] * (s->angle_rate[k]);
@@ -2225,7 +1995,7 @@ static void expand_graze_place(const real *constants, int order, real *series) {
     s->square[0] = s->x__times_x_[0] + s->y__times_y_[0];
     s->length[0] = real_sqrt(s->square[0]);
     const graze_place_factors factors = {1.0 / s->length[0], 1.0 / s->x_[0], 1.0 / s->square[0]},
-                              *by = &factors;
+        *by = &factors;
     step_graze_place(c, by, 0, &sum, 0, s);
     begin_graze_place_sums(s, 0, &sum);
     step_graze_place(c, by, 1, &sum, 1, s);
@@ -2242,7 +2012,7 @@ static void expand_graze_place(const real *constants, int order, real *series) {
 
 /* First variation of the series. */
 static void vary_graze_place(const real *constants, const real *series, const real *d_constants, int order,
-                             real *varied) {
+    real *varied) {
     const graze_place_constants *c = (const void *)constants;
     const graze_place_series *s = (const void *)series;
     const graze_place_constants *d = (const void *)d_constants;
@@ -2289,22 +2059,17 @@ static void vary_graze_place(const real *constants, const real *series, const re
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k,
-                                    -(d->stiffness * s->length[k]) - c->stiffness * d_length[k] -
-                                        d->damping * s->length_rate[k] - c->damping * d_length_rate[k] -
-                                        axial_times_d_length[k],
-                                    d->stiffness * c->free_length + c->stiffness * d->free_length) -
-                      product_so_far(d_axial, s->length, k)) /
-                     s->length[0];
+        d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
+            d->stiffness * c->free_length + c->stiffness * d->free_length) - product_so_far(d_axial,
+            s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
         axial_times_x__2[k] = product(s->axial, t->x_, k);
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
-        d_axial_times_y__plus_off_over_x_[k] =
-            (with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k] - product_4[k], d->off) -
-             product_so_far(d_axial_times_y__plus_off_over_x_, s->x_, k)) /
-            s->x_[0];
+        d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k]
+            - product_4[k], d->off) - product_so_far(d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
         product_5[k] = product(d_axial_times_y__plus_off_over_x_, s->y_, k);
         product_6[k] = product(s->axial_times_y__plus_off_over_x_, t->y_, k);
         length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
@@ -2317,32 +2082,24 @@ static void vary_graze_place(const real *constants, const real *series, const re
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k] -
-                           angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) /
-                          s->square[0];
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
         product_3_times_d_angle_rate[k] = product(s->product_3, d_angle_rate, k);
-        t->vx[k + 1] =
-            series_reciprocal[k + 1] * ((1.0 / c->body_mass + 1.0 / c->foot_mass) * d_axial_times_x_[k] +
-                                        (1.0 / c->body_mass + 1.0 / c->foot_mass) * axial_times_x__2[k] +
-                                        (1.0 / c->body_mass + 1.0 / c->foot_mass) * product_5[k] +
-                                        (1.0 / c->body_mass + 1.0 / c->foot_mass) * product_6[k] +
-                                        (-(d->body_mass * (1.0 / c->body_mass) / c->body_mass) -
-                                         d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                                            s->axial_times_x_[k] +
-                                        (-(d->body_mass * (1.0 / c->body_mass) / c->body_mass) -
-                                         d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                                            s->product_2[k]);
-        t->foot_vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (-(1.0 / c->foot_mass * d_axial_times_x_[k]) - 1.0 / c->foot_mass * axial_times_x__2[k] -
-             1.0 / c->foot_mass * product_5[k] - 1.0 / c->foot_mass * product_6[k] +
-             d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->axial_times_x_[k] +
-             d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->product_2[k]);
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->work[k + 1] =
-            series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k] - product_3_times_d_angle_rate[k]);
+        t->vx[k + 1] = series_reciprocal[k + 1] * ((d->inverse_body_mass
+            + d->inverse_foot_mass) * s->axial_times_x_[k] + (d->inverse_body_mass
+            + d->inverse_foot_mass) * s->product_2[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * axial_times_x__2[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * product_5[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * product_6[k]);
+        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (-(d->inverse_foot_mass * s->axial_times_x_[k])
+            - d->inverse_foot_mass * s->product_2[k] - c->inverse_foot_mass * d_axial_times_x_[k]
+            - c->inverse_foot_mass * axial_times_x__2[k] - c->inverse_foot_mass * product_5[k]
+            - c->inverse_foot_mass * product_6[k]);
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k]
+            - product_3_times_d_angle_rate[k]);
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_off_over_body_mass_minus_gravity));
         t->placing[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
@@ -2352,8 +2109,7 @@ static void vary_graze_place(const real *constants, const real *series, const re
 
 /* First variation of power_of_hip. */
 static void d_observed_graze_place_power_of_hip(const real *constants, const real *series,
-                                                const real *d_constants, const real *d_series, int order,
-                                                real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -2394,14 +2150,14 @@ static void guard_graze_place_mid_stance(const real *constants, const real *seri
 
 /* graze_to_contact: The stance law presses the foot on the ground again. */
 static void guard_graze_place_graze_to_contact(const real *constants, const real *series, int order,
-                                               real *g) {
+    real *g) {
     const graze_place_constants *c = (const void *)constants;
     const graze_place_series *s = (const void *)series;
     real own_turning[TERMS];
     real own_turning_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_turning[k] =
-            (constant_of(k, c->stance_torque) - product_so_far(own_turning, s->square, k)) / s->square[0];
+        own_turning[k] = (constant_of(k, c->stance_torque) - product_so_far(own_turning, s->square,
+            k)) / s->square[0];
         own_turning_times_x_[k] = product(own_turning, s->x_, k);
         g[k] = with_constant(k, -s->axial_times_y_[k] - own_turning_times_x_[k], -c->off);
     }
@@ -2414,11 +2170,9 @@ static void guard_graze_place_graze_to_flight(const real *constants, const real 
     real own_swing_torque_over_square[TERMS];
     real own_swing_torque_over_square_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_swing_torque_over_square[k] =
-            (with_constant(k, -(c->kp * s->seen_angle[k]) - c->kd * s->angle_rate[k],
-                           c->external_torque - c->kp * (c->winding - c->touchdown_angle)) -
-             product_so_far(own_swing_torque_over_square, s->square, k)) /
-            s->square[0];
+        own_swing_torque_over_square[k] = (with_constant(k, -(c->kp * s->seen_angle[k])
+            - c->kd * s->angle_rate[k], c->external_torque - c->kp * (c->winding - c->touchdown_angle))
+            - product_so_far(own_swing_torque_over_square, s->square, k)) / s->square[0];
         own_swing_torque_over_square_times_x_[k] = product(own_swing_torque_over_square, s->x_, k);
         g[k] = with_constant(k, s->axial_times_y_[k] + own_swing_torque_over_square_times_x_[k], c->off);
     }
@@ -2437,7 +2191,7 @@ static void guard_graze_place_power_of_hip(const real *constants, const real *se
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_graze_place(const real *constants, const real *series, const real *power, int order,
-                               uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const graze_place_constants *c = (const void *)constants;
     const graze_place_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 3);
@@ -2519,49 +2273,38 @@ KERNEL void add_graze_rest_sums(const graze_rest_series *s, int i, int j, graze_
     add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
     add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
     add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_products(&sum->axial, s->axial + i - 1, s->length[j]);
-    add_products(&sum->axial, s->length + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_x_, s->axial + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_x_, s->x_ + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_y_, s->axial + i - 1, s->y_[j]);
-    add_products(&sum->axial_times_y_, s->y_ + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_y__plus_off_over_x_, s->axial_times_y__plus_off_over_x_ + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_y__plus_off_over_x_, s->x_ + i - 1, s->axial_times_y__plus_off_over_x_[j]);
-    add_products(&sum->product_2, s->axial_times_y__plus_off_over_x_ + i - 1, s->y_[j]);
-    add_products(&sum->product_2, s->y_ + i - 1, s->axial_times_y__plus_off_over_x_[j]);
+    add_both_products(&sum->axial, s->axial, s->length, i, j);
+    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
+    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
+    add_both_products(&sum->axial_times_y__plus_off_over_x_, s->axial_times_y__plus_off_over_x_, s->x_, i, j);
+    add_both_products(&sum->product_2, s->axial_times_y__plus_off_over_x_, s->y_, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->product_3, s->axial_times_y__plus_off_over_x_ + i - 1, s->square[j]);
-    add_products(&sum->product_3, s->square + i - 1, s->axial_times_y__plus_off_over_x_[j]);
-    add_products(&sum->y__times_vx, s->y_ + i - 1, s->vx[j]);
-    add_products(&sum->y__times_vx, s->vx + i - 1, s->y_[j]);
-    add_products(&sum->angle_rate, s->angle_rate + i - 1, s->square[j]);
-    add_products(&sum->angle_rate, s->square + i - 1, s->angle_rate[j]);
-    add_products(&sum->product_3_times_angle_rate, s->product_3 + i - 1, s->angle_rate[j]);
-    add_products(&sum->product_3_times_angle_rate, s->angle_rate + i - 1, s->product_3[j]);
+    add_both_products(&sum->product_3, s->axial_times_y__plus_off_over_x_, s->square, i, j);
+    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
+    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
+    add_both_products(&sum->product_3_times_angle_rate, s->product_3, s->angle_rate, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_graze_rest_sums(const graze_rest_series *s, int i, graze_rest_sums *sum) {
-    sum->x__times_x_ = pair_of(s->x_[i] * s->x_[i + 1], 0.5 * (s->x_[i + 1] * s->x_[i + 1]));
-    sum->y__times_y_ = pair_of(s->y_[i] * s->y_[i + 1], 0.5 * (s->y_[i + 1] * s->y_[i + 1]));
-    sum->length = pair_of(s->length[i] * s->length[i + 1], 0.5 * (s->length[i + 1] * s->length[i + 1]));
-    sum->axial = pair_of((s->axial[i] * s->length[i]), broadcast(0.0));
-    sum->axial_times_x_ = pair_of((s->axial[i] * s->x_[i]), broadcast(0.0));
-    sum->axial_times_y_ = pair_of((s->axial[i] * s->y_[i]), broadcast(0.0));
-    sum->axial_times_y__plus_off_over_x_ =
-        pair_of((s->axial_times_y__plus_off_over_x_[i] * s->x_[i]), broadcast(0.0));
-    sum->product_2 = pair_of((s->axial_times_y__plus_off_over_x_[i] * s->y_[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->product_3 = pair_of((s->axial_times_y__plus_off_over_x_[i] * s->square[i]), broadcast(0.0));
-    sum->y__times_vx = pair_of((s->y_[i] * s->vx[i]), broadcast(0.0));
-    sum->angle_rate = pair_of((s->angle_rate[i] * s->square[i]), broadcast(0.0));
-    sum->product_3_times_angle_rate = pair_of((s->product_3[i] * s->angle_rate[i]), broadcast(0.0));
+    sum->x__times_x_ = next_middle_of_square(s->x_, i);
+    sum->y__times_y_ = next_middle_of_square(s->y_, i);
+    sum->length = next_middle_of_square(s->length, i);
+    sum->axial = middle_of_product(s->axial, s->length, i);
+    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
+    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
+    sum->axial_times_y__plus_off_over_x_ = middle_of_product(s->axial_times_y__plus_off_over_x_, s->x_, i);
+    sum->product_2 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->y_, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->product_3 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->square, i);
+    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
+    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
+    sum->product_3_times_angle_rate = middle_of_product(s->product_3, s->angle_rate, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_graze_rest(const graze_rest_constants *c, const graze_rest_factors *by, int k,
-                            const graze_rest_sums *sum, int odd, graze_rest_series *s) {
+    const graze_rest_sums *sum, int odd, graze_rest_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
     s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     s->foot_x[k + 1] = s->foot_vx[k] * series_reciprocal[k + 1];
@@ -2572,47 +2315,45 @@ KERNEL void step_graze_rest(const graze_rest_constants *c, const graze_rest_fact
     /* square = x__times_x_ + y__times_y_ */
     s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
     /* length = real_sqrt(square) */
-    s->length[k + 1] =
-        root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length, by->inverse_length);
+    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
+        by->inverse_length);
     /* length_rate = real_rate(length) */
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length - length) - c->damping * length_rate) / length */
-    s->axial[k] =
-        quotient_of(k, part_of(sum->axial, odd),
-                    with_constant(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
-                                  c->stiffness * c->free_length),
-                    s->axial, s->length, by->inverse_length);
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, -(c->stiffness * s->length[k])
+        - c->damping * s->length_rate[k], c->stiffness * c->free_length), s->axial, s->length,
+        by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
     /* axial_times_y_ = axial * y_ */
     s->axial_times_y_[k] = product_of(k, part_of(sum->axial_times_y_, odd), s->axial, s->y_);
     /* axial_times_y__plus_off_over_x_ = (axial_times_y_ + c->off) / x_ */
-    s->axial_times_y__plus_off_over_x_[k] = quotient_of(
-        k, part_of(sum->axial_times_y__plus_off_over_x_, odd), with_constant(k, s->axial_times_y_[k], c->off),
-        s->axial_times_y__plus_off_over_x_, s->x_, by->inverse_x_);
+    s->axial_times_y__plus_off_over_x_[k] = quotient_of(k, part_of(sum->axial_times_y__plus_off_over_x_, odd),
+        with_constant(k, s->axial_times_y_[k], c->off), s->axial_times_y__plus_off_over_x_, s->x_,
+        by->inverse_x_);
     /* product_2 = axial_times_y__plus_off_over_x_ * y_ */
     s->product_2[k] = product_of(k, part_of(sum->product_2, odd), s->axial_times_y__plus_off_over_x_, s->y_);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* product_3 = axial_times_y__plus_off_over_x_ * square */
-    s->product_3[k] =
-        product_of(k, part_of(sum->product_3, odd), s->axial_times_y__plus_off_over_x_, s->square);
+    s->product_3[k] = product_of(k, part_of(sum->product_3, odd), s->axial_times_y__plus_off_over_x_,
+        s->square);
     /* x__times_vy = x_ * vy */
     s->x__times_vy[k] = drift_times(k, s->vy[0], s->vy[1], s->x_);
     /* y__times_vx = y_ * vx */
     s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-                                   s->angle_rate, s->square, by->inverse_square);
+        s->angle_rate, s->square, by->inverse_square);
     /* product_3_times_angle_rate = product_3 * angle_rate */
-    s->product_3_times_angle_rate[k] =
-        product_of(k, part_of(sum->product_3_times_angle_rate, odd), s->product_3, s->angle_rate);
-    s->vx[k + 1] =
-        series_reciprocal[k + 1] * ((1.0 / c->body_mass + 1.0 / c->foot_mass) * s->axial_times_x_[k] +
-                                    (1.0 / c->body_mass + 1.0 / c->foot_mass) * s->product_2[k]);
-    s->foot_vx[k + 1] = series_reciprocal[k + 1] *
-                        (-(1.0 / c->foot_mass * s->axial_times_x_[k]) - 1.0 / c->foot_mass * s->product_2[k]);
+    s->product_3_times_angle_rate[k] = product_of(k, part_of(sum->product_3_times_angle_rate, odd),
+        s->product_3, s->angle_rate);
+    s->vx[k + 1] = series_reciprocal[k + 1] * ((c->inverse_body_mass
+        + c->inverse_foot_mass) * s->axial_times_x_[k] + (c->inverse_body_mass
+        + c->inverse_foot_mass) * s->product_2[k]);
+    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (-(c->inverse_foot_mass * s->axial_times_x_[k])
+        - c->inverse_foot_mass * s->product_2[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (-s->product_3_times_angle_rate[k]);
     s->seen_angle[k + 1] = series_reciprocal[k + 1] * (s->angle_rate[k]);
@@ -2632,7 +2373,7 @@ static void expand_graze_rest(const real *constants, int order, real *series) {
     s->square[0] = s->x__times_x_[0] + s->y__times_y_[0];
     s->length[0] = real_sqrt(s->square[0]);
     const graze_rest_factors factors = {1.0 / s->length[0], 1.0 / s->x_[0], 1.0 / s->square[0]},
-                             *by = &factors;
+        *by = &factors;
     step_graze_rest(c, by, 0, &sum, 0, s);
     begin_graze_rest_sums(s, 0, &sum);
     step_graze_rest(c, by, 1, &sum, 1, s);
@@ -2649,7 +2390,7 @@ static void expand_graze_rest(const real *constants, int order, real *series) {
 
 /* First variation of the series. */
 static void vary_graze_rest(const real *constants, const real *series, const real *d_constants, int order,
-                            real *varied) {
+    real *varied) {
     const graze_rest_constants *c = (const void *)constants;
     const graze_rest_series *s = (const void *)series;
     const graze_rest_constants *d = (const void *)d_constants;
@@ -2696,22 +2437,17 @@ static void vary_graze_rest(const real *constants, const real *series, const rea
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k,
-                                    -(d->stiffness * s->length[k]) - c->stiffness * d_length[k] -
-                                        d->damping * s->length_rate[k] - c->damping * d_length_rate[k] -
-                                        axial_times_d_length[k],
-                                    d->stiffness * c->free_length + c->stiffness * d->free_length) -
-                      product_so_far(d_axial, s->length, k)) /
-                     s->length[0];
+        d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
+            d->stiffness * c->free_length + c->stiffness * d->free_length) - product_so_far(d_axial,
+            s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
         axial_times_x__2[k] = product(s->axial, t->x_, k);
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
-        d_axial_times_y__plus_off_over_x_[k] =
-            (with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k] - product_4[k], d->off) -
-             product_so_far(d_axial_times_y__plus_off_over_x_, s->x_, k)) /
-            s->x_[0];
+        d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k]
+            - product_4[k], d->off) - product_so_far(d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
         product_5[k] = product(d_axial_times_y__plus_off_over_x_, s->y_, k);
         product_6[k] = product(s->axial_times_y__plus_off_over_x_, t->y_, k);
         length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
@@ -2724,32 +2460,24 @@ static void vary_graze_rest(const real *constants, const real *series, const rea
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k] -
-                           angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) /
-                          s->square[0];
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
         product_3_times_d_angle_rate[k] = product(s->product_3, d_angle_rate, k);
-        t->vx[k + 1] =
-            series_reciprocal[k + 1] * ((1.0 / c->body_mass + 1.0 / c->foot_mass) * d_axial_times_x_[k] +
-                                        (1.0 / c->body_mass + 1.0 / c->foot_mass) * axial_times_x__2[k] +
-                                        (1.0 / c->body_mass + 1.0 / c->foot_mass) * product_5[k] +
-                                        (1.0 / c->body_mass + 1.0 / c->foot_mass) * product_6[k] +
-                                        (-(d->body_mass * (1.0 / c->body_mass) / c->body_mass) -
-                                         d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                                            s->axial_times_x_[k] +
-                                        (-(d->body_mass * (1.0 / c->body_mass) / c->body_mass) -
-                                         d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                                            s->product_2[k]);
-        t->foot_vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (-(1.0 / c->foot_mass * d_axial_times_x_[k]) - 1.0 / c->foot_mass * axial_times_x__2[k] -
-             1.0 / c->foot_mass * product_5[k] - 1.0 / c->foot_mass * product_6[k] +
-             d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->axial_times_x_[k] +
-             d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->product_2[k]);
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->work[k + 1] =
-            series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k] - product_3_times_d_angle_rate[k]);
+        t->vx[k + 1] = series_reciprocal[k + 1] * ((d->inverse_body_mass
+            + d->inverse_foot_mass) * s->axial_times_x_[k] + (d->inverse_body_mass
+            + d->inverse_foot_mass) * s->product_2[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * axial_times_x__2[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * product_5[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * product_6[k]);
+        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (-(d->inverse_foot_mass * s->axial_times_x_[k])
+            - d->inverse_foot_mass * s->product_2[k] - c->inverse_foot_mass * d_axial_times_x_[k]
+            - c->inverse_foot_mass * axial_times_x__2[k] - c->inverse_foot_mass * product_5[k]
+            - c->inverse_foot_mass * product_6[k]);
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k]
+            - product_3_times_d_angle_rate[k]);
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_off_over_body_mass_minus_gravity));
         t->seen_angle[k + 1] = series_reciprocal[k + 1] * (d_angle_rate[k]);
@@ -2758,8 +2486,7 @@ static void vary_graze_rest(const real *constants, const real *series, const rea
 
 /* First variation of power_of_hip. */
 static void d_observed_graze_rest_power_of_hip(const real *constants, const real *series,
-                                               const real *d_constants, const real *d_series, int order,
-                                               real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -2803,8 +2530,8 @@ static void guard_graze_rest_release(const real *constants, const real *series, 
     const graze_rest_constants *c = (const void *)constants;
     const graze_rest_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->kp * s->seen_angle[k] + c->kd * s->angle_rate[k],
-                             c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle));
+        g[k] = with_constant(k, c->kp * s->seen_angle[k] + c->kd * s->angle_rate[k], c->kp * (c->winding
+            - c->liftoff_factor_times_liftoff_angle));
     }
 }
 
@@ -2824,8 +2551,8 @@ static void guard_graze_rest_graze_to_contact(const real *constants, const real 
     real own_turning[TERMS];
     real own_turning_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_turning[k] =
-            (constant_of(k, c->stance_torque) - product_so_far(own_turning, s->square, k)) / s->square[0];
+        own_turning[k] = (constant_of(k, c->stance_torque) - product_so_far(own_turning, s->square,
+            k)) / s->square[0];
         own_turning_times_x_[k] = product(own_turning, s->x_, k);
         g[k] = with_constant(k, -s->axial_times_y_[k] - own_turning_times_x_[k], -c->off);
     }
@@ -2838,9 +2565,8 @@ static void guard_graze_rest_graze_to_flight(const real *constants, const real *
     real own_external_torque_over_square[TERMS];
     real own_external_torque_over_square_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_external_torque_over_square[k] = (constant_of(k, c->external_torque) -
-                                              product_so_far(own_external_torque_over_square, s->square, k)) /
-                                             s->square[0];
+        own_external_torque_over_square[k] = (constant_of(k, c->external_torque)
+            - product_so_far(own_external_torque_over_square, s->square, k)) / s->square[0];
         own_external_torque_over_square_times_x_[k] = product(own_external_torque_over_square, s->x_, k);
         g[k] = with_constant(k, s->axial_times_y_[k] + own_external_torque_over_square_times_x_[k], c->off);
     }
@@ -2859,7 +2585,7 @@ static void guard_graze_rest_power_of_hip(const real *constants, const real *ser
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_graze_rest(const real *constants, const real *series, const real *power, int order,
-                              uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const graze_rest_constants *c = (const void *)constants;
     const graze_rest_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 3);
@@ -2876,8 +2602,8 @@ static void bounds_graze_rest(const real *constants, const real *series, const r
     const interval span_8 = interval_of_series(s->seen_angle, power, order);
     const interval span_9 = interval_at(c->winding, c->winding);
     const interval span_10 = interval_sum(span_8, span_9);
-    const interval span_11 =
-        interval_at(c->liftoff_factor_times_liftoff_angle, c->liftoff_factor_times_liftoff_angle);
+    const interval span_11 = interval_at(c->liftoff_factor_times_liftoff_angle,
+        c->liftoff_factor_times_liftoff_angle);
     const interval span_12 = interval_difference(span_10, span_11);
     const interval span_13 = interval_product(span_7, span_12);
     const interval span_14 = interval_at(-span_13.high, -span_13.low);
@@ -2957,49 +2683,38 @@ KERNEL void add_graze_retract_sums(const graze_retract_series *s, int i, int j, 
     add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
     add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
     add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_products(&sum->axial, s->axial + i - 1, s->length[j]);
-    add_products(&sum->axial, s->length + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_x_, s->axial + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_x_, s->x_ + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_y_, s->axial + i - 1, s->y_[j]);
-    add_products(&sum->axial_times_y_, s->y_ + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_y__plus_off_over_x_, s->axial_times_y__plus_off_over_x_ + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_y__plus_off_over_x_, s->x_ + i - 1, s->axial_times_y__plus_off_over_x_[j]);
-    add_products(&sum->product_2, s->axial_times_y__plus_off_over_x_ + i - 1, s->y_[j]);
-    add_products(&sum->product_2, s->y_ + i - 1, s->axial_times_y__plus_off_over_x_[j]);
+    add_both_products(&sum->axial, s->axial, s->length, i, j);
+    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
+    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
+    add_both_products(&sum->axial_times_y__plus_off_over_x_, s->axial_times_y__plus_off_over_x_, s->x_, i, j);
+    add_both_products(&sum->product_2, s->axial_times_y__plus_off_over_x_, s->y_, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->product_3, s->axial_times_y__plus_off_over_x_ + i - 1, s->square[j]);
-    add_products(&sum->product_3, s->square + i - 1, s->axial_times_y__plus_off_over_x_[j]);
-    add_products(&sum->y__times_vx, s->y_ + i - 1, s->vx[j]);
-    add_products(&sum->y__times_vx, s->vx + i - 1, s->y_[j]);
-    add_products(&sum->angle_rate, s->angle_rate + i - 1, s->square[j]);
-    add_products(&sum->angle_rate, s->square + i - 1, s->angle_rate[j]);
-    add_products(&sum->product_3_times_angle_rate, s->product_3 + i - 1, s->angle_rate[j]);
-    add_products(&sum->product_3_times_angle_rate, s->angle_rate + i - 1, s->product_3[j]);
+    add_both_products(&sum->product_3, s->axial_times_y__plus_off_over_x_, s->square, i, j);
+    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
+    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
+    add_both_products(&sum->product_3_times_angle_rate, s->product_3, s->angle_rate, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_graze_retract_sums(const graze_retract_series *s, int i, graze_retract_sums *sum) {
-    sum->x__times_x_ = pair_of(s->x_[i] * s->x_[i + 1], 0.5 * (s->x_[i + 1] * s->x_[i + 1]));
-    sum->y__times_y_ = pair_of(s->y_[i] * s->y_[i + 1], 0.5 * (s->y_[i + 1] * s->y_[i + 1]));
-    sum->length = pair_of(s->length[i] * s->length[i + 1], 0.5 * (s->length[i + 1] * s->length[i + 1]));
-    sum->axial = pair_of((s->axial[i] * s->length[i]), broadcast(0.0));
-    sum->axial_times_x_ = pair_of((s->axial[i] * s->x_[i]), broadcast(0.0));
-    sum->axial_times_y_ = pair_of((s->axial[i] * s->y_[i]), broadcast(0.0));
-    sum->axial_times_y__plus_off_over_x_ =
-        pair_of((s->axial_times_y__plus_off_over_x_[i] * s->x_[i]), broadcast(0.0));
-    sum->product_2 = pair_of((s->axial_times_y__plus_off_over_x_[i] * s->y_[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->product_3 = pair_of((s->axial_times_y__plus_off_over_x_[i] * s->square[i]), broadcast(0.0));
-    sum->y__times_vx = pair_of((s->y_[i] * s->vx[i]), broadcast(0.0));
-    sum->angle_rate = pair_of((s->angle_rate[i] * s->square[i]), broadcast(0.0));
-    sum->product_3_times_angle_rate = pair_of((s->product_3[i] * s->angle_rate[i]), broadcast(0.0));
+    sum->x__times_x_ = next_middle_of_square(s->x_, i);
+    sum->y__times_y_ = next_middle_of_square(s->y_, i);
+    sum->length = next_middle_of_square(s->length, i);
+    sum->axial = middle_of_product(s->axial, s->length, i);
+    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
+    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
+    sum->axial_times_y__plus_off_over_x_ = middle_of_product(s->axial_times_y__plus_off_over_x_, s->x_, i);
+    sum->product_2 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->y_, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->product_3 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->square, i);
+    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
+    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
+    sum->product_3_times_angle_rate = middle_of_product(s->product_3, s->angle_rate, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_graze_retract(const graze_retract_constants *c, const graze_retract_factors *by, int k,
-                               const graze_retract_sums *sum, int odd, graze_retract_series *s) {
+    const graze_retract_sums *sum, int odd, graze_retract_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
     s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     s->foot_x[k + 1] = s->foot_vx[k] * series_reciprocal[k + 1];
@@ -3010,47 +2725,45 @@ KERNEL void step_graze_retract(const graze_retract_constants *c, const graze_ret
     /* square = x__times_x_ + y__times_y_ */
     s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
     /* length = real_sqrt(square) */
-    s->length[k + 1] =
-        root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length, by->inverse_length);
+    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
+        by->inverse_length);
     /* length_rate = real_rate(length) */
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length - length) - c->damping * length_rate) / length */
-    s->axial[k] =
-        quotient_of(k, part_of(sum->axial, odd),
-                    with_constant(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
-                                  c->stiffness * c->free_length),
-                    s->axial, s->length, by->inverse_length);
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, -(c->stiffness * s->length[k])
+        - c->damping * s->length_rate[k], c->stiffness * c->free_length), s->axial, s->length,
+        by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
     /* axial_times_y_ = axial * y_ */
     s->axial_times_y_[k] = product_of(k, part_of(sum->axial_times_y_, odd), s->axial, s->y_);
     /* axial_times_y__plus_off_over_x_ = (axial_times_y_ + c->off) / x_ */
-    s->axial_times_y__plus_off_over_x_[k] = quotient_of(
-        k, part_of(sum->axial_times_y__plus_off_over_x_, odd), with_constant(k, s->axial_times_y_[k], c->off),
-        s->axial_times_y__plus_off_over_x_, s->x_, by->inverse_x_);
+    s->axial_times_y__plus_off_over_x_[k] = quotient_of(k, part_of(sum->axial_times_y__plus_off_over_x_, odd),
+        with_constant(k, s->axial_times_y_[k], c->off), s->axial_times_y__plus_off_over_x_, s->x_,
+        by->inverse_x_);
     /* product_2 = axial_times_y__plus_off_over_x_ * y_ */
     s->product_2[k] = product_of(k, part_of(sum->product_2, odd), s->axial_times_y__plus_off_over_x_, s->y_);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* product_3 = axial_times_y__plus_off_over_x_ * square */
-    s->product_3[k] =
-        product_of(k, part_of(sum->product_3, odd), s->axial_times_y__plus_off_over_x_, s->square);
+    s->product_3[k] = product_of(k, part_of(sum->product_3, odd), s->axial_times_y__plus_off_over_x_,
+        s->square);
     /* x__times_vy = x_ * vy */
     s->x__times_vy[k] = drift_times(k, s->vy[0], s->vy[1], s->x_);
     /* y__times_vx = y_ * vx */
     s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-                                   s->angle_rate, s->square, by->inverse_square);
+        s->angle_rate, s->square, by->inverse_square);
     /* product_3_times_angle_rate = product_3 * angle_rate */
-    s->product_3_times_angle_rate[k] =
-        product_of(k, part_of(sum->product_3_times_angle_rate, odd), s->product_3, s->angle_rate);
-    s->vx[k + 1] =
-        series_reciprocal[k + 1] * ((1.0 / c->body_mass + 1.0 / c->foot_mass) * s->axial_times_x_[k] +
-                                    (1.0 / c->body_mass + 1.0 / c->foot_mass) * s->product_2[k]);
-    s->foot_vx[k + 1] = series_reciprocal[k + 1] *
-                        (-(1.0 / c->foot_mass * s->axial_times_x_[k]) - 1.0 / c->foot_mass * s->product_2[k]);
+    s->product_3_times_angle_rate[k] = product_of(k, part_of(sum->product_3_times_angle_rate, odd),
+        s->product_3, s->angle_rate);
+    s->vx[k + 1] = series_reciprocal[k + 1] * ((c->inverse_body_mass
+        + c->inverse_foot_mass) * s->axial_times_x_[k] + (c->inverse_body_mass
+        + c->inverse_foot_mass) * s->product_2[k]);
+    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (-(c->inverse_foot_mass * s->axial_times_x_[k])
+        - c->inverse_foot_mass * s->product_2[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (-s->product_3_times_angle_rate[k]);
     s->seen_angle[k + 1] = series_reciprocal[k + 1] * (s->angle_rate[k]);
@@ -3059,7 +2772,7 @@ KERNEL void step_graze_retract(const graze_retract_constants *c, const graze_ret
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
 static void expand_graze_retract(const real *constants, int order, real *series) {
     const graze_retract_constants copy = *(const graze_retract_constants *)(const void *)constants,
-                                  *c = &copy;
+        *c = &copy;
     graze_retract_series *s = (void *)series;
     static const graze_retract_sums none;
     graze_retract_sums sum = none;
@@ -3071,7 +2784,7 @@ static void expand_graze_retract(const real *constants, int order, real *series)
     s->square[0] = s->x__times_x_[0] + s->y__times_y_[0];
     s->length[0] = real_sqrt(s->square[0]);
     const graze_retract_factors factors = {1.0 / s->length[0], 1.0 / s->x_[0], 1.0 / s->square[0]},
-                                *by = &factors;
+        *by = &factors;
     step_graze_retract(c, by, 0, &sum, 0, s);
     begin_graze_retract_sums(s, 0, &sum);
     step_graze_retract(c, by, 1, &sum, 1, s);
@@ -3088,7 +2801,7 @@ static void expand_graze_retract(const real *constants, int order, real *series)
 
 /* First variation of the series. */
 static void vary_graze_retract(const real *constants, const real *series, const real *d_constants, int order,
-                               real *varied) {
+    real *varied) {
     const graze_retract_constants *c = (const void *)constants;
     const graze_retract_series *s = (const void *)series;
     const graze_retract_constants *d = (const void *)d_constants;
@@ -3135,22 +2848,17 @@ static void vary_graze_retract(const real *constants, const real *series, const 
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k,
-                                    -(d->stiffness * s->length[k]) - c->stiffness * d_length[k] -
-                                        d->damping * s->length_rate[k] - c->damping * d_length_rate[k] -
-                                        axial_times_d_length[k],
-                                    d->stiffness * c->free_length + c->stiffness * d->free_length) -
-                      product_so_far(d_axial, s->length, k)) /
-                     s->length[0];
+        d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
+            d->stiffness * c->free_length + c->stiffness * d->free_length) - product_so_far(d_axial,
+            s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
         axial_times_x__2[k] = product(s->axial, t->x_, k);
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
-        d_axial_times_y__plus_off_over_x_[k] =
-            (with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k] - product_4[k], d->off) -
-             product_so_far(d_axial_times_y__plus_off_over_x_, s->x_, k)) /
-            s->x_[0];
+        d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k]
+            - product_4[k], d->off) - product_so_far(d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
         product_5[k] = product(d_axial_times_y__plus_off_over_x_, s->y_, k);
         product_6[k] = product(s->axial_times_y__plus_off_over_x_, t->y_, k);
         length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
@@ -3163,32 +2871,24 @@ static void vary_graze_retract(const real *constants, const real *series, const 
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k] -
-                           angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) /
-                          s->square[0];
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
         product_3_times_d_angle_rate[k] = product(s->product_3, d_angle_rate, k);
-        t->vx[k + 1] =
-            series_reciprocal[k + 1] * ((1.0 / c->body_mass + 1.0 / c->foot_mass) * d_axial_times_x_[k] +
-                                        (1.0 / c->body_mass + 1.0 / c->foot_mass) * axial_times_x__2[k] +
-                                        (1.0 / c->body_mass + 1.0 / c->foot_mass) * product_5[k] +
-                                        (1.0 / c->body_mass + 1.0 / c->foot_mass) * product_6[k] +
-                                        (-(d->body_mass * (1.0 / c->body_mass) / c->body_mass) -
-                                         d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                                            s->axial_times_x_[k] +
-                                        (-(d->body_mass * (1.0 / c->body_mass) / c->body_mass) -
-                                         d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                                            s->product_2[k]);
-        t->foot_vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (-(1.0 / c->foot_mass * d_axial_times_x_[k]) - 1.0 / c->foot_mass * axial_times_x__2[k] -
-             1.0 / c->foot_mass * product_5[k] - 1.0 / c->foot_mass * product_6[k] +
-             d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->axial_times_x_[k] +
-             d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->product_2[k]);
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->work[k + 1] =
-            series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k] - product_3_times_d_angle_rate[k]);
+        t->vx[k + 1] = series_reciprocal[k + 1] * ((d->inverse_body_mass
+            + d->inverse_foot_mass) * s->axial_times_x_[k] + (d->inverse_body_mass
+            + d->inverse_foot_mass) * s->product_2[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * axial_times_x__2[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * product_5[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * product_6[k]);
+        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (-(d->inverse_foot_mass * s->axial_times_x_[k])
+            - d->inverse_foot_mass * s->product_2[k] - c->inverse_foot_mass * d_axial_times_x_[k]
+            - c->inverse_foot_mass * axial_times_x__2[k] - c->inverse_foot_mass * product_5[k]
+            - c->inverse_foot_mass * product_6[k]);
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k]
+            - product_3_times_d_angle_rate[k]);
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_off_over_body_mass_minus_gravity));
         t->seen_angle[k + 1] = series_reciprocal[k + 1] * (d_angle_rate[k]);
@@ -3197,8 +2897,7 @@ static void vary_graze_retract(const real *constants, const real *series, const 
 
 /* First variation of power_of_hip. */
 static void d_observed_graze_retract_power_of_hip(const real *constants, const real *series,
-                                                  const real *d_constants, const real *d_series, int order,
-                                                  real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -3243,7 +2942,7 @@ static void guard_graze_retract_clamp(const real *constants, const real *series,
     const graze_retract_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, -(c->kp * s->seen_angle[k]) - c->kd * s->angle_rate[k],
-                             -(c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle)));
+            -(c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle)));
     }
 }
 
@@ -3258,14 +2957,14 @@ static void guard_graze_retract_mid_stance(const real *constants, const real *se
 
 /* graze_to_contact: The stance law presses the foot on the ground again. */
 static void guard_graze_retract_graze_to_contact(const real *constants, const real *series, int order,
-                                                 real *g) {
+    real *g) {
     const graze_retract_constants *c = (const void *)constants;
     const graze_retract_series *s = (const void *)series;
     real own_turning[TERMS];
     real own_turning_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_turning[k] =
-            (constant_of(k, c->stance_torque) - product_so_far(own_turning, s->square, k)) / s->square[0];
+        own_turning[k] = (constant_of(k, c->stance_torque) - product_so_far(own_turning, s->square,
+            k)) / s->square[0];
         own_turning_times_x_[k] = product(own_turning, s->x_, k);
         g[k] = with_constant(k, -s->axial_times_y_[k] - own_turning_times_x_[k], -c->off);
     }
@@ -3273,18 +2972,16 @@ static void guard_graze_retract_graze_to_contact(const real *constants, const re
 
 /* graze_to_flight: The flight law lifts the foot. */
 static void guard_graze_retract_graze_to_flight(const real *constants, const real *series, int order,
-                                                real *g) {
+    real *g) {
     const graze_retract_constants *c = (const void *)constants;
     const graze_retract_series *s = (const void *)series;
     real own_swing_torque_over_square[TERMS];
     real own_swing_torque_over_square_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_swing_torque_over_square[k] =
-            (with_constant(k, -(c->kp * s->seen_angle[k]) - c->kd * s->angle_rate[k],
-                           c->external_torque -
-                               c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle)) -
-             product_so_far(own_swing_torque_over_square, s->square, k)) /
-            s->square[0];
+        own_swing_torque_over_square[k] = (with_constant(k, -(c->kp * s->seen_angle[k])
+            - c->kd * s->angle_rate[k], c->external_torque - c->kp * (c->winding
+            - c->liftoff_factor_times_liftoff_angle)) - product_so_far(own_swing_torque_over_square,
+            s->square, k)) / s->square[0];
         own_swing_torque_over_square_times_x_[k] = product(own_swing_torque_over_square, s->x_, k);
         g[k] = with_constant(k, s->axial_times_y_[k] + own_swing_torque_over_square_times_x_[k], c->off);
     }
@@ -3303,7 +3000,7 @@ static void guard_graze_retract_power_of_hip(const real *constants, const real *
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_graze_retract(const real *constants, const real *series, const real *power, int order,
-                                 uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const graze_retract_constants *c = (const void *)constants;
     const graze_retract_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 3);
@@ -3323,8 +3020,8 @@ static void bounds_graze_retract(const real *constants, const real *series, cons
         const interval span_8 = interval_of_series(s->seen_angle, power, order);
         const interval span_9 = interval_at(c->winding, c->winding);
         const interval span_10 = interval_sum(span_8, span_9);
-        const interval span_11 =
-            interval_at(c->liftoff_factor_times_liftoff_angle, c->liftoff_factor_times_liftoff_angle);
+        const interval span_11 = interval_at(c->liftoff_factor_times_liftoff_angle,
+            c->liftoff_factor_times_liftoff_angle);
         const interval span_12 = interval_difference(span_10, span_11);
         const interval span_13 = interval_product(span_7, span_12);
         const interval span_14 = interval_at(-span_13.high, -span_13.low);
@@ -3354,58 +3051,55 @@ static const int judged_start_of_run[] = {0};
 static const int divisors_start_of_run[] = {0};
 static const int integrals_start_of_run[] = {0};
 static const int factors_start_of_run[] = {0};
-static const tdmf_polynomial polynomials_slip_constant[] = {
-    guard_slip_constant_falls,        guard_slip_constant_collapses,     guard_slip_constant_mid_stance,
-    guard_slip_constant_lift_off,     guard_slip_constant_comes_to_rest, guard_slip_constant_power_of_hip,
-    guard_slip_constant_force_on_foot};
+static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_falls,
+    guard_slip_constant_collapses, guard_slip_constant_mid_stance, guard_slip_constant_lift_off,
+    guard_slip_constant_comes_to_rest, guard_slip_constant_power_of_hip, guard_slip_constant_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_slip_constant_power_of_hip,
-                                                                   d_observed_slip_constant_force_on_foot};
+    d_observed_slip_constant_force_on_foot};
 static const int moving_slip_constant[] = {54, 55, 56, 57, 58, 59, 61, 64, 74, 0};
 static const int degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99};
 static const int judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 10};
 static const int divisors_slip_constant[] = {14, 13};
 static const int integrals_slip_constant[] = {8, -1};
 static const int factors_slip_constant[] = {27, -1, -1, -1};
-static const tdmf_polynomial polynomials_stick[] = {guard_stick_falls,         guard_stick_collapses,
-                                                    guard_stick_mid_stance,    guard_stick_lift_off,
-                                                    guard_stick_slips_forward, guard_stick_slips_backward,
-                                                    guard_stick_power_of_hip,  guard_stick_force_on_foot};
+static const tdmf_polynomial polynomials_stick[] = {guard_stick_falls, guard_stick_collapses,
+    guard_stick_mid_stance, guard_stick_lift_off, guard_stick_slips_forward, guard_stick_slips_backward,
+    guard_stick_power_of_hip, guard_stick_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_power_of_hip,
-                                                           d_observed_stick_force_on_foot};
+    d_observed_stick_force_on_foot};
 static const int moving_stick[] = {54, 55, 56, 57, 61, 74, 0, 58};
 static const int degrees_stick[] = {99, 99, 99, 99, 99, 99, 1, 1, 99};
 static const int judged_stick[] = {2, 3, 4, 5, 8};
 static const int divisors_stick[] = {12, 11};
 static const int integrals_stick[] = {5, -1};
 static const int factors_stick[] = {23, -1, -1, -1};
-static const tdmf_polynomial polynomials_flight_place_calm[] = {
-    guard_flight_place_calm_falls, guard_flight_place_calm_collapses, guard_flight_place_calm_apex,
-    guard_flight_place_calm_touchdown, guard_flight_place_calm_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_flight_place_calm[] = {
-    d_observed_flight_place_calm_power_of_hip};
+static const tdmf_polynomial polynomials_flight_place_calm[] = {guard_flight_place_calm_falls,
+    guard_flight_place_calm_collapses, guard_flight_place_calm_apex, guard_flight_place_calm_touchdown,
+    guard_flight_place_calm_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_place_calm[] =
+    {d_observed_flight_place_calm_power_of_hip};
 static const int moving_flight_place_calm[] = {43, 44, 47, 50, 53, 61, 74, 0, 49, 52, 69};
 static const int degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1, 1, 1};
 static const int judged_flight_place_calm[] = {1, 2, 4, 5, 6};
 static const int divisors_flight_place_calm[] = {11};
 static const int integrals_flight_place_calm[] = {6};
 static const int factors_flight_place_calm[] = {15, 12};
-static const tdmf_polynomial polynomials_flight_rest_calm[] = {
-    guard_flight_rest_calm_falls,     guard_flight_rest_calm_collapses, guard_flight_rest_calm_apex,
-    guard_flight_rest_calm_touchdown, guard_flight_rest_calm_release,   guard_flight_rest_calm_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_flight_rest_calm[] = {
-    d_observed_flight_rest_calm_power_of_hip};
+static const tdmf_polynomial polynomials_flight_rest_calm[] = {guard_flight_rest_calm_falls,
+    guard_flight_rest_calm_collapses, guard_flight_rest_calm_apex, guard_flight_rest_calm_touchdown,
+    guard_flight_rest_calm_release, guard_flight_rest_calm_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_rest_calm[] =
+    {d_observed_flight_rest_calm_power_of_hip};
 static const int moving_flight_rest_calm[] = {43, 44, 47, 50, 61, 74, 0, 49, 52, 53};
 static const int degrees_flight_rest_calm[] = {99, 99, 99, 2, 99, 99, 1, 1, 1, 1};
 static const int judged_flight_rest_calm[] = {1, 2, 4, 5};
 static const int divisors_flight_rest_calm[] = {10};
 static const int integrals_flight_rest_calm[] = {5};
 static const int factors_flight_rest_calm[] = {11, -1};
-static const tdmf_polynomial polynomials_flight_retract_calm[] = {
-    guard_flight_retract_calm_falls, guard_flight_retract_calm_collapses,
-    guard_flight_retract_calm_apex,  guard_flight_retract_calm_touchdown,
+static const tdmf_polynomial polynomials_flight_retract_calm[] = {guard_flight_retract_calm_falls,
+    guard_flight_retract_calm_collapses, guard_flight_retract_calm_apex, guard_flight_retract_calm_touchdown,
     guard_flight_retract_calm_clamp, guard_flight_retract_calm_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_flight_retract_calm[] = {
-    d_observed_flight_retract_calm_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_retract_calm[] =
+    {d_observed_flight_retract_calm_power_of_hip};
 static const int moving_flight_retract_calm[] = {43, 44, 47, 50, 53, 61, 74, 0, 49, 52};
 static const int degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1, 1};
 static const int judged_flight_retract_calm[] = {1, 2, 4, 5, 6};
@@ -3420,9 +3114,8 @@ static const int judged_fallen[] = {0};
 static const int divisors_fallen[] = {0};
 static const int integrals_fallen[] = {0};
 static const int factors_fallen[] = {0};
-static const tdmf_polynomial polynomials_graze_place[] = {
-    guard_graze_place_falls,           guard_graze_place_collapses,
-    guard_graze_place_mid_stance,      guard_graze_place_graze_to_contact,
+static const tdmf_polynomial polynomials_graze_place[] = {guard_graze_place_falls,
+    guard_graze_place_collapses, guard_graze_place_mid_stance, guard_graze_place_graze_to_contact,
     guard_graze_place_graze_to_flight, guard_graze_place_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_graze_place[] = {d_observed_graze_place_power_of_hip};
 static const int moving_graze_place[] = {54, 55, 56, 58, 59, 61, 74, 0, 57, 69};
@@ -3431,10 +3124,9 @@ static const int judged_graze_place[] = {2, 4, 5, 6, 10};
 static const int divisors_graze_place[] = {14, 0, 13};
 static const int integrals_graze_place[] = {6};
 static const int factors_graze_place[] = {22, 25};
-static const tdmf_polynomial polynomials_graze_rest[] = {
-    guard_graze_rest_falls,           guard_graze_rest_collapses,   guard_graze_rest_apex_in_graze,
-    guard_graze_rest_release,         guard_graze_rest_mid_stance,  guard_graze_rest_graze_to_contact,
-    guard_graze_rest_graze_to_flight, guard_graze_rest_power_of_hip};
+static const tdmf_polynomial polynomials_graze_rest[] = {guard_graze_rest_falls, guard_graze_rest_collapses,
+    guard_graze_rest_apex_in_graze, guard_graze_rest_release, guard_graze_rest_mid_stance,
+    guard_graze_rest_graze_to_contact, guard_graze_rest_graze_to_flight, guard_graze_rest_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_graze_rest[] = {d_observed_graze_rest_power_of_hip};
 static const int moving_graze_rest[] = {54, 55, 56, 58, 59, 61, 74, 0, 57};
 static const int degrees_graze_rest[] = {99, 2, 99, 99, 99, 99, 99, 1, 1, 99};
@@ -3442,11 +3134,10 @@ static const int judged_graze_rest[] = {2, 4, 5, 6, 9};
 static const int divisors_graze_rest[] = {13, 0, 12};
 static const int integrals_graze_rest[] = {6};
 static const int factors_graze_rest[] = {21, 24};
-static const tdmf_polynomial polynomials_graze_retract[] = {
-    guard_graze_retract_falls,           guard_graze_retract_collapses,
-    guard_graze_retract_apex_in_graze,   guard_graze_retract_clamp,
-    guard_graze_retract_mid_stance,      guard_graze_retract_graze_to_contact,
-    guard_graze_retract_graze_to_flight, guard_graze_retract_power_of_hip};
+static const tdmf_polynomial polynomials_graze_retract[] = {guard_graze_retract_falls,
+    guard_graze_retract_collapses, guard_graze_retract_apex_in_graze, guard_graze_retract_clamp,
+    guard_graze_retract_mid_stance, guard_graze_retract_graze_to_contact, guard_graze_retract_graze_to_flight,
+    guard_graze_retract_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_graze_retract[] = {d_observed_graze_retract_power_of_hip};
 static const int moving_graze_retract[] = {54, 55, 56, 58, 59, 61, 74, 0, 57};
 static const int degrees_graze_retract[] = {99, 2, 99, 99, 99, 99, 99, 1, 1, 99};
@@ -3456,176 +3147,66 @@ static const int integrals_graze_retract[] = {6};
 static const int factors_graze_retract[] = {21, 24};
 
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
-    {.moving_count = 1,
-     .extra_count = 0,
-     .series_count = 1,
-     .constant_count = 0,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_start_of_run,
-     .degrees = degrees_start_of_run,
-     .judged = judged_start_of_run,
-     .divisors = divisors_start_of_run,
-     .integrals = integrals_start_of_run,
-     .factors = factors_start_of_run,
-     .polynomials = polynomials_start_of_run,
-     .vary_observed = vary_observed_start_of_run,
-     .expand = expand_start_of_run,
-     .vary = vary_start_of_run,
-     .bounds = bounds_start_of_run},
-    {.moving_count = 10,
-     .extra_count = 1,
-     .series_count = 28,
-     .constant_count = 12,
-     .judged_count = 7,
-     .divisor_count = 2,
-     .moving = moving_slip_constant,
-     .degrees = degrees_slip_constant,
-     .judged = judged_slip_constant,
-     .divisors = divisors_slip_constant,
-     .integrals = integrals_slip_constant,
-     .factors = factors_slip_constant,
-     .polynomials = polynomials_slip_constant,
-     .vary_observed = vary_observed_slip_constant,
-     .expand = expand_slip_constant,
-     .vary = vary_slip_constant,
-     .bounds = bounds_slip_constant},
-    {.moving_count = 8,
-     .extra_count = 1,
-     .series_count = 24,
-     .constant_count = 11,
-     .judged_count = 5,
-     .divisor_count = 2,
-     .moving = moving_stick,
-     .degrees = degrees_stick,
-     .judged = judged_stick,
-     .divisors = divisors_stick,
-     .integrals = integrals_stick,
-     .factors = factors_stick,
-     .polynomials = polynomials_stick,
-     .vary_observed = vary_observed_stick,
-     .expand = expand_stick,
-     .vary = vary_stick,
-     .bounds = bounds_stick},
-    {.moving_count = 11,
-     .extra_count = 0,
-     .series_count = 18,
-     .constant_count = 13,
-     .judged_count = 5,
-     .divisor_count = 1,
-     .moving = moving_flight_place_calm,
-     .degrees = degrees_flight_place_calm,
-     .judged = judged_flight_place_calm,
-     .divisors = divisors_flight_place_calm,
-     .integrals = integrals_flight_place_calm,
-     .factors = factors_flight_place_calm,
-     .polynomials = polynomials_flight_place_calm,
-     .vary_observed = vary_observed_flight_place_calm,
-     .expand = expand_flight_place_calm,
-     .vary = vary_flight_place_calm,
-     .bounds = bounds_flight_place_calm},
-    {.moving_count = 10,
-     .extra_count = 0,
-     .series_count = 15,
-     .constant_count = 14,
-     .judged_count = 4,
-     .divisor_count = 1,
-     .moving = moving_flight_rest_calm,
-     .degrees = degrees_flight_rest_calm,
-     .judged = judged_flight_rest_calm,
-     .divisors = divisors_flight_rest_calm,
-     .integrals = integrals_flight_rest_calm,
-     .factors = factors_flight_rest_calm,
-     .polynomials = polynomials_flight_rest_calm,
-     .vary_observed = vary_observed_flight_rest_calm,
-     .expand = expand_flight_rest_calm,
-     .vary = vary_flight_rest_calm,
-     .bounds = bounds_flight_rest_calm},
-    {.moving_count = 10,
-     .extra_count = 0,
-     .series_count = 17,
-     .constant_count = 13,
-     .judged_count = 5,
-     .divisor_count = 1,
-     .moving = moving_flight_retract_calm,
-     .degrees = degrees_flight_retract_calm,
-     .judged = judged_flight_retract_calm,
-     .divisors = divisors_flight_retract_calm,
-     .integrals = integrals_flight_retract_calm,
-     .factors = factors_flight_retract_calm,
-     .polynomials = polynomials_flight_retract_calm,
-     .vary_observed = vary_observed_flight_retract_calm,
-     .expand = expand_flight_retract_calm,
-     .vary = vary_flight_retract_calm,
-     .bounds = bounds_flight_retract_calm},
-    {.moving_count = 0,
-     .extra_count = 0,
-     .series_count = 0,
-     .constant_count = 0,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_fallen,
-     .degrees = degrees_fallen,
-     .judged = judged_fallen,
-     .divisors = divisors_fallen,
-     .integrals = integrals_fallen,
-     .factors = factors_fallen,
-     .polynomials = polynomials_fallen,
-     .vary_observed = vary_observed_fallen,
-     .expand = expand_fallen,
-     .vary = vary_fallen,
-     .bounds = NULL},
-    {.moving_count = 10,
-     .extra_count = 1,
-     .series_count = 27,
-     .constant_count = 14,
-     .judged_count = 5,
-     .divisor_count = 3,
-     .moving = moving_graze_place,
-     .degrees = degrees_graze_place,
-     .judged = judged_graze_place,
-     .divisors = divisors_graze_place,
-     .integrals = integrals_graze_place,
-     .factors = factors_graze_place,
-     .polynomials = polynomials_graze_place,
-     .vary_observed = vary_observed_graze_place,
-     .expand = expand_graze_place,
-     .vary = vary_graze_place,
-     .bounds = bounds_graze_place},
-    {.moving_count = 9,
-     .extra_count = 1,
-     .series_count = 26,
-     .constant_count = 15,
-     .judged_count = 5,
-     .divisor_count = 3,
-     .moving = moving_graze_rest,
-     .degrees = degrees_graze_rest,
-     .judged = judged_graze_rest,
-     .divisors = divisors_graze_rest,
-     .integrals = integrals_graze_rest,
-     .factors = factors_graze_rest,
-     .polynomials = polynomials_graze_rest,
-     .vary_observed = vary_observed_graze_rest,
-     .expand = expand_graze_rest,
-     .vary = vary_graze_rest,
-     .bounds = bounds_graze_rest},
-    {.moving_count = 9,
-     .extra_count = 1,
-     .series_count = 26,
-     .constant_count = 15,
-     .judged_count = 5,
-     .divisor_count = 3,
-     .moving = moving_graze_retract,
-     .degrees = degrees_graze_retract,
-     .judged = judged_graze_retract,
-     .divisors = divisors_graze_retract,
-     .integrals = integrals_graze_retract,
-     .factors = factors_graze_retract,
-     .polynomials = polynomials_graze_retract,
-     .vary_observed = vary_observed_graze_retract,
-     .expand = expand_graze_retract,
-     .vary = vary_graze_retract,
-     .bounds = bounds_graze_retract},
+    {.moving_count = 1, .extra_count = 0, .series_count = 1, .constant_count = 0, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_start_of_run, .degrees = degrees_start_of_run,
+        .judged = judged_start_of_run, .divisors = divisors_start_of_run, .integrals = integrals_start_of_run,
+        .factors = factors_start_of_run, .polynomials = polynomials_start_of_run,
+        .vary_observed = vary_observed_start_of_run, .expand = expand_start_of_run, .vary = vary_start_of_run,
+        .bounds = bounds_start_of_run},
+    {.moving_count = 10, .extra_count = 1, .series_count = 28, .constant_count = 12, .judged_count = 7,
+        .divisor_count = 2, .moving = moving_slip_constant, .degrees = degrees_slip_constant,
+        .judged = judged_slip_constant, .divisors = divisors_slip_constant,
+        .integrals = integrals_slip_constant, .factors = factors_slip_constant,
+        .polynomials = polynomials_slip_constant, .vary_observed = vary_observed_slip_constant,
+        .expand = expand_slip_constant, .vary = vary_slip_constant, .bounds = bounds_slip_constant},
+    {.moving_count = 8, .extra_count = 1, .series_count = 24, .constant_count = 11, .judged_count = 5,
+        .divisor_count = 2, .moving = moving_stick, .degrees = degrees_stick, .judged = judged_stick,
+        .divisors = divisors_stick, .integrals = integrals_stick, .factors = factors_stick,
+        .polynomials = polynomials_stick, .vary_observed = vary_observed_stick, .expand = expand_stick,
+        .vary = vary_stick, .bounds = bounds_stick},
+    {.moving_count = 11, .extra_count = 0, .series_count = 18, .constant_count = 13, .judged_count = 5,
+        .divisor_count = 1, .moving = moving_flight_place_calm, .degrees = degrees_flight_place_calm,
+        .judged = judged_flight_place_calm, .divisors = divisors_flight_place_calm,
+        .integrals = integrals_flight_place_calm, .factors = factors_flight_place_calm,
+        .polynomials = polynomials_flight_place_calm, .vary_observed = vary_observed_flight_place_calm,
+        .expand = expand_flight_place_calm, .vary = vary_flight_place_calm,
+        .bounds = bounds_flight_place_calm},
+    {.moving_count = 10, .extra_count = 0, .series_count = 15, .constant_count = 14, .judged_count = 4,
+        .divisor_count = 1, .moving = moving_flight_rest_calm, .degrees = degrees_flight_rest_calm,
+        .judged = judged_flight_rest_calm, .divisors = divisors_flight_rest_calm,
+        .integrals = integrals_flight_rest_calm, .factors = factors_flight_rest_calm,
+        .polynomials = polynomials_flight_rest_calm, .vary_observed = vary_observed_flight_rest_calm,
+        .expand = expand_flight_rest_calm, .vary = vary_flight_rest_calm, .bounds = bounds_flight_rest_calm},
+    {.moving_count = 10, .extra_count = 0, .series_count = 17, .constant_count = 13, .judged_count = 5,
+        .divisor_count = 1, .moving = moving_flight_retract_calm, .degrees = degrees_flight_retract_calm,
+        .judged = judged_flight_retract_calm, .divisors = divisors_flight_retract_calm,
+        .integrals = integrals_flight_retract_calm, .factors = factors_flight_retract_calm,
+        .polynomials = polynomials_flight_retract_calm, .vary_observed = vary_observed_flight_retract_calm,
+        .expand = expand_flight_retract_calm, .vary = vary_flight_retract_calm,
+        .bounds = bounds_flight_retract_calm},
+    {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_fallen, .degrees = degrees_fallen, .judged = judged_fallen,
+        .divisors = divisors_fallen, .integrals = integrals_fallen, .factors = factors_fallen,
+        .polynomials = polynomials_fallen, .vary_observed = vary_observed_fallen, .expand = expand_fallen,
+        .vary = vary_fallen, .bounds = NULL},
+    {.moving_count = 10, .extra_count = 1, .series_count = 27, .constant_count = 14, .judged_count = 5,
+        .divisor_count = 3, .moving = moving_graze_place, .degrees = degrees_graze_place,
+        .judged = judged_graze_place, .divisors = divisors_graze_place, .integrals = integrals_graze_place,
+        .factors = factors_graze_place, .polynomials = polynomials_graze_place,
+        .vary_observed = vary_observed_graze_place, .expand = expand_graze_place, .vary = vary_graze_place,
+        .bounds = bounds_graze_place},
+    {.moving_count = 9, .extra_count = 1, .series_count = 26, .constant_count = 15, .judged_count = 5,
+        .divisor_count = 3, .moving = moving_graze_rest, .degrees = degrees_graze_rest,
+        .judged = judged_graze_rest, .divisors = divisors_graze_rest, .integrals = integrals_graze_rest,
+        .factors = factors_graze_rest, .polynomials = polynomials_graze_rest,
+        .vary_observed = vary_observed_graze_rest, .expand = expand_graze_rest, .vary = vary_graze_rest,
+        .bounds = bounds_graze_rest},
+    {.moving_count = 9, .extra_count = 1, .series_count = 26, .constant_count = 15, .judged_count = 5,
+        .divisor_count = 3, .moving = moving_graze_retract, .degrees = degrees_graze_retract,
+        .judged = judged_graze_retract, .divisors = divisors_graze_retract,
+        .integrals = integrals_graze_retract, .factors = factors_graze_retract,
+        .polynomials = polynomials_graze_retract, .vary_observed = vary_observed_graze_retract,
+        .expand = expand_graze_retract, .vary = vary_graze_retract, .bounds = bounds_graze_retract},
 };
 
 #ifdef TDMF_LANES

@@ -10,7 +10,7 @@ static void open_start_of_run(const real *parameters, const real *states, real *
 
 /* First variation of open_start_of_run. */
 static void vary_open_start_of_run(const real *parameters, const real *states, const real *d_parameters,
-                                   const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -20,15 +20,15 @@ static void vary_open_start_of_run(const real *parameters, const real *states, c
 
 /* begins: Every run begins at an apex, with the foot above the ground. */
 static int react_start_of_run_begins(const real *parameters, const real *states, const tdmf_table *tables,
-                                     real *after, const int *next) {
+    real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)tables;
     reduced_runner_states *y = (void *)after;
     const real cos_of_ground_slope = real_cos(p->ground_slope);
     const real sin_of_ground_slope = real_sin(p->ground_slope);
-    const real foot_above =
-        cos_of_ground_slope * (x->seen_y - p->ground_height) - sin_of_ground_slope * x->seen_x;
+    const real foot_above = cos_of_ground_slope * (x->seen_y - p->ground_height)
+        - sin_of_ground_slope * x->seen_x;
     y->height = p->ground_height;
     y->slope = p->ground_slope;
     y->liftoff_angle = x->angle;
@@ -41,8 +41,8 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
     const real cosine = real_cos(x->angle);
     const real y_2 = x->length * cosine;
     const real seen_y_plus_share_times_y = x->seen_y + share * y_2;
-    const real height_of_section =
-        seen_y_plus_share_times_y - p->ground_height - sin_of_ground_slope / cos_of_ground_slope * sum_2;
+    const real height_of_section = seen_y_plus_share_times_y - p->ground_height
+        - sin_of_ground_slope / cos_of_ground_slope * sum_2;
     const real turn = x->length * x->angle_rate;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real seen_vx_plus_share_times_vx = x->seen_vx + share * vx;
@@ -87,8 +87,7 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
 
 /* First variation of begins. */
 static void vary_react_start_of_run_begins(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states,
-                                           const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -98,8 +97,8 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     reduced_runner_states *y = (void *)after;
     const real cos_of_ground_slope = real_cos(p->ground_slope);
     const real sin_of_ground_slope = real_sin(p->ground_slope);
-    const real foot_above =
-        cos_of_ground_slope * (x->seen_y - p->ground_height) - sin_of_ground_slope * x->seen_x;
+    const real foot_above = cos_of_ground_slope * (x->seen_y - p->ground_height)
+        - sin_of_ground_slope * x->seen_x;
     y->height = dp->ground_height;
     y->slope = dp->ground_slope;
     y->liftoff_angle = dx->angle;
@@ -113,38 +112,35 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     const real length_times_sine = x->length * sine;
     const real cosine = real_cos(x->angle);
     const real d_sine = cosine * dx->angle;
-    const real seen_x_minus_sum =
-        dx->seen_x - (d_share * length_times_sine + share * (dx->length * sine + x->length * d_sine));
+    const real seen_x_minus_sum = dx->seen_x - (d_share * length_times_sine + share * (dx->length * sine
+        + x->length * d_sine));
     const real y_2 = x->length * cosine;
     const real sine_times_angle = sine * dx->angle;
     const real d_y = dx->length * cosine - x->length * sine_times_angle;
     const real sum_2 = dx->seen_y + (d_share * y_2 + share * d_y);
     const real ratio = sin_of_ground_slope / cos_of_ground_slope;
-    const real d_height_of_section =
-        sum_2 - dp->ground_height -
-        ((cos_of_ground_slope * dp->ground_slope + ratio * (sin_of_ground_slope * dp->ground_slope)) /
-             cos_of_ground_slope * (x->seen_x - share * length_times_sine) +
-         ratio * seen_x_minus_sum);
+    const real d_height_of_section = sum_2 - dp->ground_height - ((cos_of_ground_slope * dp->ground_slope
+        + ratio * (sin_of_ground_slope * dp->ground_slope)) / cos_of_ground_slope * (x->seen_x
+        - share * length_times_sine) + ratio * seen_x_minus_sum);
     const real turn = x->length * x->angle_rate;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real sum_3 = dx->seen_vx + (d_share * vx + share * d_vx);
     const real d_length = dp->free_length + dx->extension;
     const real d_angle = dp->touchdown_angle + dp->more_angle;
     const real length = p->free_length + x->extension;
     const real length_times_length = length * length;
     const real by_2_times_length_times_d_length = 2.0 * (length * d_length);
-    const real product_plus_product =
-        dp->retraction_rate * length_times_length + p->retraction_rate * by_2_times_length_times_d_length;
-    const real d_rate =
-        -((product_plus_product - p->retraction_rate * length_times_length / length_times_length *
-                                      by_2_times_length_times_d_length) /
-          length_times_length);
+    const real product_plus_product = dp->retraction_rate * length_times_length
+        + p->retraction_rate * by_2_times_length_times_d_length;
+    const real d_rate = -((product_plus_product
+        - p->retraction_rate * length_times_length / length_times_length * by_2_times_length_times_d_length) /
+        length_times_length);
     const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     y->is_open = 0.0;
     y->work_then = dx->work;
     y->leg_work_then = dx->leg_work;
@@ -179,7 +175,7 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
 
 /* First variation of the guard of begins. */
 static real vary_guard_start_of_run_begins(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -191,13 +187,11 @@ static real vary_guard_start_of_run_begins(const real *parameters, const real *s
 static void outputs_start_of_run(const real *parameters, const real *states, real *outputs) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    const real pending = select(real_abs(p->ground_height - x->height) +
-                                        real_abs(p->free_length * (p->ground_slope - x->slope)) >
-                                    0.0,
-                                1.0, 0.0);
+    const real pending = select(real_abs(p->ground_height - x->height)
+        + real_abs(p->free_length * (p->ground_slope - x->slope)) > 0.0, 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real sin_of_angle = real_sin(x->angle);
@@ -217,8 +211,8 @@ static void outputs_start_of_run(const real *parameters, const real *states, rea
     const real center_vx = x->seen_vx + share * vx;
     const real center_vy = x->seen_vy + share * vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy));
+    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (x->seen_vx * x->seen_vx
+        + x->seen_vy * x->seen_vy));
     const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
@@ -248,7 +242,7 @@ static void outputs_start_of_run(const real *parameters, const real *states, rea
 
 /* First variation of outputs_start_of_run. */
 static void vary_outputs_start_of_run(const real *parameters, const real *states, const real *d_parameters,
-                                      const real *d_states, real *outputs) {
+    const real *d_states, real *outputs) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -258,12 +252,11 @@ static void vary_outputs_start_of_run(const real *parameters, const real *states
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real shorter = rest_length - x->length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_shorter = d_rest_length - dx->length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * x->length_rate
+        + p->damping * dx->length_rate);
     const real sin_of_angle = real_sin(x->angle);
     const real cos_of_angle = real_cos(x->angle);
     const real cos_of_angle_times_angle = cos_of_angle * dx->angle;
@@ -274,11 +267,11 @@ static void vary_outputs_start_of_run(const real *parameters, const real *states
     const real d_body_y = dx->seen_y + d_y;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
     const real turn = x->length * x->angle_rate;
-    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle) -
-                      (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
+    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle)
+        - (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
     const real d_body_vx = dx->seen_vx + d_vx;
-    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle -
-                      (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
+    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle
+        - (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
     const real d_body_vy = dx->seen_vy + d_vy;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
@@ -292,18 +285,17 @@ static void vary_outputs_start_of_run(const real *parameters, const real *states
     const real d_center_vy = dx->seen_vy + (d_share * vy + share * d_vy);
     const real body_vx = x->seen_vx + vx;
     const real body_vy = x->seen_vy + vy;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 *
-        (d_of_body + (dp->foot_mass * (x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy) +
-                      p->foot_mass * (2.0 * (x->seen_vx * dx->seen_vx) + 2.0 * (x->seen_vy * dx->seen_vy))));
+    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
+        + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (x->seen_vx * x->seen_vx
+        + x->seen_vy * x->seen_vy) + p->foot_mass * (2.0 * (x->seen_vx * dx->seen_vx)
+        + 2.0 * (x->seen_vy * dx->seen_vy))));
     const real body_y = x->seen_y + y_2;
-    const real d_potential_energy = dp->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y) +
-                                    p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                                                  (dp->foot_mass * x->seen_y + p->foot_mass * dx->seen_y));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_potential_energy = dp->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y)
+        + p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y + (dp->foot_mass * x->seen_y
+        + p->foot_mass * dx->seen_y));
+    const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
+        + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
     outputs[OUTPUT_pending] = 0.0;
     outputs[OUTPUT_torque] = 0.0;
@@ -342,7 +334,7 @@ static void leave_start_of_run(const real *parameters, const real *states, real 
 
 /* First variation of leave_start_of_run. */
 static void vary_leave_start_of_run(const real *parameters, const real *states, const real *d_parameters,
-                                    const real *d_states, real counted, real *after) {
+    const real *d_states, real counted, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -383,7 +375,7 @@ static void open_flight_place(const real *parameters, const real *states, real *
 
 /* First variation of open_flight_place. */
 static void vary_open_flight_place(const real *parameters, const real *states, const real *d_parameters,
-                                   const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -393,8 +385,8 @@ static void vary_open_flight_place(const real *parameters, const real *states, c
     const real external_fx_over_total = x->external_fx / total;
     const real d_total = dp->body_mass + dp->foot_mass;
     const real d_external_fx_over_total = (dx->external_fx - external_fx_over_total * d_total) / total;
-    const real d_external_fy_over_total_minus_gravity =
-        (dx->external_fy - x->external_fy / total * d_total) / total - dp->gravity;
+    const real d_external_fy_over_total_minus_gravity = (dx->external_fy
+        - x->external_fy / total * d_total) / total - dp->gravity;
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
@@ -423,7 +415,7 @@ static void vary_open_flight_place(const real *parameters, const real *states, c
 
 /* falls: The body reaches the ground. */
 static int react_flight_place_falls(const real *parameters, const real *states, const tdmf_table *tables,
-                                    real *after, const int *next) {
+    real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)tables;
@@ -447,8 +439,7 @@ static int react_flight_place_falls(const real *parameters, const real *states, 
 
 /* First variation of falls. */
 static void vary_react_flight_place_falls(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states,
-                                          const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -468,11 +459,11 @@ static void vary_react_flight_place_falls(const real *parameters, const real *st
     const real turn = x->momentum / x->length;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
@@ -496,30 +487,29 @@ static real watches_flight_place_falls(const real *parameters, const real *state
 
 /* First variation of the guard of falls. */
 static real vary_guard_flight_place_falls(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
-    const real d_level = cos_of_slope * (dx->com_y - dx->height) -
-                         sin_of_slope * dx->slope * (x->com_y - x->height) -
-                         (cos_of_slope * dx->slope * x->com_x + sin_of_slope * dx->com_x);
+    const real d_level = cos_of_slope * (dx->com_y - dx->height) - sin_of_slope * dx->slope * (x->com_y
+        - x->height) - (cos_of_slope * dx->slope * x->com_x + sin_of_slope * dx->com_x);
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real by_1_minus_share = 1.0 - share;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real angle_minus_slope = x->angle - x->slope;
-    const real d_above =
-        d_level + ((by_1_minus_share * dx->length - d_share * x->length) * real_cos(angle_minus_slope) -
-                   by_1_minus_share * x->length * (real_sin(angle_minus_slope) * (dx->angle - dx->slope)));
+    const real d_above = d_level + ((by_1_minus_share * dx->length
+        - d_share * x->length) * real_cos(angle_minus_slope)
+        - by_1_minus_share * x->length * (real_sin(angle_minus_slope) * (dx->angle - dx->slope)));
     return d_above;
 }
 
 /* touchdown: The foot reaches the ground. */
 static int react_flight_place_touchdown(const real *parameters, const real *states, const tdmf_table *tables,
-                                        real *after, const int *next) {
+    real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)tables;
@@ -534,8 +524,8 @@ static int react_flight_place_touchdown(const real *parameters, const real *stat
     const real vy = x->length_rate * cosine - turn * sine;
     const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
     const real sin_of_slope = real_sin(x->slope);
-    const real along =
-        com_vx_minus_share_times_vx * cos_of_slope + com_vy_minus_share_times_vy * sin_of_slope;
+    const real along = com_vx_minus_share_times_vx * cos_of_slope
+        + com_vy_minus_share_times_vy * sin_of_slope;
     const real way = select(along >= 0.0, 1.0, -1.0);
     const real way_times_along = way * along;
     const real off = com_vy_minus_share_times_vy * cos_of_slope - com_vx_minus_share_times_vx * sin_of_slope;
@@ -544,8 +534,8 @@ static int react_flight_place_touchdown(const real *parameters, const real *stat
     const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
     const real length_times_sine = x->length * sine;
     const real y_2 = x->length * cosine;
-    const real sum_times_cos_of_slope_plus_product = (x->com_x + share * length_times_sine) * cos_of_slope +
-                                                     (x->com_y - share * y_2 - x->height) * sin_of_slope;
+    const real sum_times_cos_of_slope_plus_product = (x->com_x + share * length_times_sine) * cos_of_slope
+        + (x->com_y - share * y_2 - x->height) * sin_of_slope;
     const real sum_2 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
     const real sum_3 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
     const real sum_plus_along = vx * cos_of_slope + vy * sin_of_slope + along;
@@ -565,20 +555,18 @@ static int react_flight_place_touchdown(const real *parameters, const real *stat
     y->placing = 0.0;
     y->touchdown_time = x->time;
     if (p->stribeck_velocity > 0.0 && p->static_ratio > 1.0) {
-        const real product_2 =
-            (p->static_ratio - 1.0) * real_expm1(friction_times_off / p->stribeck_velocity);
+        const real product_2 = (p->static_ratio
+            - 1.0) * real_expm1(friction_times_off / p->stribeck_velocity);
         const real more = -product_2;
-        const real left =
-            way_times_along_plus_friction_times_off +
-            p->stribeck_velocity * real_log1p(product_2 * real_exp(-(way_times_along_plus_friction_times_off /
-                                                                     p->stribeck_velocity)));
-        const real speed_after_impact =
-            select(way_times_along <= p->stribeck_velocity * real_log1p(more) - friction_times_off, 0.0,
-                   select(left > 0.0, left, 0.0));
+        const real left = way_times_along_plus_friction_times_off
+            + p->stribeck_velocity * real_log1p(product_2 * real_exp(-(way_times_along_plus_friction_times_off
+            / p->stribeck_velocity)));
+        const real speed_after_impact = select(way_times_along <= p->stribeck_velocity * real_log1p(more)
+            - friction_times_off, 0.0, select(left > 0.0, left, 0.0));
         const real way_times_speed_after_impact = way * speed_after_impact;
         const real sum_4 = sum_plus_along - way_times_speed_after_impact;
-        const real speeds = along_times_along_plus_off_times_off -
-                            way_times_speed_after_impact * way_times_speed_after_impact;
+        const real speeds = along_times_along_plus_off_times_off
+            - way_times_speed_after_impact * way_times_speed_after_impact;
         const real sum_5 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
         y->vx = sum_4;
         y->foot_vx = way_times_speed_after_impact;
@@ -590,12 +578,11 @@ static int react_flight_place_touchdown(const real *parameters, const real *stat
         return next[1]; /* stick */
     }
     const real after_2 = select(way_times_along <= -(p->static_ratio * friction_times_off), 0.0,
-                                way_times_along_plus_friction_times_off);
+        way_times_along_plus_friction_times_off);
     const real way_times_after = way * after_2;
     const real sum_plus_along_minus_way_times_after = sum_plus_along - way_times_after;
-    const real sum_4 =
-        x->impact_loss +
-        0.5 * (p->foot_mass * (along_times_along_plus_off_times_off - way_times_after * way_times_after));
+    const real sum_4 = x->impact_loss + 0.5 * (p->foot_mass * (along_times_along_plus_off_times_off
+        - way_times_after * way_times_after));
     y->vx = sum_plus_along_minus_way_times_after;
     y->foot_vx = way_times_after;
     y->impact_loss = sum_4;
@@ -608,8 +595,7 @@ static int react_flight_place_touchdown(const real *parameters, const real *stat
 
 /* First variation of touchdown. */
 static void vary_react_flight_place_touchdown(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states,
-                                              const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -628,8 +614,8 @@ static void vary_react_flight_place_touchdown(const real *parameters, const real
     const real vy = x->length_rate * cosine - turn * sine;
     const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
     const real sin_of_slope = real_sin(x->slope);
-    const real along =
-        com_vx_minus_share_times_vx * cos_of_slope + com_vy_minus_share_times_vy * sin_of_slope;
+    const real along = com_vx_minus_share_times_vx * cos_of_slope
+        + com_vy_minus_share_times_vy * sin_of_slope;
     const real way = select(along >= 0.0, 1.0, -1.0);
     const real way_times_along = way * along;
     const real off = com_vy_minus_share_times_vy * cos_of_slope - com_vx_minus_share_times_vx * sin_of_slope;
@@ -644,35 +630,35 @@ static void vary_react_flight_place_touchdown(const real *parameters, const real
     const real sine_times_angle = sine * dx->angle;
     const real d_y = dx->length * cosine - x->length * sine_times_angle;
     const real cos_of_slope_times_slope = cos_of_slope * dx->slope;
-    const real sum_plus_sum = (dx->com_x + (d_share * length_times_sine + share * sum_2)) * cos_of_slope -
-                              (x->com_x + share * length_times_sine) * sin_of_slope_times_slope +
-                              ((dx->com_y - (d_share * y_2 + share * d_y) - dx->height) * sin_of_slope +
-                               (x->com_y - share * y_2 - x->height) * cos_of_slope_times_slope);
-    const real sum_3 = d_y * sin_of_slope + y_2 * cos_of_slope_times_slope -
-                       (sum_2 * cos_of_slope - length_times_sine * sin_of_slope_times_slope);
-    const real sum_4 = d_y * cos_of_slope - y_2 * sin_of_slope_times_slope +
-                       (sum_2 * sin_of_slope + length_times_sine * cos_of_slope_times_slope);
+    const real sum_plus_sum = (dx->com_x + (d_share * length_times_sine + share * sum_2)) * cos_of_slope
+        - (x->com_x + share * length_times_sine) * sin_of_slope_times_slope + ((dx->com_y - (d_share * y_2
+        + share * d_y) - dx->height) * sin_of_slope + (x->com_y - share * y_2
+        - x->height) * cos_of_slope_times_slope);
+    const real sum_3 = d_y * sin_of_slope + y_2 * cos_of_slope_times_slope - (sum_2 * cos_of_slope
+        - length_times_sine * sin_of_slope_times_slope);
+    const real sum_4 = d_y * cos_of_slope - y_2 * sin_of_slope_times_slope + (sum_2 * sin_of_slope
+        + length_times_sine * cos_of_slope_times_slope);
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real sum_5 = dx->com_vx - (d_share * vx + share * d_vx);
     const real sum_6 = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_along = sum_5 * cos_of_slope - com_vx_minus_share_times_vx * sin_of_slope_times_slope +
-                         (sum_6 * sin_of_slope + com_vy_minus_share_times_vy * cos_of_slope_times_slope);
-    const real sum_plus_sum_plus_d_along = d_vx * cos_of_slope - vx * sin_of_slope_times_slope +
-                                           (d_vy * sin_of_slope + vy * cos_of_slope_times_slope) + d_along;
-    const real d_off = sum_6 * cos_of_slope - com_vy_minus_share_times_vy * sin_of_slope_times_slope -
-                       (sum_5 * sin_of_slope + com_vx_minus_share_times_vx * cos_of_slope_times_slope);
+    const real d_along = sum_5 * cos_of_slope - com_vx_minus_share_times_vx * sin_of_slope_times_slope
+        + (sum_6 * sin_of_slope + com_vy_minus_share_times_vy * cos_of_slope_times_slope);
+    const real sum_plus_sum_plus_d_along = d_vx * cos_of_slope - vx * sin_of_slope_times_slope
+        + (d_vy * sin_of_slope + vy * cos_of_slope_times_slope) + d_along;
+    const real d_off = sum_6 * cos_of_slope - com_vy_minus_share_times_vy * sin_of_slope_times_slope
+        - (sum_5 * sin_of_slope + com_vx_minus_share_times_vx * cos_of_slope_times_slope);
     const real sum_7 = dx->friction * off + x->friction * d_off;
     const real way_times_d_along_plus_sum = way * d_along + sum_7;
-    const real sum_minus_sum_plus_d_off = d_vy * cos_of_slope - vy * sin_of_slope_times_slope -
-                                          (d_vx * sin_of_slope + vx * cos_of_slope_times_slope) + d_off;
+    const real sum_minus_sum_plus_d_off = d_vy * cos_of_slope - vy * sin_of_slope_times_slope
+        - (d_vx * sin_of_slope + vx * cos_of_slope_times_slope) + d_off;
     const real sum_8 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
     const real sum_9 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
-    const real angle_minus_ratio =
-        dx->angle - (sum_8 * sum_4 - sum_9 * sum_3) / (sum_8 * sum_8 + sum_9 * sum_9);
+    const real angle_minus_ratio = dx->angle - (sum_8 * sum_4 - sum_9 * sum_3) / (sum_8 * sum_8
+        + sum_9 * sum_9);
     const real along_times_along_plus_off_times_off = along * along + off * off;
     const real sum_10 = 2.0 * (along * d_along) + 2.0 * (off * d_off);
     y->touchdowns_so_far = dx->touchdowns_so_far;
@@ -700,28 +686,22 @@ static void vary_react_flight_place_touchdown(const real *parameters, const real
         const real left = way_times_along_plus_friction_times_off + p->stribeck_velocity * log1p_2;
         const real speed_after_impact = select(way_times_along <= sum_11, 0.0, select(left > 0.0, left, 0.0));
         const real way_times_speed_after_impact = way * speed_after_impact;
-        const real d_left =
-            way_times_d_along_plus_sum +
-            (dp->stribeck_velocity * log1p_2 +
-             p->stribeck_velocity *
-                 (((dp->static_ratio * expm1_of_ratio +
-                    static_ratio_minus_by_1 *
-                        ((expm1_of_ratio + 1.0) *
-                         ((sum_7 - ratio * dp->stribeck_velocity) / p->stribeck_velocity))) *
-                       exp_of_minus_ratio -
-                   product_2 *
-                       (exp_of_minus_ratio * ((way_times_d_along_plus_sum - ratio_2 * dp->stribeck_velocity) /
-                                              p->stribeck_velocity))) /
-                  (1.0 + product_times_exp_of_minus_ratio)));
-        const real d_speed_after_impact =
-            select(way_times_along <= sum_11, 0.0, select(left > 0.0, d_left, 0.0));
+        const real d_left = way_times_d_along_plus_sum + (dp->stribeck_velocity * log1p_2
+            + p->stribeck_velocity * (((dp->static_ratio * expm1_of_ratio
+            + static_ratio_minus_by_1 * ((expm1_of_ratio + 1.0) * ((sum_7
+            - ratio * dp->stribeck_velocity) / p->stribeck_velocity))) * exp_of_minus_ratio
+            - product_2 * (exp_of_minus_ratio * ((way_times_d_along_plus_sum
+            - ratio_2 * dp->stribeck_velocity) / p->stribeck_velocity))) / (1.0
+            + product_times_exp_of_minus_ratio)));
+        const real d_speed_after_impact = select(way_times_along <= sum_11, 0.0, select(left > 0.0, d_left,
+            0.0));
         const real way_times_d_speed_after_impact = way * d_speed_after_impact;
         const real sum_12 = sum_plus_sum_plus_d_along - way_times_d_speed_after_impact;
-        const real speeds = along_times_along_plus_off_times_off -
-                            way_times_speed_after_impact * way_times_speed_after_impact;
+        const real speeds = along_times_along_plus_off_times_off
+            - way_times_speed_after_impact * way_times_speed_after_impact;
         const real d_speeds = sum_10 - 2.0 * (way_times_speed_after_impact * way_times_d_speed_after_impact);
-        const real impact_loss_plus_by_0_5_times_sum =
-            dx->impact_loss + 0.5 * (dp->foot_mass * speeds + p->foot_mass * d_speeds);
+        const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss + 0.5 * (dp->foot_mass * speeds
+            + p->foot_mass * d_speeds);
         y->vx = sum_12;
         y->foot_vx = way_times_d_speed_after_impact;
         y->impact_loss = impact_loss_plus_by_0_5_times_sum;
@@ -737,10 +717,9 @@ static void vary_react_flight_place_touchdown(const real *parameters, const real
     const real d_after = select(way_times_along <= negative, 0.0, way_times_d_along_plus_sum);
     const real way_times_d_after = way * d_after;
     const real sum_11 = sum_plus_sum_plus_d_along - way_times_d_after;
-    const real impact_loss_plus_by_0_5_times_sum =
-        dx->impact_loss +
-        0.5 * (dp->foot_mass * (along_times_along_plus_off_times_off - way_times_after * way_times_after) +
-               p->foot_mass * (sum_10 - 2.0 * (way_times_after * way_times_d_after)));
+    const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss
+        + 0.5 * (dp->foot_mass * (along_times_along_plus_off_times_off - way_times_after * way_times_after)
+        + p->foot_mass * (sum_10 - 2.0 * (way_times_after * way_times_d_after)));
     y->vx = sum_11;
     y->foot_vx = way_times_d_after;
     y->impact_loss = impact_loss_plus_by_0_5_times_sum;
@@ -752,23 +731,21 @@ static void vary_react_flight_place_touchdown(const real *parameters, const real
 
 /* First variation of the guard of touchdown. */
 static real vary_guard_flight_place_touchdown(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
-    const real d_level = cos_of_slope * (dx->com_y - dx->height) -
-                         sin_of_slope * dx->slope * (x->com_y - x->height) -
-                         (cos_of_slope * dx->slope * x->com_x + sin_of_slope * dx->com_x);
+    const real d_level = cos_of_slope * (dx->com_y - dx->height) - sin_of_slope * dx->slope * (x->com_y
+        - x->height) - (cos_of_slope * dx->slope * x->com_x + sin_of_slope * dx->com_x);
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real angle_minus_slope = x->angle - x->slope;
-    const real d_above =
-        d_level - ((d_share * x->length + share * dx->length) * real_cos(angle_minus_slope) -
-                   share * x->length * (real_sin(angle_minus_slope) * (dx->angle - dx->slope)));
+    const real d_above = d_level - ((d_share * x->length + share * dx->length) * real_cos(angle_minus_slope)
+        - share * x->length * (real_sin(angle_minus_slope) * (dx->angle - dx->slope)));
     return d_above;
 }
 
@@ -776,13 +753,11 @@ static real vary_guard_flight_place_touchdown(const real *parameters, const real
 static void outputs_flight_place(const real *parameters, const real *states, real *outputs) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    const real pending = select(real_abs(p->ground_height - x->height) +
-                                        real_abs(p->free_length * (p->ground_slope - x->slope)) >
-                                    0.0,
-                                1.0, 0.0);
+    const real pending = select(real_abs(p->ground_height - x->height)
+        + real_abs(p->free_length * (p->ground_slope - x->slope)) > 0.0, 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
@@ -801,11 +776,11 @@ static void outputs_flight_place(const real *parameters, const real *states, rea
     const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
     const real body_vy = com_vy_minus_share_times_vy + vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                         com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
-    const real potential_energy =
-        p->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y);
+    const real kinetic_energy = 0.5 * (of_body
+        + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
+        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
+    const real potential_energy = p->gravity * (p->body_mass * body_y
+        + p->foot_mass * com_y_minus_share_times_y);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
     outputs[OUTPUT_pending] = pending;
@@ -834,7 +809,7 @@ static void outputs_flight_place(const real *parameters, const real *states, rea
 
 /* First variation of outputs_flight_place. */
 static void vary_outputs_flight_place(const real *parameters, const real *states, const real *d_parameters,
-                                      const real *d_states, real *outputs) {
+    const real *d_states, real *outputs) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -844,12 +819,11 @@ static void vary_outputs_flight_place(const real *parameters, const real *states
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real shorter = rest_length - x->length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_shorter = d_rest_length - dx->length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * x->length_rate
+        + p->damping * dx->length_rate);
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
@@ -866,34 +840,33 @@ static void vary_outputs_flight_place(const real *parameters, const real *states
     const real turn = x->momentum / x->length;
     const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle) -
-                      (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
+    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle)
+        - (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
     const real sum_4 = dx->com_vx - (d_share * vx + share * d_vx);
     const real d_body_vx = sum_4 + d_vx;
     const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
-    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle -
-                      (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
+    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle
+        - (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
     const real sum_5 = dx->com_vy - (d_share * vy + share * d_vy);
     const real d_body_vy = sum_5 + d_vy;
     const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
     const real body_vx = com_vx_minus_share_times_vx + vx;
     const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
     const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 * (d_of_body + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                             com_vy_minus_share_times_vy * com_vy_minus_share_times_vy) +
-                            p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4) +
-                                            2.0 * (com_vy_minus_share_times_vy * sum_5))));
+    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
+        + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real d_kinetic_energy = 0.5 * (d_of_body
+        + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
+        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy)
+        + p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4)
+        + 2.0 * (com_vy_minus_share_times_vy * sum_5))));
     const real com_y_minus_share_times_y = x->com_y - share * y_2;
     const real body_y = com_y_minus_share_times_y + y_2;
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y) +
-        p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                      (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_potential_energy = dp->gravity * (p->body_mass * body_y
+        + p->foot_mass * com_y_minus_share_times_y) + p->gravity * (dp->body_mass * body_y
+        + p->body_mass * d_body_y + (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
+    const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
+        + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
     outputs[OUTPUT_pending] = 0.0;
     outputs[OUTPUT_torque] = 0.0;
@@ -942,7 +915,7 @@ static void from_world_flight_place(const real *parameters, const real *states, 
 
 /* First variation of from_world_flight_place. */
 static void vary_from_world_flight_place(const real *parameters, const real *states, const real *d_parameters,
-                                         const real *d_states, real *after) {
+    const real *d_states, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -960,11 +933,11 @@ static void vary_from_world_flight_place(const real *parameters, const real *sta
     const real turn = x->length * x->angle_rate;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real d_square = 2.0 * (x->length * dx->length);
     const real square = x->length * x->length;
     const real d_moment = d_square * x->angle_rate + square * dx->angle_rate;
@@ -998,7 +971,7 @@ static void to_world_flight_place(const real *parameters, const real *states, re
 
 /* First variation of to_world_flight_place. */
 static void vary_to_world_flight_place(const real *parameters, const real *states, const real *d_parameters,
-                                       const real *d_states, real *after) {
+    const real *d_states, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -1016,11 +989,11 @@ static void vary_to_world_flight_place(const real *parameters, const real *state
     const real turn = x->momentum / x->length;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
@@ -1032,86 +1005,15 @@ static void vary_to_world_flight_place(const real *parameters, const real *state
     y->angle_rate = d_rate;
 }
 
-/* Rates of the world's states in flight. */
-static void world_rates_flight_place(const real *parameters, const real *states, real *after) {
-    const reduced_runner_parameters *p = (const void *)parameters;
-    const reduced_runner_states *x = (const void *)states;
-    reduced_runner_states *y = (void *)after;
-    const real total = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / total;
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real sine = real_sin(x->angle);
-    const real sine_times_rate = sine * rate;
-    const real turn = x->momentum / x->length;
-    y->seen_x = x->com_vx + share * (x->length * cosine_times_rate);
-    y->seen_y = x->com_vy + share * (x->length * sine_times_rate);
-    y->seen_vx =
-        x->external_fx / total - share * (turn * sine_times_rate - x->length_rate * cosine_times_rate);
-    y->seen_vy = x->external_fy / total - p->gravity -
-                 share * (-(x->length_rate * sine_times_rate) - turn * cosine_times_rate);
-    y->length = 0.0;
-    y->angle = rate;
-    y->length_rate = 0.0;
-    y->angle_rate = 0.0;
-}
-
-/* First variation of world_rates_flight_place. */
-static void vary_world_rates_flight_place(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states, real *after) {
-    const reduced_runner_parameters *p = (const void *)parameters;
-    const reduced_runner_states *x = (const void *)states;
-    const reduced_runner_parameters *dp = (const void *)d_parameters;
-    const reduced_runner_states *dx = (const void *)d_states;
-    reduced_runner_states *y = (void *)after;
-    const real total = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / total;
-    const real d_total = dp->body_mass + dp->foot_mass;
-    const real d_share = (dp->body_mass - share * d_total) / total;
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real sine = real_sin(x->angle);
-    const real sum_2 = cosine * d_rate - sine * dx->angle * rate;
-    const real sine_times_rate = sine * rate;
-    const real d_sine = cosine * dx->angle;
-    const real sum_3 = d_sine * rate + sine * d_rate;
-    const real turn = x->momentum / x->length;
-    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    y->seen_x = dx->com_vx + (d_share * (x->length * cosine_times_rate) +
-                              share * (dx->length * cosine_times_rate + x->length * sum_2));
-    y->seen_y = dx->com_vy + (d_share * (x->length * sine_times_rate) +
-                              share * (dx->length * sine_times_rate + x->length * sum_3));
-    y->seen_vx = (dx->external_fx - x->external_fx / total * d_total) / total -
-                 (d_share * (turn * sine_times_rate - x->length_rate * cosine_times_rate) +
-                  share * (d_turn * sine_times_rate + turn * sum_3 -
-                           (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)));
-    y->seen_vy = (dx->external_fy - x->external_fy / total * d_total) / total - dp->gravity -
-                 (d_share * (-(x->length_rate * sine_times_rate) - turn * cosine_times_rate) +
-                  share * (-(dx->length_rate * sine_times_rate + x->length_rate * sum_3) -
-                           (d_turn * cosine_times_rate + turn * sum_2)));
-    y->length = 0.0;
-    y->angle = d_rate;
-    y->length_rate = 0.0;
-    y->angle_rate = 0.0;
-}
-
 /* Outputs in fallen. */
 static void outputs_fallen(const real *parameters, const real *states, real *outputs) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    const real pending = select(real_abs(p->ground_height - x->height) +
-                                        real_abs(p->free_length * (p->ground_slope - x->slope)) >
-                                    0.0,
-                                1.0, 0.0);
+    const real pending = select(real_abs(p->ground_height - x->height)
+        + real_abs(p->free_length * (p->ground_slope - x->slope)) > 0.0, 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real sin_of_angle = real_sin(x->angle);
@@ -1131,8 +1033,8 @@ static void outputs_fallen(const real *parameters, const real *states, real *out
     const real center_vx = x->seen_vx + share * vx;
     const real center_vy = x->seen_vy + share * vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy));
+    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (x->seen_vx * x->seen_vx
+        + x->seen_vy * x->seen_vy));
     const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
@@ -1165,14 +1067,16 @@ static void open_slip_constant(const real *parameters, const real *states, real 
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     slip_constant_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + x->thrusting * select(longer >= 0.0, longer, 0.0);
+    const real rest_length = p->free_length + x->extension + x->thrusting * select(longer >= 0.0, longer,
+        0.0);
     const real stance_torque = x->external_torque - x->driving * (p->drive_torque + p->more_torque);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
     const real sum_2 = x->external_fx * cosine + x->external_fy * sine;
     const real gravity_times_sine = p->gravity * sine;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real foot_mass_times_gravity_times_sine = foot_mass_times_gravity * sine;
     const real way_times_friction = x->way * x->friction;
@@ -1180,6 +1084,7 @@ static void open_slip_constant(const real *parameters, const real *states, real 
     const real sum_3 = x->external_fy * cosine - x->external_fx * sine;
     const real gravity_times_cosine = p->gravity * cosine;
     const real by_60_times_stribeck_velocity = 60.0 * p->stribeck_velocity;
+    c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->rest_length = rest_length;
     c->damping = p->damping;
@@ -1187,9 +1092,8 @@ static void open_slip_constant(const real *parameters, const real *states, real 
     c->cosine = cosine;
     c->sine = sine;
     c->sum_2 = sum_2;
-    c->body_mass = p->body_mass;
     c->gravity_times_sine = gravity_times_sine;
-    c->foot_mass = p->foot_mass;
+    c->inverse_foot_mass = inverse_foot_mass;
     c->foot_mass_times_gravity_times_sine = foot_mass_times_gravity_times_sine;
     c->way = x->way;
     c->way_times_friction = way_times_friction;
@@ -1203,37 +1107,41 @@ static void open_slip_constant(const real *parameters, const real *states, real 
 
 /* First variation of open_slip_constant. */
 static void vary_open_slip_constant(const real *parameters, const real *states, const real *d_parameters,
-                                    const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     slip_constant_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length = dp->free_length + dx->extension +
-                               (select(longer >= 0.0, longer, 0.0) * dx->thrusting +
-                                x->thrusting * select(longer >= 0.0, d_longer, 0.0));
-    const real d_stance_torque = dx->external_torque - ((p->drive_torque + p->more_torque) * dx->driving +
-                                                        x->driving * (dp->drive_torque + dp->more_torque));
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, longer,
+        0.0) * dx->thrusting + x->thrusting * select(longer >= 0.0, d_longer, 0.0));
+    const real d_stance_torque = dx->external_torque - ((p->drive_torque + p->more_torque) * dx->driving
+        + x->driving * (dp->drive_torque + dp->more_torque));
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
     const real d_cosine = -sine_times_slope;
     const real cosine = real_cos(x->slope);
     const real d_sine = cosine * dx->slope;
-    const real d_sum_2 = cosine * dx->external_fx - x->external_fx * sine_times_slope +
-                         (sine * dx->external_fy + x->external_fy * d_sine);
+    const real d_sum_2 = cosine * dx->external_fx - x->external_fx * sine_times_slope
+        + (sine * dx->external_fy + x->external_fy * d_sine);
     const real d_gravity_times_sine = sine * dp->gravity + p->gravity * d_sine;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
     const real sum_2 = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real d_foot_mass_times_gravity_times_sine = sine * sum_2 + foot_mass_times_gravity * d_sine;
     const real d_way_times_friction = x->friction * dx->way + x->way * dx->friction;
-    const real d_foot_mass_times_gravity_times_cosine =
-        cosine * sum_2 - foot_mass_times_gravity * sine_times_slope;
-    const real d_sum_3 = cosine * dx->external_fy - x->external_fy * sine_times_slope -
-                         (sine * dx->external_fx + x->external_fx * d_sine);
+    const real d_foot_mass_times_gravity_times_cosine = cosine * sum_2
+        - foot_mass_times_gravity * sine_times_slope;
+    const real d_sum_3 = cosine * dx->external_fy - x->external_fy * sine_times_slope
+        - (sine * dx->external_fx + x->external_fx * d_sine);
     const real d_gravity_times_cosine = cosine * dp->gravity - p->gravity * sine_times_slope;
     const real d_by_60_times_stribeck_velocity = 60.0 * dp->stribeck_velocity;
+    c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->rest_length = d_rest_length;
     c->damping = dp->damping;
@@ -1241,9 +1149,8 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
     c->cosine = d_cosine;
     c->sine = d_sine;
     c->sum_2 = d_sum_2;
-    c->body_mass = dp->body_mass;
     c->gravity_times_sine = d_gravity_times_sine;
-    c->foot_mass = dp->foot_mass;
+    c->inverse_foot_mass = d_inverse_foot_mass;
     c->foot_mass_times_gravity_times_sine = d_foot_mass_times_gravity_times_sine;
     c->way = dx->way;
     c->way_times_friction = d_way_times_friction;
@@ -1257,7 +1164,7 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
 
 /* falls: The body reaches the ground. */
 static int react_slip_constant_falls(const real *parameters, const real *states, const tdmf_table *tables,
-                                     real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)tables;
@@ -1287,8 +1194,7 @@ static int react_slip_constant_falls(const real *parameters, const real *states,
 
 /* First variation of falls. */
 static void vary_react_slip_constant_falls(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states,
-                                           const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1310,9 +1216,8 @@ static void vary_react_slip_constant_falls(const real *parameters, const real *s
     const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
     const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
@@ -1329,7 +1234,7 @@ static void vary_react_slip_constant_falls(const real *parameters, const real *s
 
 /* First variation of the guard of falls. */
 static real vary_guard_slip_constant_falls(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -1339,7 +1244,7 @@ static real vary_guard_slip_constant_falls(const real *parameters, const real *s
 
 /* First variation of the guard of collapses. */
 static real vary_guard_slip_constant_collapses(const real *parameters, const real *states,
-                                               const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -1353,7 +1258,7 @@ static real vary_guard_slip_constant_collapses(const real *parameters, const rea
 
 /* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
 static int react_slip_constant_greatest_compression(const real *parameters, const real *states,
-                                                    const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)tables;
@@ -1377,8 +1282,7 @@ static int react_slip_constant_greatest_compression(const real *parameters, cons
 
 /* First variation of greatest_compression. */
 static void vary_react_slip_constant_greatest_compression(const real *parameters, const real *states,
-                                                          const real *d_parameters, const real *d_states,
-                                                          const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -1396,8 +1300,8 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_longer_or_by_0 = select(longer >= 0.0, d_longer, 0.0);
     const real d_rest_length = free_length_plus_extension_2 + d_longer_or_by_0;
-    const real free_length_plus_extension_plus_sum =
-        free_length_plus_extension_2 + (d_longer_or_by_0 * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real free_length_plus_extension_plus_sum = free_length_plus_extension_2
+        + (d_longer_or_by_0 * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_jump = d_rest_length - free_length_plus_extension_plus_sum;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -1408,8 +1312,8 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     y->events = dx->events;
     y->last_event = dx->time;
     y->thrusting = 0.0;
-    y->leg_work = dx->leg_work +
-                  ((dp->stiffness * jump + p->stiffness * d_jump) * middle + p->stiffness * jump * d_middle);
+    y->leg_work = dx->leg_work + ((dp->stiffness * jump + p->stiffness * d_jump) * middle
+        + p->stiffness * jump * d_middle);
 }
 
 /* Whether greatest_compression is watched. */
@@ -1424,7 +1328,7 @@ static real watches_slip_constant_greatest_compression(const real *parameters, c
 
 /* First variation of the guard of greatest_compression. */
 static real vary_guard_slip_constant_greatest_compression(const real *parameters, const real *states,
-                                                          const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1434,15 +1338,14 @@ static real vary_guard_slip_constant_greatest_compression(const real *parameters
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
     return -d_length_rate;
 }
 
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_slip_constant_mid_stance(const real *parameters, const real *states,
-                                          const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -1453,8 +1356,7 @@ static int react_slip_constant_mid_stance(const real *parameters, const real *st
 
 /* First variation of mid_stance. */
 static void vary_react_slip_constant_mid_stance(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states,
-                                                const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -1477,7 +1379,7 @@ static real watches_slip_constant_mid_stance(const real *parameters, const real 
 
 /* First variation of the guard of mid_stance. */
 static real vary_guard_slip_constant_mid_stance(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1489,7 +1391,7 @@ static real vary_guard_slip_constant_mid_stance(const real *parameters, const re
 
 /* lift_off: The centre of mass flies to the next apex. */
 static int react_slip_constant_lift_off(const real *parameters, const real *states, const tdmf_table *tables,
-                                        real *after, const int *next) {
+    real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)tables;
@@ -1549,8 +1451,7 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
 
 /* First variation of lift_off. */
 static void vary_react_slip_constant_lift_off(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states,
-                                              const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -1577,15 +1478,14 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
     const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     y->length = d_length;
     y->angle = d_angle;
     y->length_rate = d_length_rate;
-    if (x->time <= x->touchdown_time || rise <= 0.0 ||
-        x->external_fy >= body_mass_plus_foot_mass * p->gravity) {
+    if (x->time <= x->touchdown_time || rise <= 0.0 || x->external_fy >= body_mass_plus_foot_mass *
+        p->gravity) {
         const real moment = x->x_ * x->vy - x->y_ * x->vx;
         const real angle_rate = moment / square;
         const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
@@ -1604,34 +1504,30 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real jump = rest_length - sum_2;
     const real d_rest_length = dp->free_length + dx->extension;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length_plus_sum = d_rest_length + (select(longer >= 0.0, d_longer, 0.0) * x->thrusting +
-                                                         longer_or_by_0 * dx->thrusting);
+    const real d_rest_length_plus_sum = d_rest_length + (select(longer >= 0.0, d_longer, 0.0) * x->thrusting
+        + longer_or_by_0 * dx->thrusting);
     const real d_jump = d_rest_length - d_rest_length_plus_sum;
     const real middle = sum_2 + 0.5 * jump - length;
     const real d_middle = d_rest_length_plus_sum + 0.5 * d_jump - d_length;
-    y->com_x =
-        d_x + (d_share * (x->x_ * cosine - x->y_ * sine) +
-               share * (dx->x_ * cosine - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine)));
-    y->com_y = height_plus_d_y +
-               (d_share * (x->x_ * sine + x->y_ * cosine) +
-                share * (dx->x_ * sine + x->x_ * d_sine + (dx->y_ * cosine - x->y_ * sine_times_slope)));
-    y->com_vx =
-        d_vx + (d_share * (x->vx * cosine - x->vy * sine) +
-                share * (dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine)));
-    y->com_vy =
-        d_vy + (d_share * (x->vx * sine + x->vy * cosine) +
-                share * (dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope)));
+    y->com_x = d_x + (d_share * (x->x_ * cosine - x->y_ * sine) + share * (dx->x_ * cosine
+        - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine)));
+    y->com_y = height_plus_d_y + (d_share * (x->x_ * sine + x->y_ * cosine) + share * (dx->x_ * sine
+        + x->x_ * d_sine + (dx->y_ * cosine - x->y_ * sine_times_slope)));
+    y->com_vx = d_vx + (d_share * (x->vx * cosine - x->vy * sine) + share * (dx->vx * cosine
+        - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine)));
+    y->com_vy = d_vy + (d_share * (x->vx * sine + x->vy * cosine) + share * (dx->vx * sine + x->vx * d_sine
+        + (dx->vy * cosine - x->vy * sine_times_slope)));
     y->momentum = d_moment;
     y->thrusting = 0.0;
-    y->leg_work = dx->leg_work +
-                  ((dp->stiffness * jump + p->stiffness * d_jump) * middle + p->stiffness * jump * d_middle);
+    y->leg_work = dx->leg_work + ((dp->stiffness * jump + p->stiffness * d_jump) * middle
+        + p->stiffness * jump * d_middle);
     y->liftoff_angle = d_angle;
     y->placing = 0.0;
 }
 
 /* First variation of the guard of lift_off. */
 static real vary_guard_slip_constant_lift_off(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -1643,38 +1539,35 @@ static real vary_guard_slip_constant_lift_off(const real *parameters, const real
     const real length = real_sqrt(square);
     const real rest_length_minus_length = rest_length - length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real spring = p->stiffness * rest_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
     const real drive_torque_plus_more_torque = p->drive_torque + p->more_torque;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving
+        + drive_torque_plus_more_torque * dx->driving);
     const real stance_torque = x->external_torque - drive_torque_plus_more_torque * x->driving;
     const real turning = stance_torque / square;
     const real d_turning = (d_stance_torque - turning * d_square) / square;
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
-    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine -
-                                   p->foot_mass * p->gravity * (sine * dx->slope));
+    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine
+        - p->foot_mass * p->gravity * (sine * dx->slope));
     return d_normal;
 }
 
 /* enters_layer: Slip is slow enough for friction to depend on the speed. */
 static int react_slip_constant_enters_layer(const real *parameters, const real *states,
-                                            const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -1684,8 +1577,7 @@ static int react_slip_constant_enters_layer(const real *parameters, const real *
 
 /* First variation of enters_layer. */
 static void vary_react_slip_constant_enters_layer(const real *parameters, const real *states,
-                                                  const real *d_parameters, const real *d_states,
-                                                  const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -1707,7 +1599,7 @@ static real watches_slip_constant_enters_layer(const real *parameters, const rea
 
 /* First variation of the guard of enters_layer. */
 static real vary_guard_slip_constant_enters_layer(const real *parameters, const real *states,
-                                                  const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -1717,14 +1609,14 @@ static real vary_guard_slip_constant_enters_layer(const real *parameters, const 
 
 /* comes_to_rest: The slip velocity reaches 0: the foot sticks, or slips the other way. */
 static int react_slip_constant_comes_to_rest(const real *parameters, const real *states,
-                                             const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)tables;
     reduced_runner_states *y = (void *)after;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -1751,8 +1643,7 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
 
 /* First variation of comes_to_rest. */
 static void vary_react_slip_constant_comes_to_rest(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states,
-                                                   const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1761,8 +1652,8 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     (void)seed;
     reduced_runner_states *y = (void *)after;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -1786,7 +1677,7 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
 
 /* First variation of the guard of comes_to_rest. */
 static real vary_guard_slip_constant_comes_to_rest(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1798,14 +1689,12 @@ static real vary_guard_slip_constant_comes_to_rest(const real *parameters, const
 static void outputs_slip_constant(const real *parameters, const real *states, real *outputs) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    const real pending = select(real_abs(p->ground_height - x->height) +
-                                        real_abs(p->free_length * (p->ground_slope - x->slope)) >
-                                    0.0,
-                                1.0, 0.0);
+    const real pending = select(real_abs(p->ground_height - x->height)
+        + real_abs(p->free_length * (p->ground_slope - x->slope)) > 0.0, 1.0, 0.0);
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
@@ -1840,8 +1729,8 @@ static void outputs_slip_constant(const real *parameters, const real *states, re
     const real center_vy = vy + share * vx_times_sine_plus_vy_times_cosine;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
     const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (vx * vx + vy * vy));
-    const real potential_energy =
-        p->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_foot_x_times_sine);
+    const real potential_energy = p->gravity * (p->body_mass * body_y
+        + p->foot_mass * height_plus_foot_x_times_sine);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
     const real kind_of_contact = select(x->way > 0.0, 3.0, 4.0);
@@ -1872,14 +1761,14 @@ static void outputs_slip_constant(const real *parameters, const real *states, re
 
 /* First variation of outputs_slip_constant. */
 static void vary_outputs_slip_constant(const real *parameters, const real *states, const real *d_parameters,
-                                       const real *d_states, real *outputs) {
+    const real *d_states, real *outputs) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     const real drive_torque_plus_more_torque = p->drive_torque + p->more_torque;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving
+        + drive_torque_plus_more_torque * dx->driving);
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
@@ -1887,18 +1776,16 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_shorter = d_rest_length - d_length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * length_rate
+        + p->damping * d_length_rate);
     const real spring = p->stiffness * shorter - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
@@ -1910,20 +1797,20 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
-    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine -
-                                   foot_mass_times_gravity * sine_times_slope);
+    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine
+        - foot_mass_times_gravity * sine_times_slope);
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + foot_mass_times_gravity * cosine;
     const real way_times_friction = x->way * x->friction;
-    const real sum_2 =
-        (dx->way * x->friction + x->way * dx->friction) * normal + way_times_friction * d_normal;
+    const real sum_2 = (dx->way * x->friction + x->way * dx->friction) * normal
+        + way_times_friction * d_normal;
     const real d_tangential_force = -sum_2;
     const real way_times_friction_times_normal = way_times_friction * normal;
     const real d_sine = cosine * dx->slope;
-    const real d_x = -(sum_2 * cosine - way_times_friction_times_normal * sine_times_slope) -
-                     (d_normal * sine + normal * d_sine);
-    const real d_y = d_normal * cosine - normal * sine_times_slope -
-                     (sum_2 * sine + way_times_friction_times_normal * d_sine);
+    const real d_x = -(sum_2 * cosine - way_times_friction_times_normal * sine_times_slope)
+        - (d_normal * sine + normal * d_sine);
+    const real d_y = d_normal * cosine - normal * sine_times_slope - (sum_2 * sine
+        + way_times_friction_times_normal * d_sine);
     const real sum_3 = dx->foot_x * cosine - x->foot_x * sine_times_slope;
     const real sum_4 = dx->x_ * cosine - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine);
     const real d_body_x = sum_3 + sum_4;
@@ -1950,19 +1837,18 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
     const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
     const real vy = x->foot_vx * sine;
     const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy) +
-                            p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
+    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
+        + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy)
+        + p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_foot_x_times_sine) +
-        p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                      (dp->foot_mass * height_plus_foot_x_times_sine + p->foot_mass * height_plus_sum));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_potential_energy = dp->gravity * (p->body_mass * body_y
+        + p->foot_mass * height_plus_foot_x_times_sine) + p->gravity * (dp->body_mass * body_y
+        + p->body_mass * d_body_y + (dp->foot_mass * height_plus_foot_x_times_sine
+        + p->foot_mass * height_plus_sum));
+    const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
+        + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
     outputs[OUTPUT_pending] = 0.0;
     outputs[OUTPUT_torque] = d_stance_torque;
@@ -1997,13 +1883,13 @@ static void leave_slip_constant(const real *parameters, const real *states, real
     const real slid = x->way * (x->foot_x - x->slid_from);
     const real lasted = x->time - x->mode_began;
     const real letter = select(x->way > 0.0, 3.0, 1.0);
-    const real adds =
-        select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real adds = select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0,
+        x->bar_is_due), 0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_letter = 4.0 * after_bar + letter;
     const real longer = select(after_bar < 0.0, -1.0,
-                               select(by_4_times_after_bar_plus_letter < 4503599627370496.0,
-                                      by_4_times_after_bar_plus_letter, -1.0));
+        select(by_4_times_after_bar_plus_letter < 4503599627370496.0, by_4_times_after_bar_plus_letter,
+        -1.0));
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slip_so_far = x->slip_so_far + slid;
@@ -2017,7 +1903,7 @@ static void leave_slip_constant(const real *parameters, const real *states, real
 
 /* First variation of leave_slip_constant. */
 static void vary_leave_slip_constant(const real *parameters, const real *states, const real *d_parameters,
-                                     const real *d_states, real counted, real *after) {
+    const real *d_states, real counted, real *after) {
     (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -2027,14 +1913,14 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
     const real letter = select(x->way > 0.0, 3.0, 1.0);
-    const real adds =
-        select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real adds = select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0,
+        x->bar_is_due), 0.0);
     const real bar_is_due_times_word_so_far = x->bar_is_due * x->word_so_far;
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
-    const real d_after_bar =
-        select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far, dx->word_so_far);
-    const real d_longer = select(
-        after_bar < 0.0, 0.0, select(4.0 * after_bar + letter < 4503599627370496.0, 4.0 * d_after_bar, 0.0));
+    const real d_after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far,
+        dx->word_so_far);
+    const real d_longer = select(after_bar < 0.0, 0.0, select(4.0 * after_bar + letter < 4503599627370496.0,
+        4.0 * d_after_bar, 0.0));
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slip_so_far = dx->slip_so_far + d_slid;
@@ -2068,12 +1954,12 @@ static void from_world_slip_constant(const real *parameters, const real *states,
     y->vx = vx * cos_of_slope + vy * sin_of_slope;
     y->vy = vy * cos_of_slope - vx * sin_of_slope;
     y->winding = x->angle - real_atan2(-(y_2 * sin_of_slope - length_times_sine * cos_of_slope),
-                                       y_2 * cos_of_slope + length_times_sine * sin_of_slope);
+        y_2 * cos_of_slope + length_times_sine * sin_of_slope);
 }
 
 /* First variation of from_world_slip_constant. */
 static void vary_from_world_slip_constant(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states, real *after) {
+    const real *d_parameters, const real *d_states, real *after) {
     (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -2083,9 +1969,8 @@ static void vary_from_world_slip_constant(const real *parameters, const real *st
     const real sin_of_slope = real_sin(x->slope);
     const real sin_of_slope_times_slope = sin_of_slope * dx->slope;
     const real cos_of_slope_times_slope = cos_of_slope * dx->slope;
-    const real d_along =
-        dx->seen_x * cos_of_slope - x->seen_x * sin_of_slope_times_slope +
-        ((dx->seen_y - dx->height) * sin_of_slope + (x->seen_y - x->height) * cos_of_slope_times_slope);
+    const real d_along = dx->seen_x * cos_of_slope - x->seen_x * sin_of_slope_times_slope + ((dx->seen_y
+        - dx->height) * sin_of_slope + (x->seen_y - x->height) * cos_of_slope_times_slope);
     const real cosine = real_cos(x->angle);
     const real sine = real_sin(x->angle);
     const real sine_times_angle = sine * dx->angle;
@@ -2096,31 +1981,29 @@ static void vary_from_world_slip_constant(const real *parameters, const real *st
     const real length_times_sine = x->length * sine;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
     const real turn = x->length * x->angle_rate;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real vy = x->length_rate * cosine - turn * sine;
     const real sum_3 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
     const real sum_4 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
     y->foot_x = d_along;
-    y->foot_vx = dx->seen_vx * cos_of_slope - x->seen_vx * sin_of_slope_times_slope +
-                 (dx->seen_vy * sin_of_slope + x->seen_vy * cos_of_slope_times_slope);
-    y->x_ = d_y * sin_of_slope + y_2 * cos_of_slope_times_slope -
-            (sum_2 * cos_of_slope - length_times_sine * sin_of_slope_times_slope);
-    y->y_ = d_y * cos_of_slope - y_2 * sin_of_slope_times_slope +
-            (sum_2 * sin_of_slope + length_times_sine * cos_of_slope_times_slope);
-    y->vx = d_vx * cos_of_slope - vx * sin_of_slope_times_slope +
-            (d_vy * sin_of_slope + vy * cos_of_slope_times_slope);
-    y->vy = d_vy * cos_of_slope - vy * sin_of_slope_times_slope -
-            (d_vx * sin_of_slope + vx * cos_of_slope_times_slope);
-    y->winding =
-        dx->angle - (sum_3 * (d_y * cos_of_slope - y_2 * sin_of_slope_times_slope +
-                              (sum_2 * sin_of_slope + length_times_sine * cos_of_slope_times_slope)) -
-                     sum_4 * (d_y * sin_of_slope + y_2 * cos_of_slope_times_slope -
-                              (sum_2 * cos_of_slope - length_times_sine * sin_of_slope_times_slope))) /
-                        (sum_3 * sum_3 + sum_4 * sum_4);
+    y->foot_vx = dx->seen_vx * cos_of_slope - x->seen_vx * sin_of_slope_times_slope
+        + (dx->seen_vy * sin_of_slope + x->seen_vy * cos_of_slope_times_slope);
+    y->x_ = d_y * sin_of_slope + y_2 * cos_of_slope_times_slope - (sum_2 * cos_of_slope
+        - length_times_sine * sin_of_slope_times_slope);
+    y->y_ = d_y * cos_of_slope - y_2 * sin_of_slope_times_slope + (sum_2 * sin_of_slope
+        + length_times_sine * cos_of_slope_times_slope);
+    y->vx = d_vx * cos_of_slope - vx * sin_of_slope_times_slope + (d_vy * sin_of_slope
+        + vy * cos_of_slope_times_slope);
+    y->vy = d_vy * cos_of_slope - vy * sin_of_slope_times_slope - (d_vx * sin_of_slope
+        + vx * cos_of_slope_times_slope);
+    y->winding = dx->angle - (sum_3 * (d_y * cos_of_slope - y_2 * sin_of_slope_times_slope
+        + (sum_2 * sin_of_slope + length_times_sine * cos_of_slope_times_slope))
+        - sum_4 * (d_y * sin_of_slope + y_2 * cos_of_slope_times_slope - (sum_2 * cos_of_slope
+        - length_times_sine * sin_of_slope_times_slope))) / (sum_3 * sum_3 + sum_4 * sum_4);
 }
 
 /* to world, in slip. */
@@ -2152,7 +2035,7 @@ static void to_world_slip_constant(const real *parameters, const real *states, r
 
 /* First variation of to_world_slip_constant. */
 static void vary_to_world_slip_constant(const real *parameters, const real *states, const real *d_parameters,
-                                        const real *d_states, real *after) {
+    const real *d_states, real *after) {
     (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -2172,9 +2055,8 @@ static void vary_to_world_slip_constant(const real *parameters, const real *stat
     const real d_length = 0.5 * d_square / length;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
@@ -2189,175 +2071,15 @@ static void vary_to_world_slip_constant(const real *parameters, const real *stat
     y->angle_rate = d_angle_rate;
 }
 
-/* Rates of the world's states in slip. */
-static void world_rates_slip_constant(const real *parameters, const real *states, real *after) {
-    const reduced_runner_parameters *p = (const void *)parameters;
-    const reduced_runner_states *x = (const void *)states;
-    reduced_runner_states *y = (void *)after;
-    const real cosine = real_cos(x->slope);
-    const real vx = x->foot_vx * cosine;
-    const real sine = real_sin(x->slope);
-    const real vy = x->foot_vx * sine;
-    const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real x__times_vx = x->x_ * x->vx;
-    const real y__times_vy = x->y_ * x->vy;
-    const real length_rate = (x__times_vx + y__times_vy) / length;
-    const real spring = p->stiffness * (rest_length - length) - p->damping * length_rate;
-    const real axial = spring / length;
-    const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
-    const real turning = stance_torque / square;
-    const real along = axial * x->x_ - turning * x->y_;
-    const real foot_mass_times_gravity = p->foot_mass * p->gravity;
-    const real off = axial * x->y_ + turning * x->x_;
-    const real normal = off + foot_mass_times_gravity * cosine;
-    const real friction_force = x->way * x->friction * normal;
-    const real acceleration = (-(along + foot_mass_times_gravity * sine) - friction_force) / p->foot_mass;
-    const real sum_2 = 2.0 * x__times_vx + 2.0 * y__times_vy;
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real sum_minus_acceleration =
-        (along + (x->external_fx * cosine + x->external_fy * sine)) / p->body_mass - p->gravity * sine -
-        acceleration;
-    const real sum_3 =
-        (off + (x->external_fy * cosine - x->external_fx * sine)) / p->body_mass - p->gravity * cosine;
-    y->seen_x = vx;
-    y->seen_y = vy;
-    y->seen_vx = acceleration * cosine;
-    y->seen_vy = acceleration * sine;
-    y->length = 0.5 * sum_2 / length;
-    y->angle = angle_rate;
-    y->length_rate = (x->vx * x->vx + x->x_ * sum_minus_acceleration + (x->vy * x->vy + x->y_ * sum_3) -
-                      length_rate * (0.5 * sum_2 / length)) /
-                     length;
-    y->angle_rate = (x->vx * x->vy + x->x_ * sum_3 - (x->vy * x->vx + x->y_ * sum_minus_acceleration) -
-                     angle_rate * sum_2) /
-                    square;
-}
-
-/* First variation of world_rates_slip_constant. */
-static void vary_world_rates_slip_constant(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states, real *after) {
-    const reduced_runner_parameters *p = (const void *)parameters;
-    const reduced_runner_states *x = (const void *)states;
-    const reduced_runner_parameters *dp = (const void *)d_parameters;
-    const reduced_runner_states *dx = (const void *)d_states;
-    reduced_runner_states *y = (void *)after;
-    const real cosine = real_cos(x->slope);
-    const real sine = real_sin(x->slope);
-    const real sine_times_slope = sine * dx->slope;
-    const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
-    const real d_sine = cosine * dx->slope;
-    const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
-    const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
-    const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real rest_length_minus_length = rest_length - length;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real x__times_vx = x->x_ * x->vx;
-    const real y__times_vy = x->y_ * x->vy;
-    const real length_rate = (x__times_vx + y__times_vy) / length;
-    const real x__times_vx_plus_x__times_vx = dx->x_ * x->vx + x->x_ * dx->vx;
-    const real y__times_vy_plus_y__times_vy = dx->y_ * x->vy + x->y_ * dx->vy;
-    const real d_length_rate =
-        (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy - length_rate * d_length) / length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
-    const real spring = p->stiffness * rest_length_minus_length - p->damping * length_rate;
-    const real axial = spring / length;
-    const real d_axial = (d_spring - axial * d_length) / length;
-    const real drive_torque_plus_more_torque = p->drive_torque + p->more_torque;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
-    const real stance_torque = x->external_torque - drive_torque_plus_more_torque * x->driving;
-    const real turning = stance_torque / square;
-    const real d_turning = (d_stance_torque - turning * d_square) / square;
-    const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
-    const real sum_2 = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
-    const real foot_mass_times_gravity = p->foot_mass * p->gravity;
-    const real off = axial * x->y_ + turning * x->x_;
-    const real normal = off + foot_mass_times_gravity * cosine;
-    const real way_times_friction = x->way * x->friction;
-    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
-    const real d_normal = d_off + (sum_2 * cosine - foot_mass_times_gravity * sine_times_slope);
-    const real d_friction_force =
-        (dx->way * x->friction + x->way * dx->friction) * normal + way_times_friction * d_normal;
-    const real along = axial * x->x_ - turning * x->y_;
-    const real friction_force = way_times_friction * normal;
-    const real acceleration = (-(along + foot_mass_times_gravity * sine) - friction_force) / p->foot_mass;
-    const real d_acceleration = (-(d_along + (sum_2 * sine + foot_mass_times_gravity * d_sine)) -
-                                 d_friction_force - acceleration * dp->foot_mass) /
-                                p->foot_mass;
-    const real sum_3 = 2.0 * x__times_vx_plus_x__times_vx + 2.0 * y__times_vy_plus_y__times_vy;
-    const real sum_4 = 2.0 * x__times_vx + 2.0 * y__times_vy;
-    const real by_0_5_times_sum_over_length = 0.5 * sum_4 / length;
-    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real along_plus_sum_over_body_mass =
-        (along + (x->external_fx * cosine + x->external_fy * sine)) / p->body_mass;
-    const real sum_minus_acceleration = along_plus_sum_over_body_mass - p->gravity * sine - acceleration;
-    const real ratio_minus_sum_minus_d_acceleration =
-        (d_along +
-         (dx->external_fx * cosine - x->external_fx * sine_times_slope +
-          (dx->external_fy * sine + x->external_fy * d_sine)) -
-         along_plus_sum_over_body_mass * dp->body_mass) /
-            p->body_mass -
-        (dp->gravity * sine + p->gravity * d_sine) - d_acceleration;
-    const real off_plus_sum_over_body_mass =
-        (off + (x->external_fy * cosine - x->external_fx * sine)) / p->body_mass;
-    const real sum_5 = off_plus_sum_over_body_mass - p->gravity * cosine;
-    const real ratio_minus_sum = (d_off +
-                                  (dx->external_fy * cosine - x->external_fy * sine_times_slope -
-                                   (dx->external_fx * sine + x->external_fx * d_sine)) -
-                                  off_plus_sum_over_body_mass * dp->body_mass) /
-                                     p->body_mass -
-                                 (dp->gravity * cosine - p->gravity * sine_times_slope);
-    y->seen_x = d_vx;
-    y->seen_y = d_vy;
-    y->seen_vx = d_acceleration * cosine - acceleration * sine_times_slope;
-    y->seen_vy = d_acceleration * sine + acceleration * d_sine;
-    y->length = (0.5 * sum_3 - by_0_5_times_sum_over_length * d_length) / length;
-    y->angle = d_angle_rate;
-    y->length_rate = (2.0 * (x->vx * dx->vx) +
-                      (dx->x_ * sum_minus_acceleration + x->x_ * ratio_minus_sum_minus_d_acceleration) +
-                      (2.0 * (x->vy * dx->vy) + (dx->y_ * sum_5 + x->y_ * ratio_minus_sum)) -
-                      (d_length_rate * by_0_5_times_sum_over_length +
-                       length_rate * ((0.5 * sum_3 - by_0_5_times_sum_over_length * d_length) / length)) -
-                      (x->vx * x->vx + x->x_ * sum_minus_acceleration + (x->vy * x->vy + x->y_ * sum_5) -
-                       length_rate * by_0_5_times_sum_over_length) /
-                          length * d_length) /
-                     length;
-    y->angle_rate = (dx->vx * x->vy + x->vx * dx->vy + (dx->x_ * sum_5 + x->x_ * ratio_minus_sum) -
-                     (dx->vy * x->vx + x->vy * dx->vx +
-                      (dx->y_ * sum_minus_acceleration + x->y_ * ratio_minus_sum_minus_d_acceleration)) -
-                     (d_angle_rate * sum_4 + angle_rate * sum_3) -
-                     (x->vx * x->vy + x->x_ * sum_5 - (x->vy * x->vx + x->y_ * sum_minus_acceleration) -
-                      angle_rate * sum_4) /
-                         square * d_square) /
-                    square;
-}
-
 /* Constants of stick. */
 static void open_stick(const real *parameters, const real *states, real *constants) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     stick_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + x->thrusting * select(longer >= 0.0, longer, 0.0);
+    const real rest_length = p->free_length + x->extension + x->thrusting * select(longer >= 0.0, longer,
+        0.0);
     const real stance_torque = x->external_torque - x->driving * (p->drive_torque + p->more_torque);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
@@ -2369,6 +2091,7 @@ static void open_stick(const real *parameters, const real *states, real *constan
     const real foot_mass_times_gravity_times_cosine = foot_mass_times_gravity * cosine;
     const real static_ratio_times_friction = p->static_ratio * x->friction;
     const real foot_mass_times_gravity_times_sine = foot_mass_times_gravity * sine;
+    c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->rest_length = rest_length;
     c->damping = p->damping;
@@ -2376,7 +2099,6 @@ static void open_stick(const real *parameters, const real *states, real *constan
     c->cosine = cosine;
     c->sine = sine;
     c->sum_2 = sum_2;
-    c->body_mass = p->body_mass;
     c->gravity_times_sine = gravity_times_sine;
     c->sum_3 = sum_3;
     c->gravity_times_cosine = gravity_times_cosine;
@@ -2390,37 +2112,39 @@ static void open_stick(const real *parameters, const real *states, real *constan
 
 /* First variation of open_stick. */
 static void vary_open_stick(const real *parameters, const real *states, const real *d_parameters,
-                            const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     stick_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length = dp->free_length + dx->extension +
-                               (select(longer >= 0.0, longer, 0.0) * dx->thrusting +
-                                x->thrusting * select(longer >= 0.0, d_longer, 0.0));
-    const real d_stance_torque = dx->external_torque - ((p->drive_torque + p->more_torque) * dx->driving +
-                                                        x->driving * (dp->drive_torque + dp->more_torque));
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, longer,
+        0.0) * dx->thrusting + x->thrusting * select(longer >= 0.0, d_longer, 0.0));
+    const real d_stance_torque = dx->external_torque - ((p->drive_torque + p->more_torque) * dx->driving
+        + x->driving * (dp->drive_torque + dp->more_torque));
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
     const real d_cosine = -sine_times_slope;
     const real cosine = real_cos(x->slope);
     const real d_sine = cosine * dx->slope;
-    const real d_sum_2 = cosine * dx->external_fx - x->external_fx * sine_times_slope +
-                         (sine * dx->external_fy + x->external_fy * d_sine);
+    const real d_sum_2 = cosine * dx->external_fx - x->external_fx * sine_times_slope
+        + (sine * dx->external_fy + x->external_fy * d_sine);
     const real d_gravity_times_sine = sine * dp->gravity + p->gravity * d_sine;
-    const real d_sum_3 = cosine * dx->external_fy - x->external_fy * sine_times_slope -
-                         (sine * dx->external_fx + x->external_fx * d_sine);
+    const real d_sum_3 = cosine * dx->external_fy - x->external_fy * sine_times_slope
+        - (sine * dx->external_fx + x->external_fx * d_sine);
     const real d_gravity_times_cosine = cosine * dp->gravity - p->gravity * sine_times_slope;
     const real sum_2 = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
-    const real d_foot_mass_times_gravity_times_cosine =
-        cosine * sum_2 - foot_mass_times_gravity * sine_times_slope;
-    const real d_static_ratio_times_friction =
-        x->friction * dp->static_ratio + p->static_ratio * dx->friction;
+    const real d_foot_mass_times_gravity_times_cosine = cosine * sum_2
+        - foot_mass_times_gravity * sine_times_slope;
+    const real d_static_ratio_times_friction = x->friction * dp->static_ratio
+        + p->static_ratio * dx->friction;
     const real d_foot_mass_times_gravity_times_sine = sine * sum_2 + foot_mass_times_gravity * d_sine;
+    c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->rest_length = d_rest_length;
     c->damping = dp->damping;
@@ -2428,7 +2152,6 @@ static void vary_open_stick(const real *parameters, const real *states, const re
     c->cosine = d_cosine;
     c->sine = d_sine;
     c->sum_2 = d_sum_2;
-    c->body_mass = dp->body_mass;
     c->gravity_times_sine = d_gravity_times_sine;
     c->sum_3 = d_sum_3;
     c->gravity_times_cosine = d_gravity_times_cosine;
@@ -2442,7 +2165,7 @@ static void vary_open_stick(const real *parameters, const real *states, const re
 
 /* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
 static int react_stick_greatest_compression(const real *parameters, const real *states,
-                                            const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)tables;
@@ -2466,7 +2189,7 @@ static int react_stick_greatest_compression(const real *parameters, const real *
 
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_stick_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
-                                  real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -2477,7 +2200,7 @@ static int react_stick_mid_stance(const real *parameters, const real *states, co
 
 /* slips_forward: The push of the leg exceeds static friction, and the foot slips forward. */
 static int react_stick_slips_forward(const real *parameters, const real *states, const tdmf_table *tables,
-                                     real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -2488,8 +2211,7 @@ static int react_stick_slips_forward(const real *parameters, const real *states,
 
 /* First variation of slips_forward. */
 static void vary_react_stick_slips_forward(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states,
-                                           const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -2502,7 +2224,7 @@ static void vary_react_stick_slips_forward(const real *parameters, const real *s
 
 /* First variation of the guard of slips_forward. */
 static real vary_guard_stick_slips_forward(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -2524,27 +2246,24 @@ static real vary_guard_stick_slips_forward(const real *parameters, const real *s
     const real cosine = real_cos(x->slope);
     const real normal = off + foot_mass_times_gravity * cosine;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving
+        + drive_torque_plus_more_torque * dx->driving);
     const real d_turning = (d_stance_torque - turning * d_square) / square;
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real sum_2 = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
     const real sine = real_sin(x->slope);
     const real d_normal = d_off + (sum_2 * cosine - foot_mass_times_gravity * (sine * dx->slope));
-    const real d_cone = (dp->static_ratio * x->friction + p->static_ratio * dx->friction) * normal +
-                        p->static_ratio * x->friction * d_normal;
+    const real d_cone = (dp->static_ratio * x->friction + p->static_ratio * dx->friction) * normal
+        + p->static_ratio * x->friction * d_normal;
     const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
     const real d_sine = cosine * dx->slope;
     return d_cone + (d_along + (sum_2 * sine + foot_mass_times_gravity * d_sine));
@@ -2552,7 +2271,7 @@ static real vary_guard_stick_slips_forward(const real *parameters, const real *s
 
 /* slips_backward: The push of the leg exceeds static friction, and the foot slips backward. */
 static int react_stick_slips_backward(const real *parameters, const real *states, const tdmf_table *tables,
-                                      real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -2563,7 +2282,7 @@ static int react_stick_slips_backward(const real *parameters, const real *states
 
 /* First variation of the guard of slips_backward. */
 static real vary_guard_stick_slips_backward(const real *parameters, const real *states,
-                                            const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -2585,27 +2304,24 @@ static real vary_guard_stick_slips_backward(const real *parameters, const real *
     const real cosine = real_cos(x->slope);
     const real normal = off + foot_mass_times_gravity * cosine;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving
+        + drive_torque_plus_more_torque * dx->driving);
     const real d_turning = (d_stance_torque - turning * d_square) / square;
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real sum_2 = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
     const real sine = real_sin(x->slope);
     const real d_normal = d_off + (sum_2 * cosine - foot_mass_times_gravity * (sine * dx->slope));
-    const real d_cone = (dp->static_ratio * x->friction + p->static_ratio * dx->friction) * normal +
-                        p->static_ratio * x->friction * d_normal;
+    const real d_cone = (dp->static_ratio * x->friction + p->static_ratio * dx->friction) * normal
+        + p->static_ratio * x->friction * d_normal;
     const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
     const real d_sine = cosine * dx->slope;
     return d_cone - (d_along + (sum_2 * sine + foot_mass_times_gravity * d_sine));
@@ -2615,14 +2331,12 @@ static real vary_guard_stick_slips_backward(const real *parameters, const real *
 static void outputs_stick(const real *parameters, const real *states, real *outputs) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    const real pending = select(real_abs(p->ground_height - x->height) +
-                                        real_abs(p->free_length * (p->ground_slope - x->slope)) >
-                                    0.0,
-                                1.0, 0.0);
+    const real pending = select(real_abs(p->ground_height - x->height)
+        + real_abs(p->free_length * (p->ground_slope - x->slope)) > 0.0, 1.0, 0.0);
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
@@ -2658,8 +2372,8 @@ static void outputs_stick(const real *parameters, const real *states, real *outp
     const real center_vy = vy + share * vx_times_sine_plus_vy_times_cosine;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
     const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (vx * vx + vy * vy));
-    const real potential_energy =
-        p->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_foot_x_times_sine);
+    const real potential_energy = p->gravity * (p->body_mass * body_y
+        + p->foot_mass * height_plus_foot_x_times_sine);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
     const real phase_of_hip = select(x->driving > 0.0, 1.0, 2.0);
@@ -2689,14 +2403,14 @@ static void outputs_stick(const real *parameters, const real *states, real *outp
 
 /* First variation of outputs_stick. */
 static void vary_outputs_stick(const real *parameters, const real *states, const real *d_parameters,
-                               const real *d_states, real *outputs) {
+    const real *d_states, real *outputs) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     const real drive_torque_plus_more_torque = p->drive_torque + p->more_torque;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving
+        + drive_torque_plus_more_torque * dx->driving);
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
@@ -2704,18 +2418,16 @@ static void vary_outputs_stick(const real *parameters, const real *states, const
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_shorter = d_rest_length - d_length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * length_rate
+        + p->damping * d_length_rate);
     const real spring = p->stiffness * shorter - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
@@ -2736,10 +2448,10 @@ static void vary_outputs_stick(const real *parameters, const real *states, const
     const real tangential_force = along + foot_mass_times_gravity * sine;
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + foot_mass_times_gravity * cosine;
-    const real d_x = d_tangential_force * cosine - tangential_force * sine_times_slope -
-                     (d_normal * sine + normal * d_sine);
-    const real d_y = d_tangential_force * sine + tangential_force * d_sine +
-                     (d_normal * cosine - normal * sine_times_slope);
+    const real d_x = d_tangential_force * cosine - tangential_force * sine_times_slope - (d_normal * sine
+        + normal * d_sine);
+    const real d_y = d_tangential_force * sine + tangential_force * d_sine + (d_normal * cosine
+        - normal * sine_times_slope);
     const real sum_3 = dx->foot_x * cosine - x->foot_x * sine_times_slope;
     const real sum_4 = dx->x_ * cosine - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine);
     const real d_body_x = sum_3 + sum_4;
@@ -2766,19 +2478,18 @@ static void vary_outputs_stick(const real *parameters, const real *states, const
     const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
     const real vy = x->foot_vx * sine;
     const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy) +
-                            p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
+    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
+        + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy)
+        + p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_foot_x_times_sine) +
-        p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                      (dp->foot_mass * height_plus_foot_x_times_sine + p->foot_mass * height_plus_sum));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_potential_energy = dp->gravity * (p->body_mass * body_y
+        + p->foot_mass * height_plus_foot_x_times_sine) + p->gravity * (dp->body_mass * body_y
+        + p->body_mass * d_body_y + (dp->foot_mass * height_plus_foot_x_times_sine
+        + p->foot_mass * height_plus_sum));
+    const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
+        + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
     outputs[OUTPUT_pending] = 0.0;
     outputs[OUTPUT_torque] = d_stance_torque;
@@ -2811,12 +2522,11 @@ static void leave_stick(const real *parameters, const real *states, real counted
     reduced_runner_states *y = (void *)after;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real lasted = x->time - x->mode_began;
-    const real adds =
-        select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real adds = select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due),
+        0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_by_2 = 4.0 * after_bar + 2.0;
-    const real longer = select(
-        after_bar < 0.0, -1.0,
+    const real longer = select(after_bar < 0.0, -1.0,
         select(by_4_times_after_bar_plus_by_2 < 4503599627370496.0, by_4_times_after_bar_plus_by_2, -1.0));
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
@@ -2830,7 +2540,7 @@ static void leave_stick(const real *parameters, const real *states, real counted
 
 /* First variation of leave_stick. */
 static void vary_leave_stick(const real *parameters, const real *states, const real *d_parameters,
-                             const real *d_states, real counted, real *after) {
+    const real *d_states, real counted, real *after) {
     (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -2838,14 +2548,14 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     reduced_runner_states *y = (void *)after;
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
-    const real adds =
-        select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real adds = select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due),
+        0.0);
     const real bar_is_due_times_word_so_far = x->bar_is_due * x->word_so_far;
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
-    const real d_after_bar =
-        select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far, dx->word_so_far);
-    const real d_longer = select(after_bar < 0.0, 0.0,
-                                 select(4.0 * after_bar + 2.0 < 4503599627370496.0, 4.0 * d_after_bar, 0.0));
+    const real d_after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far,
+        dx->word_so_far);
+    const real d_longer = select(after_bar < 0.0, 0.0, select(4.0 * after_bar + 2.0 < 4503599627370496.0,
+        4.0 * d_after_bar, 0.0));
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slid_from = dx->foot_x;
@@ -2854,145 +2564,6 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     y->last_letter = select(lasted > 0.0, 0.0, dx->last_letter);
     y->bar_is_due = select(lasted > 0.0, 0.0, dx->bar_is_due);
     y->mode_began = dx->time;
-}
-
-/* Rates of the world's states in stick. */
-static void world_rates_stick(const real *parameters, const real *states, real *after) {
-    const reduced_runner_parameters *p = (const void *)parameters;
-    const reduced_runner_states *x = (const void *)states;
-    reduced_runner_states *y = (void *)after;
-    const real cosine = real_cos(x->slope);
-    const real vx = x->foot_vx * cosine;
-    const real sine = real_sin(x->slope);
-    const real vy = x->foot_vx * sine;
-    const real x__times_vx = x->x_ * x->vx;
-    const real y__times_vy = x->y_ * x->vy;
-    const real sum_2 = 2.0 * x__times_vx + 2.0 * y__times_vy;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
-    const real length_rate = (x__times_vx + y__times_vy) / length;
-    const real spring = p->stiffness * (rest_length - length) - p->damping * length_rate;
-    const real axial = spring / length;
-    const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
-    const real turning = stance_torque / square;
-    const real along = axial * x->x_ - turning * x->y_;
-    const real sum_3 =
-        (along + (x->external_fx * cosine + x->external_fy * sine)) / p->body_mass - p->gravity * sine;
-    const real off = axial * x->y_ + turning * x->x_;
-    const real sum_4 =
-        (off + (x->external_fy * cosine - x->external_fx * sine)) / p->body_mass - p->gravity * cosine;
-    y->seen_x = vx;
-    y->seen_y = vy;
-    y->seen_vx = 0.0;
-    y->seen_vy = 0.0;
-    y->length = 0.5 * sum_2 / length;
-    y->angle = angle_rate;
-    y->length_rate = (x->vx * x->vx + x->x_ * sum_3 + (x->vy * x->vy + x->y_ * sum_4) -
-                      length_rate * (0.5 * sum_2 / length)) /
-                     length;
-    y->angle_rate =
-        (x->vx * x->vy + x->x_ * sum_4 - (x->vy * x->vx + x->y_ * sum_3) - angle_rate * sum_2) / square;
-}
-
-/* First variation of world_rates_stick. */
-static void vary_world_rates_stick(const real *parameters, const real *states, const real *d_parameters,
-                                   const real *d_states, real *after) {
-    const reduced_runner_parameters *p = (const void *)parameters;
-    const reduced_runner_states *x = (const void *)states;
-    const reduced_runner_parameters *dp = (const void *)d_parameters;
-    const reduced_runner_states *dx = (const void *)d_states;
-    reduced_runner_states *y = (void *)after;
-    const real cosine = real_cos(x->slope);
-    const real sine = real_sin(x->slope);
-    const real sine_times_slope = sine * dx->slope;
-    const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
-    const real d_sine = cosine * dx->slope;
-    const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
-    const real x__times_vx_plus_x__times_vx = dx->x_ * x->vx + x->x_ * dx->vx;
-    const real y__times_vy_plus_y__times_vy = dx->y_ * x->vy + x->y_ * dx->vy;
-    const real sum_2 = 2.0 * x__times_vx_plus_x__times_vx + 2.0 * y__times_vy_plus_y__times_vy;
-    const real x__times_vx = x->x_ * x->vx;
-    const real y__times_vy = x->y_ * x->vy;
-    const real sum_3 = 2.0 * x__times_vx + 2.0 * y__times_vy;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real by_0_5_times_sum_over_length = 0.5 * sum_3 / length;
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
-    const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
-    const real rest_length_minus_length = rest_length - length;
-    const real length_rate = (x__times_vx + y__times_vy) / length;
-    const real spring = p->stiffness * rest_length_minus_length - p->damping * length_rate;
-    const real axial = spring / length;
-    const real drive_torque_plus_more_torque = p->drive_torque + p->more_torque;
-    const real stance_torque = x->external_torque - drive_torque_plus_more_torque * x->driving;
-    const real turning = stance_torque / square;
-    const real along = axial * x->x_ - turning * x->y_;
-    const real along_plus_sum_over_body_mass =
-        (along + (x->external_fx * cosine + x->external_fy * sine)) / p->body_mass;
-    const real sum_4 = along_plus_sum_over_body_mass - p->gravity * sine;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_length_rate =
-        (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy - length_rate * d_length) / length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
-    const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
-    const real d_turning = (d_stance_torque - turning * d_square) / square;
-    const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
-    const real ratio_minus_sum = (d_along +
-                                  (dx->external_fx * cosine - x->external_fx * sine_times_slope +
-                                   (dx->external_fy * sine + x->external_fy * d_sine)) -
-                                  along_plus_sum_over_body_mass * dp->body_mass) /
-                                     p->body_mass -
-                                 (dp->gravity * sine + p->gravity * d_sine);
-    const real off = axial * x->y_ + turning * x->x_;
-    const real off_plus_sum_over_body_mass =
-        (off + (x->external_fy * cosine - x->external_fx * sine)) / p->body_mass;
-    const real sum_5 = off_plus_sum_over_body_mass - p->gravity * cosine;
-    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
-    const real ratio_minus_sum_2 = (d_off +
-                                    (dx->external_fy * cosine - x->external_fy * sine_times_slope -
-                                     (dx->external_fx * sine + x->external_fx * d_sine)) -
-                                    off_plus_sum_over_body_mass * dp->body_mass) /
-                                       p->body_mass -
-                                   (dp->gravity * cosine - p->gravity * sine_times_slope);
-    y->seen_x = d_vx;
-    y->seen_y = d_vy;
-    y->seen_vx = 0.0;
-    y->seen_vy = 0.0;
-    y->length = (0.5 * sum_2 - by_0_5_times_sum_over_length * d_length) / length;
-    y->angle = d_angle_rate;
-    y->length_rate = (2.0 * (x->vx * dx->vx) + (dx->x_ * sum_4 + x->x_ * ratio_minus_sum) +
-                      (2.0 * (x->vy * dx->vy) + (dx->y_ * sum_5 + x->y_ * ratio_minus_sum_2)) -
-                      (d_length_rate * by_0_5_times_sum_over_length +
-                       length_rate * ((0.5 * sum_2 - by_0_5_times_sum_over_length * d_length) / length)) -
-                      (x->vx * x->vx + x->x_ * sum_4 + (x->vy * x->vy + x->y_ * sum_5) -
-                       length_rate * by_0_5_times_sum_over_length) /
-                          length * d_length) /
-                     length;
-    y->angle_rate = (dx->vx * x->vy + x->vx * dx->vy + (dx->x_ * sum_5 + x->x_ * ratio_minus_sum_2) -
-                     (dx->vy * x->vx + x->vy * dx->vx + (dx->y_ * sum_4 + x->y_ * ratio_minus_sum)) -
-                     (d_angle_rate * sum_3 + angle_rate * sum_2) -
-                     (x->vx * x->vy + x->x_ * sum_5 - (x->vy * x->vx + x->y_ * sum_4) - angle_rate * sum_3) /
-                         square * d_square) /
-                    square;
 }
 
 /* Constants of flight_retract. */
@@ -3011,7 +2582,7 @@ static void open_flight_retract(const real *parameters, const real *states, real
 
 /* First variation of open_flight_retract. */
 static void vary_open_flight_retract(const real *parameters, const real *states, const real *d_parameters,
-                                     const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -3021,8 +2592,8 @@ static void vary_open_flight_retract(const real *parameters, const real *states,
     const real external_fx_over_total = x->external_fx / total;
     const real d_total = dp->body_mass + dp->foot_mass;
     const real d_external_fx_over_total = (dx->external_fx - external_fx_over_total * d_total) / total;
-    const real d_external_fy_over_total_minus_gravity =
-        (dx->external_fy - x->external_fy / total * d_total) / total - dp->gravity;
+    const real d_external_fy_over_total_minus_gravity = (dx->external_fy
+        - x->external_fy / total * d_total) / total - dp->gravity;
     c->external_fx = dx->external_fx;
     c->external_fy = dx->external_fy;
     c->external_fx_over_total = d_external_fx_over_total;
@@ -3031,7 +2602,7 @@ static void vary_open_flight_retract(const real *parameters, const real *states,
 
 /* apex: A stride closes, and the leg is placed anew. */
 static int react_flight_retract_apex(const real *parameters, const real *states, const tdmf_table *tables,
-                                     real *after, const int *next) {
+    real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)tables;
@@ -3042,8 +2613,8 @@ static int react_flight_retract_apex(const real *parameters, const real *states,
     const real leg = x->leg_work - x->leg_work_then;
     const real work = hip + leg;
     const real weight = (p->body_mass + p->foot_mass) * p->gravity;
-    const real height_of_section =
-        x->com_y - x->height - x->com_x * (real_sin(x->slope) / real_cos(x->slope));
+    const real height_of_section = x->com_y - x->height
+        - x->com_x * (real_sin(x->slope) / real_cos(x->slope));
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real length = p->free_length + x->extension;
@@ -3069,8 +2640,8 @@ static int react_flight_retract_apex(const real *parameters, const real *states,
     y->work_of_stride = select(x->is_open > 0.0, work, x->work_of_stride);
     y->hip_work = select(x->is_open > 0.0, hip, x->hip_work);
     y->leg_work_of_stride = select(x->is_open > 0.0, leg, x->leg_work_of_stride);
-    y->positive_work =
-        select(x->is_open > 0.0, x->positive_work_so_far - x->positive_work_then, x->positive_work);
+    y->positive_work = select(x->is_open > 0.0, x->positive_work_so_far - x->positive_work_then,
+        x->positive_work);
     y->speed = select(x->is_open > 0.0, distance / period, x->speed);
     y->cost_of_transport = select(x->is_open > 0.0, work / (weight * distance), x->cost_of_transport);
     y->touchdowns = select(x->is_open > 0.0, x->touchdowns_so_far, x->touchdowns);
@@ -3096,8 +2667,7 @@ static int react_flight_retract_apex(const real *parameters, const real *states,
 
 /* First variation of apex. */
 static void vary_react_flight_retract_apex(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states,
-                                           const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -3118,17 +2688,14 @@ static void vary_react_flight_retract_apex(const real *parameters, const real *s
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real weight = body_mass_plus_foot_mass * p->gravity;
     const real weight_times_distance = weight * distance;
-    const real d_weight =
-        p->gravity * (dp->body_mass + dp->foot_mass) + body_mass_plus_foot_mass * dp->gravity;
+    const real d_weight = p->gravity * (dp->body_mass + dp->foot_mass)
+        + body_mass_plus_foot_mass * dp->gravity;
     const real sin_of_slope = real_sin(x->slope);
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope_over_cos_of_slope = sin_of_slope / cos_of_slope;
-    const real d_height_of_section =
-        dx->com_y - dx->height -
-        (dx->com_x * sin_of_slope_over_cos_of_slope +
-         x->com_x *
-             ((cos_of_slope * dx->slope + sin_of_slope_over_cos_of_slope * (sin_of_slope * dx->slope)) /
-              cos_of_slope));
+    const real d_height_of_section = dx->com_y - dx->height - (dx->com_x * sin_of_slope_over_cos_of_slope
+        + x->com_x * ((cos_of_slope * dx->slope
+        + sin_of_slope_over_cos_of_slope * (sin_of_slope * dx->slope)) / cos_of_slope));
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
@@ -3157,19 +2724,16 @@ static void vary_react_flight_retract_apex(const real *parameters, const real *s
     y->work_of_stride = select(x->is_open > 0.0, d_work, dx->work_of_stride);
     y->hip_work = select(x->is_open > 0.0, d_hip, dx->hip_work);
     y->leg_work_of_stride = select(x->is_open > 0.0, d_leg, dx->leg_work_of_stride);
-    y->positive_work =
-        select(x->is_open > 0.0, dx->positive_work_so_far - dx->positive_work_then, dx->positive_work);
+    y->positive_work = select(x->is_open > 0.0, dx->positive_work_so_far - dx->positive_work_then,
+        dx->positive_work);
     y->speed = select(x->is_open > 0.0, (d_distance - distance / period * d_period) / period, dx->speed);
-    y->cost_of_transport =
-        select(x->is_open > 0.0,
-               (d_work - work / weight_times_distance * (d_weight * distance + weight * d_distance)) /
-                   weight_times_distance,
-               dx->cost_of_transport);
+    y->cost_of_transport = select(x->is_open > 0.0, (d_work
+        - work / weight_times_distance * (d_weight * distance + weight * d_distance)) / weight_times_distance,
+        dx->cost_of_transport);
     y->touchdowns = select(x->is_open > 0.0, dx->touchdowns_so_far, dx->touchdowns);
     y->stance_time = select(x->is_open > 0.0, dx->stance_so_far, dx->stance_time);
-    y->duty_factor =
-        select(x->is_open > 0.0, (dx->stance_so_far - x->stance_so_far / period * d_period) / period,
-               dx->duty_factor);
+    y->duty_factor = select(x->is_open > 0.0, (dx->stance_so_far
+        - x->stance_so_far / period * d_period) / period, dx->duty_factor);
     y->slip_distance = select(x->is_open > 0.0, dx->slip_so_far, dx->slip_distance);
     y->peak_force = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_force);
     y->peak_vertical_force = select(x->is_open > 0.0, dx->vertical_so_far, dx->peak_vertical_force);
@@ -3183,14 +2747,14 @@ static void vary_react_flight_retract_apex(const real *parameters, const real *s
     y->length = d_length;
     y->angle = dp->touchdown_angle + dp->more_angle;
     y->length_rate = 0.0;
-    y->momentum =
-        -(dp->retraction_rate * (length * length) + p->retraction_rate * (2.0 * (length * d_length)));
+    y->momentum = -(dp->retraction_rate * (length * length)
+        + p->retraction_rate * (2.0 * (length * d_length)));
     y->placing = 0.0;
 }
 
 /* First variation of the guard of apex. */
 static real vary_guard_flight_retract_apex(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -3202,13 +2766,11 @@ static real vary_guard_flight_retract_apex(const real *parameters, const real *s
 static void outputs_flight_retract(const real *parameters, const real *states, real *outputs) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    const real pending = select(real_abs(p->ground_height - x->height) +
-                                        real_abs(p->free_length * (p->ground_slope - x->slope)) >
-                                    0.0,
-                                1.0, 0.0);
+    const real pending = select(real_abs(p->ground_height - x->height)
+        + real_abs(p->free_length * (p->ground_slope - x->slope)) > 0.0, 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
@@ -3227,11 +2789,11 @@ static void outputs_flight_retract(const real *parameters, const real *states, r
     const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
     const real body_vy = com_vy_minus_share_times_vy + vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                         com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
-    const real potential_energy =
-        p->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y);
+    const real kinetic_energy = 0.5 * (of_body
+        + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
+        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
+    const real potential_energy = p->gravity * (p->body_mass * body_y
+        + p->foot_mass * com_y_minus_share_times_y);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
     outputs[OUTPUT_pending] = pending;
@@ -3258,62 +2820,30 @@ static void outputs_flight_retract(const real *parameters, const real *states, r
     outputs[OUTPUT_has_fallen] = 0.0;
 }
 
-/* Rates of the world's states in flight. */
-static void world_rates_flight_retract(const real *parameters, const real *states, real *after) {
-    const reduced_runner_parameters *p = (const void *)parameters;
-    const reduced_runner_states *x = (const void *)states;
-    reduced_runner_states *y = (void *)after;
-    const real total = p->body_mass + p->foot_mass;
-    y->seen_x = x->com_vx;
-    y->seen_y = x->com_vy;
-    y->seen_vx = x->external_fx / total;
-    y->seen_vy = x->external_fy / total - p->gravity;
-    y->length = 0.0;
-    y->angle = 0.0;
-    y->length_rate = 0.0;
-    y->angle_rate = 0.0;
-}
-
-/* First variation of world_rates_flight_retract. */
-static void vary_world_rates_flight_retract(const real *parameters, const real *states,
-                                            const real *d_parameters, const real *d_states, real *after) {
-    const reduced_runner_parameters *p = (const void *)parameters;
-    const reduced_runner_states *x = (const void *)states;
-    const reduced_runner_parameters *dp = (const void *)d_parameters;
-    const reduced_runner_states *dx = (const void *)d_states;
-    reduced_runner_states *y = (void *)after;
-    const real total = p->body_mass + p->foot_mass;
-    const real d_total = dp->body_mass + dp->foot_mass;
-    y->seen_x = dx->com_vx;
-    y->seen_y = dx->com_vy;
-    y->seen_vx = (dx->external_fx - x->external_fx / total * d_total) / total;
-    y->seen_vy = (dx->external_fy - x->external_fy / total * d_total) / total - dp->gravity;
-    y->length = 0.0;
-    y->angle = 0.0;
-    y->length_rate = 0.0;
-    y->angle_rate = 0.0;
-}
-
 /* Constants of slip_falling. */
 static void open_slip_falling(const real *parameters, const real *states, real *constants) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     slip_falling_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + x->thrusting * select(longer >= 0.0, longer, 0.0);
+    const real rest_length = p->free_length + x->extension + x->thrusting * select(longer >= 0.0, longer,
+        0.0);
     const real stance_torque = x->external_torque - x->driving * (p->drive_torque + p->more_torque);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
     const real sum_2 = x->external_fx * cosine + x->external_fy * sine;
     const real gravity_times_sine = p->gravity * sine;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real foot_mass_times_gravity_times_sine = foot_mass_times_gravity * sine;
     const real static_ratio_minus_by_1 = p->static_ratio - 1.0;
+    const real inverse_stribeck_velocity = 1.0 / p->stribeck_velocity;
     const real foot_mass_times_gravity_times_cosine = foot_mass_times_gravity * cosine;
     const real sum_3 = x->external_fy * cosine - x->external_fx * sine;
     const real gravity_times_cosine = p->gravity * cosine;
     const real by_61_times_stribeck_velocity = 61.0 * p->stribeck_velocity;
+    c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->rest_length = rest_length;
     c->damping = p->damping;
@@ -3321,14 +2851,13 @@ static void open_slip_falling(const real *parameters, const real *states, real *
     c->cosine = cosine;
     c->sine = sine;
     c->sum_2 = sum_2;
-    c->body_mass = p->body_mass;
     c->gravity_times_sine = gravity_times_sine;
-    c->foot_mass = p->foot_mass;
+    c->inverse_foot_mass = inverse_foot_mass;
     c->foot_mass_times_gravity_times_sine = foot_mass_times_gravity_times_sine;
     c->way = x->way;
     c->friction = x->friction;
     c->static_ratio_minus_by_1 = static_ratio_minus_by_1;
-    c->stribeck_velocity = p->stribeck_velocity;
+    c->inverse_stribeck_velocity = inverse_stribeck_velocity;
     c->foot_mass_times_gravity_times_cosine = foot_mass_times_gravity_times_cosine;
     c->sum_3 = sum_3;
     c->gravity_times_cosine = gravity_times_cosine;
@@ -3339,36 +2868,43 @@ static void open_slip_falling(const real *parameters, const real *states, real *
 
 /* First variation of open_slip_falling. */
 static void vary_open_slip_falling(const real *parameters, const real *states, const real *d_parameters,
-                                   const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     slip_falling_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length = dp->free_length + dx->extension +
-                               (select(longer >= 0.0, longer, 0.0) * dx->thrusting +
-                                x->thrusting * select(longer >= 0.0, d_longer, 0.0));
-    const real d_stance_torque = dx->external_torque - ((p->drive_torque + p->more_torque) * dx->driving +
-                                                        x->driving * (dp->drive_torque + dp->more_torque));
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, longer,
+        0.0) * dx->thrusting + x->thrusting * select(longer >= 0.0, d_longer, 0.0));
+    const real d_stance_torque = dx->external_torque - ((p->drive_torque + p->more_torque) * dx->driving
+        + x->driving * (dp->drive_torque + dp->more_torque));
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
     const real d_cosine = -sine_times_slope;
     const real cosine = real_cos(x->slope);
     const real d_sine = cosine * dx->slope;
-    const real d_sum_2 = cosine * dx->external_fx - x->external_fx * sine_times_slope +
-                         (sine * dx->external_fy + x->external_fy * d_sine);
+    const real d_sum_2 = cosine * dx->external_fx - x->external_fx * sine_times_slope
+        + (sine * dx->external_fy + x->external_fy * d_sine);
     const real d_gravity_times_sine = sine * dp->gravity + p->gravity * d_sine;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
     const real sum_2 = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real d_foot_mass_times_gravity_times_sine = sine * sum_2 + foot_mass_times_gravity * d_sine;
-    const real d_foot_mass_times_gravity_times_cosine =
-        cosine * sum_2 - foot_mass_times_gravity * sine_times_slope;
-    const real d_sum_3 = cosine * dx->external_fy - x->external_fy * sine_times_slope -
-                         (sine * dx->external_fx + x->external_fx * d_sine);
+    const real inverse_stribeck_velocity = 1.0 / p->stribeck_velocity;
+    const real d_inverse_stribeck_velocity = -(inverse_stribeck_velocity * dp->stribeck_velocity /
+        p->stribeck_velocity);
+    const real d_foot_mass_times_gravity_times_cosine = cosine * sum_2
+        - foot_mass_times_gravity * sine_times_slope;
+    const real d_sum_3 = cosine * dx->external_fy - x->external_fy * sine_times_slope
+        - (sine * dx->external_fx + x->external_fx * d_sine);
     const real d_gravity_times_cosine = cosine * dp->gravity - p->gravity * sine_times_slope;
     const real d_by_61_times_stribeck_velocity = 61.0 * dp->stribeck_velocity;
+    c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->rest_length = d_rest_length;
     c->damping = dp->damping;
@@ -3376,14 +2912,13 @@ static void vary_open_slip_falling(const real *parameters, const real *states, c
     c->cosine = d_cosine;
     c->sine = d_sine;
     c->sum_2 = d_sum_2;
-    c->body_mass = dp->body_mass;
     c->gravity_times_sine = d_gravity_times_sine;
-    c->foot_mass = dp->foot_mass;
+    c->inverse_foot_mass = d_inverse_foot_mass;
     c->foot_mass_times_gravity_times_sine = d_foot_mass_times_gravity_times_sine;
     c->way = dx->way;
     c->friction = dx->friction;
     c->static_ratio_minus_by_1 = dp->static_ratio;
-    c->stribeck_velocity = dp->stribeck_velocity;
+    c->inverse_stribeck_velocity = d_inverse_stribeck_velocity;
     c->foot_mass_times_gravity_times_cosine = d_foot_mass_times_gravity_times_cosine;
     c->sum_3 = d_sum_3;
     c->gravity_times_cosine = d_gravity_times_cosine;
@@ -3394,7 +2929,7 @@ static void vary_open_slip_falling(const real *parameters, const real *states, c
 
 /* First variation of the guard of leaves_layer. */
 static real vary_guard_slip_falling_leaves_layer(const real *parameters, const real *states,
-                                                 const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -3406,14 +2941,12 @@ static real vary_guard_slip_falling_leaves_layer(const real *parameters, const r
 static void outputs_slip_falling(const real *parameters, const real *states, real *outputs) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    const real pending = select(real_abs(p->ground_height - x->height) +
-                                        real_abs(p->free_length * (p->ground_slope - x->slope)) >
-                                    0.0,
-                                1.0, 0.0);
+    const real pending = select(real_abs(p->ground_height - x->height)
+        + real_abs(p->free_length * (p->ground_slope - x->slope)) > 0.0, 1.0, 0.0);
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
@@ -3450,8 +2983,8 @@ static void outputs_slip_falling(const real *parameters, const real *states, rea
     const real center_vy = vy + share * vx_times_sine_plus_vy_times_cosine;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
     const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (vx * vx + vy * vy));
-    const real potential_energy =
-        p->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_foot_x_times_sine);
+    const real potential_energy = p->gravity * (p->body_mass * body_y
+        + p->foot_mass * height_plus_foot_x_times_sine);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
     const real kind_of_contact = select(x->way > 0.0, 3.0, 4.0);
@@ -3482,14 +3015,14 @@ static void outputs_slip_falling(const real *parameters, const real *states, rea
 
 /* First variation of outputs_slip_falling. */
 static void vary_outputs_slip_falling(const real *parameters, const real *states, const real *d_parameters,
-                                      const real *d_states, real *outputs) {
+    const real *d_states, real *outputs) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     const real drive_torque_plus_more_torque = p->drive_torque + p->more_torque;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving
+        + drive_torque_plus_more_torque * dx->driving);
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
@@ -3497,18 +3030,16 @@ static void vary_outputs_slip_falling(const real *parameters, const real *states
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_shorter = d_rest_length - d_length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * length_rate
+        + p->damping * d_length_rate);
     const real spring = p->stiffness * shorter - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
@@ -3520,32 +3051,28 @@ static void vary_outputs_slip_falling(const real *parameters, const real *states
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
-    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine -
-                                   foot_mass_times_gravity * sine_times_slope);
+    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine
+        - foot_mass_times_gravity * sine_times_slope);
     const real static_ratio_minus_by_1 = p->static_ratio - 1.0;
     const real ratio = x->way * x->foot_vx / p->stribeck_velocity;
     const real fading = real_exp(-ratio);
     const real sum_2 = 1.0 + static_ratio_minus_by_1 * fading;
     const real slip_friction = x->friction * sum_2;
-    const real d_slip_friction =
-        dx->friction * sum_2 +
-        x->friction *
-            (dp->static_ratio * fading -
-             static_ratio_minus_by_1 *
-                 (fading * ((dx->way * x->foot_vx + x->way * dx->foot_vx - ratio * dp->stribeck_velocity) /
-                            p->stribeck_velocity)));
+    const real d_slip_friction = dx->friction * sum_2 + x->friction * (dp->static_ratio * fading
+        - static_ratio_minus_by_1 * (fading * ((dx->way * x->foot_vx + x->way * dx->foot_vx
+        - ratio * dp->stribeck_velocity) / p->stribeck_velocity)));
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + foot_mass_times_gravity * cosine;
     const real way_times_slip_friction = x->way * slip_friction;
-    const real sum_3 =
-        (dx->way * slip_friction + x->way * d_slip_friction) * normal + way_times_slip_friction * d_normal;
+    const real sum_3 = (dx->way * slip_friction + x->way * d_slip_friction) * normal
+        + way_times_slip_friction * d_normal;
     const real d_tangential_force = -sum_3;
     const real way_times_slip_friction_times_normal = way_times_slip_friction * normal;
     const real d_sine = cosine * dx->slope;
-    const real d_x = -(sum_3 * cosine - way_times_slip_friction_times_normal * sine_times_slope) -
-                     (d_normal * sine + normal * d_sine);
-    const real d_y = d_normal * cosine - normal * sine_times_slope -
-                     (sum_3 * sine + way_times_slip_friction_times_normal * d_sine);
+    const real d_x = -(sum_3 * cosine - way_times_slip_friction_times_normal * sine_times_slope)
+        - (d_normal * sine + normal * d_sine);
+    const real d_y = d_normal * cosine - normal * sine_times_slope - (sum_3 * sine
+        + way_times_slip_friction_times_normal * d_sine);
     const real sum_4 = dx->foot_x * cosine - x->foot_x * sine_times_slope;
     const real sum_5 = dx->x_ * cosine - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine);
     const real d_body_x = sum_4 + sum_5;
@@ -3572,19 +3099,18 @@ static void vary_outputs_slip_falling(const real *parameters, const real *states
     const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
     const real vy = x->foot_vx * sine;
     const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy) +
-                            p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
+    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
+        + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy)
+        + p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_foot_x_times_sine) +
-        p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                      (dp->foot_mass * height_plus_foot_x_times_sine + p->foot_mass * height_plus_sum));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_potential_energy = dp->gravity * (p->body_mass * body_y
+        + p->foot_mass * height_plus_foot_x_times_sine) + p->gravity * (dp->body_mass * body_y
+        + p->body_mass * d_body_y + (dp->foot_mass * height_plus_foot_x_times_sine
+        + p->foot_mass * height_plus_sum));
+    const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
+        + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
     outputs[OUTPUT_pending] = 0.0;
     outputs[OUTPUT_torque] = d_stance_torque;
@@ -3616,8 +3142,8 @@ static real time_scale_slip_falling(const real *parameters, const real *states) 
     const reduced_runner_states *x = (const void *)states;
     const real static_ratio_minus_by_1 = p->static_ratio - 1.0;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -3639,181 +3165,6 @@ static real time_scale_slip_falling(const real *parameters, const real *states) 
     const real by_speed = p->stribeck_velocity * p->foot_mass / real_abs(force);
     const real time_scale_of_slip = select(by_growth < by_speed, by_growth, by_speed);
     return time_scale_of_slip;
-}
-
-/* Rates of the world's states in slip. */
-static void world_rates_slip_falling(const real *parameters, const real *states, real *after) {
-    const reduced_runner_parameters *p = (const void *)parameters;
-    const reduced_runner_states *x = (const void *)states;
-    reduced_runner_states *y = (void *)after;
-    const real cosine = real_cos(x->slope);
-    const real vx = x->foot_vx * cosine;
-    const real sine = real_sin(x->slope);
-    const real vy = x->foot_vx * sine;
-    const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real x__times_vx = x->x_ * x->vx;
-    const real y__times_vy = x->y_ * x->vy;
-    const real length_rate = (x__times_vx + y__times_vy) / length;
-    const real spring = p->stiffness * (rest_length - length) - p->damping * length_rate;
-    const real axial = spring / length;
-    const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
-    const real turning = stance_torque / square;
-    const real along = axial * x->x_ - turning * x->y_;
-    const real foot_mass_times_gravity = p->foot_mass * p->gravity;
-    const real fading = real_exp(-(x->way * x->foot_vx / p->stribeck_velocity));
-    const real slip_friction = x->friction * (1.0 + (p->static_ratio - 1.0) * fading);
-    const real off = axial * x->y_ + turning * x->x_;
-    const real normal = off + foot_mass_times_gravity * cosine;
-    const real friction_force = x->way * slip_friction * normal;
-    const real acceleration = (-(along + foot_mass_times_gravity * sine) - friction_force) / p->foot_mass;
-    const real sum_2 = 2.0 * x__times_vx + 2.0 * y__times_vy;
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real sum_minus_acceleration =
-        (along + (x->external_fx * cosine + x->external_fy * sine)) / p->body_mass - p->gravity * sine -
-        acceleration;
-    const real sum_3 =
-        (off + (x->external_fy * cosine - x->external_fx * sine)) / p->body_mass - p->gravity * cosine;
-    y->seen_x = vx;
-    y->seen_y = vy;
-    y->seen_vx = acceleration * cosine;
-    y->seen_vy = acceleration * sine;
-    y->length = 0.5 * sum_2 / length;
-    y->angle = angle_rate;
-    y->length_rate = (x->vx * x->vx + x->x_ * sum_minus_acceleration + (x->vy * x->vy + x->y_ * sum_3) -
-                      length_rate * (0.5 * sum_2 / length)) /
-                     length;
-    y->angle_rate = (x->vx * x->vy + x->x_ * sum_3 - (x->vy * x->vx + x->y_ * sum_minus_acceleration) -
-                     angle_rate * sum_2) /
-                    square;
-}
-
-/* First variation of world_rates_slip_falling. */
-static void vary_world_rates_slip_falling(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states, real *after) {
-    const reduced_runner_parameters *p = (const void *)parameters;
-    const reduced_runner_states *x = (const void *)states;
-    const reduced_runner_parameters *dp = (const void *)d_parameters;
-    const reduced_runner_states *dx = (const void *)d_states;
-    reduced_runner_states *y = (void *)after;
-    const real cosine = real_cos(x->slope);
-    const real sine = real_sin(x->slope);
-    const real sine_times_slope = sine * dx->slope;
-    const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
-    const real d_sine = cosine * dx->slope;
-    const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
-    const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
-    const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real rest_length_minus_length = rest_length - length;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real x__times_vx = x->x_ * x->vx;
-    const real y__times_vy = x->y_ * x->vy;
-    const real length_rate = (x__times_vx + y__times_vy) / length;
-    const real x__times_vx_plus_x__times_vx = dx->x_ * x->vx + x->x_ * dx->vx;
-    const real y__times_vy_plus_y__times_vy = dx->y_ * x->vy + x->y_ * dx->vy;
-    const real d_length_rate =
-        (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy - length_rate * d_length) / length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
-    const real spring = p->stiffness * rest_length_minus_length - p->damping * length_rate;
-    const real axial = spring / length;
-    const real d_axial = (d_spring - axial * d_length) / length;
-    const real drive_torque_plus_more_torque = p->drive_torque + p->more_torque;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
-    const real stance_torque = x->external_torque - drive_torque_plus_more_torque * x->driving;
-    const real turning = stance_torque / square;
-    const real d_turning = (d_stance_torque - turning * d_square) / square;
-    const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
-    const real sum_2 = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
-    const real foot_mass_times_gravity = p->foot_mass * p->gravity;
-    const real static_ratio_minus_by_1 = p->static_ratio - 1.0;
-    const real ratio = x->way * x->foot_vx / p->stribeck_velocity;
-    const real fading = real_exp(-ratio);
-    const real sum_3 = 1.0 + static_ratio_minus_by_1 * fading;
-    const real slip_friction = x->friction * sum_3;
-    const real d_slip_friction =
-        dx->friction * sum_3 +
-        x->friction *
-            (dp->static_ratio * fading -
-             static_ratio_minus_by_1 *
-                 (fading * ((dx->way * x->foot_vx + x->way * dx->foot_vx - ratio * dp->stribeck_velocity) /
-                            p->stribeck_velocity)));
-    const real off = axial * x->y_ + turning * x->x_;
-    const real normal = off + foot_mass_times_gravity * cosine;
-    const real way_times_slip_friction = x->way * slip_friction;
-    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
-    const real d_normal = d_off + (sum_2 * cosine - foot_mass_times_gravity * sine_times_slope);
-    const real d_friction_force =
-        (dx->way * slip_friction + x->way * d_slip_friction) * normal + way_times_slip_friction * d_normal;
-    const real along = axial * x->x_ - turning * x->y_;
-    const real friction_force = way_times_slip_friction * normal;
-    const real acceleration = (-(along + foot_mass_times_gravity * sine) - friction_force) / p->foot_mass;
-    const real d_acceleration = (-(d_along + (sum_2 * sine + foot_mass_times_gravity * d_sine)) -
-                                 d_friction_force - acceleration * dp->foot_mass) /
-                                p->foot_mass;
-    const real sum_4 = 2.0 * x__times_vx_plus_x__times_vx + 2.0 * y__times_vy_plus_y__times_vy;
-    const real sum_5 = 2.0 * x__times_vx + 2.0 * y__times_vy;
-    const real by_0_5_times_sum_over_length = 0.5 * sum_5 / length;
-    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real along_plus_sum_over_body_mass =
-        (along + (x->external_fx * cosine + x->external_fy * sine)) / p->body_mass;
-    const real sum_minus_acceleration = along_plus_sum_over_body_mass - p->gravity * sine - acceleration;
-    const real ratio_minus_sum_minus_d_acceleration =
-        (d_along +
-         (dx->external_fx * cosine - x->external_fx * sine_times_slope +
-          (dx->external_fy * sine + x->external_fy * d_sine)) -
-         along_plus_sum_over_body_mass * dp->body_mass) /
-            p->body_mass -
-        (dp->gravity * sine + p->gravity * d_sine) - d_acceleration;
-    const real off_plus_sum_over_body_mass =
-        (off + (x->external_fy * cosine - x->external_fx * sine)) / p->body_mass;
-    const real sum_6 = off_plus_sum_over_body_mass - p->gravity * cosine;
-    const real ratio_minus_sum = (d_off +
-                                  (dx->external_fy * cosine - x->external_fy * sine_times_slope -
-                                   (dx->external_fx * sine + x->external_fx * d_sine)) -
-                                  off_plus_sum_over_body_mass * dp->body_mass) /
-                                     p->body_mass -
-                                 (dp->gravity * cosine - p->gravity * sine_times_slope);
-    y->seen_x = d_vx;
-    y->seen_y = d_vy;
-    y->seen_vx = d_acceleration * cosine - acceleration * sine_times_slope;
-    y->seen_vy = d_acceleration * sine + acceleration * d_sine;
-    y->length = (0.5 * sum_4 - by_0_5_times_sum_over_length * d_length) / length;
-    y->angle = d_angle_rate;
-    y->length_rate = (2.0 * (x->vx * dx->vx) +
-                      (dx->x_ * sum_minus_acceleration + x->x_ * ratio_minus_sum_minus_d_acceleration) +
-                      (2.0 * (x->vy * dx->vy) + (dx->y_ * sum_6 + x->y_ * ratio_minus_sum)) -
-                      (d_length_rate * by_0_5_times_sum_over_length +
-                       length_rate * ((0.5 * sum_4 - by_0_5_times_sum_over_length * d_length) / length)) -
-                      (x->vx * x->vx + x->x_ * sum_minus_acceleration + (x->vy * x->vy + x->y_ * sum_6) -
-                       length_rate * by_0_5_times_sum_over_length) /
-                          length * d_length) /
-                     length;
-    y->angle_rate = (dx->vx * x->vy + x->vx * dx->vy + (dx->x_ * sum_6 + x->x_ * ratio_minus_sum) -
-                     (dx->vy * x->vx + x->vy * dx->vx +
-                      (dx->y_ * sum_minus_acceleration + x->y_ * ratio_minus_sum_minus_d_acceleration)) -
-                     (d_angle_rate * sum_5 + angle_rate * sum_4) -
-                     (x->vx * x->vy + x->x_ * sum_6 - (x->vy * x->vx + x->y_ * sum_minus_acceleration) -
-                      angle_rate * sum_5) /
-                         square * d_square) /
-                    square;
 }
 
 /* extension is set: Work that a jump of the rest length does on the spring. */
@@ -3855,9 +3206,8 @@ static void set_thrust_start_of_run(const real *parameters, const real *states, 
     const real longer = given + p->more_thrust;
     const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real thrust_plus_more_thrust = p->thrust + p->more_thrust;
-    const real free_length_plus_extension_plus_product =
-        free_length_plus_extension +
-        select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
+    const real free_length_plus_extension_plus_product = free_length_plus_extension
+        + select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real middle = free_length_plus_extension_plus_product + 0.5 * jump - x->length;
     y->leg_work = x->leg_work + p->stiffness * jump * middle;
@@ -3872,9 +3222,8 @@ static void set_thrust_slip_constant(const real *parameters, const real *states,
     const real longer = given + p->more_thrust;
     const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real thrust_plus_more_thrust = p->thrust + p->more_thrust;
-    const real free_length_plus_extension_plus_product =
-        free_length_plus_extension +
-        select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
+    const real free_length_plus_extension_plus_product = free_length_plus_extension
+        + select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -3884,7 +3233,7 @@ static void set_thrust_slip_constant(const real *parameters, const real *states,
 
 /* more_thrust is set: Work that a jump of the rest length does on the spring. */
 static void set_more_thrust_start_of_run(const real *parameters, const real *states, real given,
-                                         real *after) {
+    real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     reduced_runner_states *y = (void *)after;
@@ -3892,9 +3241,8 @@ static void set_more_thrust_start_of_run(const real *parameters, const real *sta
     const real longer = p->thrust + given;
     const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real thrust_plus_more_thrust = p->thrust + p->more_thrust;
-    const real free_length_plus_extension_plus_product =
-        free_length_plus_extension +
-        select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
+    const real free_length_plus_extension_plus_product = free_length_plus_extension
+        + select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real middle = free_length_plus_extension_plus_product + 0.5 * jump - x->length;
     y->leg_work = x->leg_work + p->stiffness * jump * middle;
@@ -3902,7 +3250,7 @@ static void set_more_thrust_start_of_run(const real *parameters, const real *sta
 
 /* more_thrust is set: Work that a jump of the rest length does on the spring. */
 static void set_more_thrust_slip_constant(const real *parameters, const real *states, real given,
-                                          real *after) {
+    real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     reduced_runner_states *y = (void *)after;
@@ -3910,9 +3258,8 @@ static void set_more_thrust_slip_constant(const real *parameters, const real *st
     const real longer = p->thrust + given;
     const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real thrust_plus_more_thrust = p->thrust + p->more_thrust;
-    const real free_length_plus_extension_plus_product =
-        free_length_plus_extension +
-        select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
+    const real free_length_plus_extension_plus_product = free_length_plus_extension
+        + select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -3945,7 +3292,7 @@ static void enter_at_apex(const real *parameters, const real *states, const real
 
 /* First variation of enter_at_apex. */
 static void vary_enter_at_apex(const real *parameters, const real *states, const real *d_parameters,
-                               const real *d_states, const real *at, const real *d_at, real *after) {
+    const real *d_states, const real *at, const real *d_at, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -3965,10 +3312,10 @@ static void vary_enter_at_apex(const real *parameters, const real *states, const
     const real d_sine = cosine * touchdown_angle_plus_more_angle_2;
     const real free_length_plus_extension_2 = dp->free_length + dx->extension;
     const real y_2 = cosine * free_length_plus_extension;
-    const real d_y = cosine * free_length_plus_extension_2 -
-                     sine * touchdown_angle_plus_more_angle_2 * free_length_plus_extension;
-    y->seen_x = d_share * (sine * free_length_plus_extension) +
-                share * (d_sine * free_length_plus_extension + sine * free_length_plus_extension_2);
+    const real d_y = cosine * free_length_plus_extension_2
+        - sine * touchdown_angle_plus_more_angle_2 * free_length_plus_extension;
+    y->seen_x = d_share * (sine * free_length_plus_extension) + share * (d_sine * free_length_plus_extension
+        + sine * free_length_plus_extension_2);
     y->seen_y = dp->ground_height + d_at_apex_com_height - (d_share * y_2 + share * d_y);
     y->length = free_length_plus_extension_2;
     y->angle = touchdown_angle_plus_more_angle_2;
@@ -4081,12 +3428,8 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
 }
 
 static const tdmf_guard_kind guards_start_of_run[] = {
-    {.event = EVENT_begins,
-     .is_counted = false,
-     .react = react_start_of_run_begins,
-     .vary_react = vary_react_start_of_run_begins,
-     .vary_guard = vary_guard_start_of_run_begins,
-     .next = {MODE_no_start, MODE_flight_place}},
+    {.event = EVENT_begins, .react = react_start_of_run_begins, .vary_react = vary_react_start_of_run_begins,
+        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_no_start, MODE_flight_place}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_start_of_run[] = {
@@ -4099,19 +3442,12 @@ static const tdmf_watch_kind watches_no_start[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_place[] = {
-    {.event = EVENT_falls,
-     .is_counted = true,
-     .react = react_flight_place_falls,
-     .vary_react = vary_react_flight_place_falls,
-     .is_watched = watches_flight_place_falls,
-     .vary_guard = vary_guard_flight_place_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_touchdown,
-     .is_counted = true,
-     .react = react_flight_place_touchdown,
-     .vary_react = vary_react_flight_place_touchdown,
-     .vary_guard = vary_guard_flight_place_touchdown,
-     .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_falls, .is_counted = true, .react = react_flight_place_falls,
+        .vary_react = vary_react_flight_place_falls, .is_watched = watches_flight_place_falls,
+        .vary_guard = vary_guard_flight_place_falls, .next = {MODE_fallen}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_place_touchdown,
+        .vary_react = vary_react_flight_place_touchdown, .vary_guard = vary_guard_flight_place_touchdown,
+        .next = {MODE_slip_constant, MODE_stick}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_place[] = {
@@ -4125,51 +3461,28 @@ static const tdmf_watch_kind watches_fallen[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_slip_constant[] = {
-    {.event = EVENT_falls,
-     .is_counted = true,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = true,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_greatest_compression,
-     .is_counted = false,
-     .react = react_slip_constant_greatest_compression,
-     .vary_react = vary_react_slip_constant_greatest_compression,
-     .is_watched = watches_slip_constant_greatest_compression,
-     .vary_guard = vary_guard_slip_constant_greatest_compression,
-     .next = {MODE_slip_constant}},
-    {.event = EVENT_mid_stance,
-     .is_counted = true,
-     .react = react_slip_constant_mid_stance,
-     .vary_react = vary_react_slip_constant_mid_stance,
-     .is_watched = watches_slip_constant_mid_stance,
-     .vary_guard = vary_guard_slip_constant_mid_stance,
-     .next = {MODE_slip_constant}},
-    {.event = EVENT_lift_off,
-     .is_counted = true,
-     .react = react_slip_constant_lift_off,
-     .vary_react = vary_react_slip_constant_lift_off,
-     .vary_guard = vary_guard_slip_constant_lift_off,
-     .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
-    {.event = EVENT_enters_layer,
-     .is_counted = false,
-     .react = react_slip_constant_enters_layer,
-     .vary_react = vary_react_slip_constant_enters_layer,
-     .is_watched = watches_slip_constant_enters_layer,
-     .vary_guard = vary_guard_slip_constant_enters_layer,
-     .next = {MODE_slip_falling}},
-    {.event = EVENT_comes_to_rest,
-     .is_counted = true,
-     .react = react_slip_constant_comes_to_rest,
-     .vary_react = vary_react_slip_constant_comes_to_rest,
-     .vary_guard = vary_guard_slip_constant_comes_to_rest,
-     .next = {MODE_stick, MODE_slip_constant}},
+    {.event = EVENT_falls, .is_counted = true, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_falls,
+        .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .is_counted = true, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
+        .next = {MODE_fallen}},
+    {.event = EVENT_greatest_compression, .react = react_slip_constant_greatest_compression,
+        .vary_react = vary_react_slip_constant_greatest_compression,
+        .is_watched = watches_slip_constant_greatest_compression,
+        .vary_guard = vary_guard_slip_constant_greatest_compression, .next = {MODE_slip_constant}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_slip_constant_mid_stance,
+        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_constant}},
+    {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
+        .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
+        .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
+    {.event = EVENT_enters_layer, .react = react_slip_constant_enters_layer,
+        .vary_react = vary_react_slip_constant_enters_layer, .is_watched = watches_slip_constant_enters_layer,
+        .vary_guard = vary_guard_slip_constant_enters_layer, .next = {MODE_slip_falling}},
+    {.event = EVENT_comes_to_rest, .is_counted = true, .react = react_slip_constant_comes_to_rest,
+        .vary_react = vary_react_slip_constant_comes_to_rest,
+        .vary_guard = vary_guard_slip_constant_comes_to_rest, .next = {MODE_stick, MODE_slip_constant}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_slip_constant[] = {
@@ -4179,50 +3492,28 @@ static const tdmf_watch_kind watches_slip_constant[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_stick[] = {
-    {.event = EVENT_falls,
-     .is_counted = true,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = true,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_greatest_compression,
-     .is_counted = false,
-     .react = react_stick_greatest_compression,
-     .vary_react = vary_react_slip_constant_greatest_compression,
-     .is_watched = watches_slip_constant_greatest_compression,
-     .vary_guard = vary_guard_slip_constant_greatest_compression,
-     .next = {MODE_stick}},
-    {.event = EVENT_mid_stance,
-     .is_counted = true,
-     .react = react_stick_mid_stance,
-     .vary_react = vary_react_slip_constant_mid_stance,
-     .is_watched = watches_slip_constant_mid_stance,
-     .vary_guard = vary_guard_slip_constant_mid_stance,
-     .next = {MODE_stick}},
-    {.event = EVENT_lift_off,
-     .is_counted = true,
-     .react = react_slip_constant_lift_off,
-     .vary_react = vary_react_slip_constant_lift_off,
-     .vary_guard = vary_guard_slip_constant_lift_off,
-     .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
-    {.event = EVENT_slips_forward,
-     .is_counted = true,
-     .react = react_stick_slips_forward,
-     .vary_react = vary_react_stick_slips_forward,
-     .vary_guard = vary_guard_stick_slips_forward,
-     .next = {MODE_slip_constant}},
-    {.event = EVENT_slips_backward,
-     .is_counted = true,
-     .react = react_stick_slips_backward,
-     .vary_react = vary_react_stick_slips_forward,
-     .vary_guard = vary_guard_stick_slips_backward,
-     .next = {MODE_slip_constant}},
+    {.event = EVENT_falls, .is_counted = true, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_falls,
+        .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .is_counted = true, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
+        .next = {MODE_fallen}},
+    {.event = EVENT_greatest_compression, .react = react_stick_greatest_compression,
+        .vary_react = vary_react_slip_constant_greatest_compression,
+        .is_watched = watches_slip_constant_greatest_compression,
+        .vary_guard = vary_guard_slip_constant_greatest_compression, .next = {MODE_stick}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_stick_mid_stance,
+        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_stick}},
+    {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
+        .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
+        .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
+    {.event = EVENT_slips_forward, .is_counted = true, .react = react_stick_slips_forward,
+        .vary_react = vary_react_stick_slips_forward, .vary_guard = vary_guard_stick_slips_forward,
+        .next = {MODE_slip_constant}},
+    {.event = EVENT_slips_backward, .is_counted = true, .react = react_stick_slips_backward,
+        .vary_react = vary_react_stick_slips_forward, .vary_guard = vary_guard_stick_slips_backward,
+        .next = {MODE_slip_constant}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_stick[] = {
@@ -4244,12 +3535,9 @@ static const tdmf_watch_kind watches_no_apex[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_retract[] = {
-    {.event = EVENT_apex,
-     .is_counted = true,
-     .react = react_flight_retract_apex,
-     .vary_react = vary_react_flight_retract_apex,
-     .vary_guard = vary_guard_flight_retract_apex,
-     .next = {MODE_flight_place}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_retract_apex,
+        .vary_react = vary_react_flight_retract_apex, .vary_guard = vary_guard_flight_retract_apex,
+        .next = {MODE_flight_place}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_retract[] = {
@@ -4257,50 +3545,28 @@ static const tdmf_watch_kind watches_flight_retract[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_slip_falling[] = {
-    {.event = EVENT_falls,
-     .is_counted = true,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = true,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_greatest_compression,
-     .is_counted = false,
-     .react = react_slip_constant_greatest_compression,
-     .vary_react = vary_react_slip_constant_greatest_compression,
-     .is_watched = watches_slip_constant_greatest_compression,
-     .vary_guard = vary_guard_slip_constant_greatest_compression,
-     .next = {MODE_slip_falling}},
-    {.event = EVENT_mid_stance,
-     .is_counted = true,
-     .react = react_slip_constant_mid_stance,
-     .vary_react = vary_react_slip_constant_mid_stance,
-     .is_watched = watches_slip_constant_mid_stance,
-     .vary_guard = vary_guard_slip_constant_mid_stance,
-     .next = {MODE_slip_falling}},
-    {.event = EVENT_lift_off,
-     .is_counted = true,
-     .react = react_slip_constant_lift_off,
-     .vary_react = vary_react_slip_constant_lift_off,
-     .vary_guard = vary_guard_slip_constant_lift_off,
-     .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
-    {.event = EVENT_leaves_layer,
-     .is_counted = false,
-     .react = react_slip_constant_enters_layer,
-     .vary_react = vary_react_slip_constant_enters_layer,
-     .vary_guard = vary_guard_slip_falling_leaves_layer,
-     .next = {MODE_slip_constant}},
-    {.event = EVENT_comes_to_rest,
-     .is_counted = true,
-     .react = react_slip_constant_comes_to_rest,
-     .vary_react = vary_react_slip_constant_comes_to_rest,
-     .vary_guard = vary_guard_slip_constant_comes_to_rest,
-     .next = {MODE_stick, MODE_slip_constant}},
+    {.event = EVENT_falls, .is_counted = true, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_falls,
+        .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .is_counted = true, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
+        .next = {MODE_fallen}},
+    {.event = EVENT_greatest_compression, .react = react_slip_constant_greatest_compression,
+        .vary_react = vary_react_slip_constant_greatest_compression,
+        .is_watched = watches_slip_constant_greatest_compression,
+        .vary_guard = vary_guard_slip_constant_greatest_compression, .next = {MODE_slip_falling}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_slip_constant_mid_stance,
+        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_falling}},
+    {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
+        .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
+        .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
+    {.event = EVENT_leaves_layer, .react = react_slip_constant_enters_layer,
+        .vary_react = vary_react_slip_constant_enters_layer,
+        .vary_guard = vary_guard_slip_falling_leaves_layer, .next = {MODE_slip_constant}},
+    {.event = EVENT_comes_to_rest, .is_counted = true, .react = react_slip_constant_comes_to_rest,
+        .vary_react = vary_react_slip_constant_comes_to_rest,
+        .vary_guard = vary_guard_slip_constant_comes_to_rest, .next = {MODE_stick, MODE_slip_constant}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_slip_falling[] = {
@@ -4309,174 +3575,78 @@ static const tdmf_watch_kind watches_slip_falling[] = {
     {.part = TDMF_LARGEST, .into = 8},
     {.into = -1},
 };
-static const tdmf_set set_extension[] = {set_extension_start_of_run,  set_extension_start_of_run,
-                                         set_extension_start_of_run,  set_extension_start_of_run,
-                                         set_extension_slip_constant, set_extension_slip_constant,
-                                         set_extension_start_of_run,  set_extension_start_of_run,
-                                         set_extension_start_of_run,  set_extension_slip_constant};
-static const tdmf_set set_thrust[] = {
-    set_thrust_start_of_run,  set_thrust_start_of_run,  set_thrust_start_of_run, set_thrust_start_of_run,
-    set_thrust_slip_constant, set_thrust_slip_constant, set_thrust_start_of_run, set_thrust_start_of_run,
-    set_thrust_start_of_run,  set_thrust_slip_constant};
-static const tdmf_set set_more_thrust[] = {set_more_thrust_start_of_run,  set_more_thrust_start_of_run,
-                                           set_more_thrust_start_of_run,  set_more_thrust_start_of_run,
-                                           set_more_thrust_slip_constant, set_more_thrust_slip_constant,
-                                           set_more_thrust_start_of_run,  set_more_thrust_start_of_run,
-                                           set_more_thrust_start_of_run,  set_more_thrust_slip_constant};
+static const tdmf_set set_extension[] = {set_extension_start_of_run, set_extension_start_of_run,
+    set_extension_start_of_run, set_extension_start_of_run, set_extension_slip_constant,
+    set_extension_slip_constant, set_extension_start_of_run, set_extension_start_of_run,
+    set_extension_start_of_run, set_extension_slip_constant};
+static const tdmf_set set_thrust[] = {set_thrust_start_of_run, set_thrust_start_of_run,
+    set_thrust_start_of_run, set_thrust_start_of_run, set_thrust_slip_constant, set_thrust_slip_constant,
+    set_thrust_start_of_run, set_thrust_start_of_run, set_thrust_start_of_run, set_thrust_slip_constant};
+static const tdmf_set set_more_thrust[] = {set_more_thrust_start_of_run, set_more_thrust_start_of_run,
+    set_more_thrust_start_of_run, set_more_thrust_start_of_run, set_more_thrust_slip_constant,
+    set_more_thrust_slip_constant, set_more_thrust_start_of_run, set_more_thrust_start_of_run,
+    set_more_thrust_start_of_run, set_more_thrust_slip_constant};
 static const int coordinates_at_apex[] = {38, 39};
 
 static const tdmf_mode_kind modes[] = {
-    {.motion = &tdmf_reduced_runner_motions[MODE_start_of_run],
-     .ends = false,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 1,
-     .guards = guards_start_of_run,
-     .watch_count = 0,
-     .watches = watches_start_of_run,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_reduced_runner_motions[MODE_no_start],
-     .ends = true,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 0,
-     .guards = guards_no_start,
-     .watch_count = 0,
-     .watches = watches_no_start,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_reduced_runner_motions[MODE_flight_place],
-     .ends = false,
-     .open = open_flight_place,
-     .vary_open = vary_open_flight_place,
-     .guard_count = 2,
-     .guards = guards_flight_place,
-     .watch_count = 1,
-     .watches = watches_flight_place,
-     .outputs = outputs_flight_place,
-     .vary_outputs = vary_outputs_flight_place,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run,
-     .from_world = from_world_flight_place,
-     .vary_from_world = vary_from_world_flight_place,
-     .to_world = to_world_flight_place,
-     .vary_to_world = vary_to_world_flight_place,
-     .world_rates = world_rates_flight_place,
-     .vary_world_rates = vary_world_rates_flight_place},
-    {.motion = &tdmf_reduced_runner_motions[MODE_fallen],
-     .ends = true,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 0,
-     .guards = guards_fallen,
-     .watch_count = 0,
-     .watches = watches_fallen,
-     .outputs = outputs_fallen,
-     .vary_outputs = vary_outputs_start_of_run,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_reduced_runner_motions[MODE_slip_constant],
-     .ends = false,
-     .open = open_slip_constant,
-     .vary_open = vary_open_slip_constant,
-     .guard_count = 7,
-     .guards = guards_slip_constant,
-     .watch_count = 3,
-     .watches = watches_slip_constant,
-     .outputs = outputs_slip_constant,
-     .vary_outputs = vary_outputs_slip_constant,
-     .leave = leave_slip_constant,
-     .vary_leave = vary_leave_slip_constant,
-     .from_world = from_world_slip_constant,
-     .vary_from_world = vary_from_world_slip_constant,
-     .to_world = to_world_slip_constant,
-     .vary_to_world = vary_to_world_slip_constant,
-     .world_rates = world_rates_slip_constant,
-     .vary_world_rates = vary_world_rates_slip_constant},
-    {.motion = &tdmf_reduced_runner_motions[MODE_stick],
-     .ends = false,
-     .open = open_stick,
-     .vary_open = vary_open_stick,
-     .guard_count = 7,
-     .guards = guards_stick,
-     .watch_count = 3,
-     .watches = watches_stick,
-     .outputs = outputs_stick,
-     .vary_outputs = vary_outputs_stick,
-     .leave = leave_stick,
-     .vary_leave = vary_leave_stick,
-     .from_world = from_world_slip_constant,
-     .vary_from_world = vary_from_world_slip_constant,
-     .to_world = to_world_slip_constant,
-     .vary_to_world = vary_to_world_slip_constant,
-     .world_rates = world_rates_stick,
-     .vary_world_rates = vary_world_rates_stick},
-    {.motion = &tdmf_reduced_runner_motions[MODE_no_stance],
-     .ends = true,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 0,
-     .guards = guards_no_stance,
-     .watch_count = 0,
-     .watches = watches_no_stance,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_reduced_runner_motions[MODE_no_apex],
-     .ends = true,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 0,
-     .guards = guards_no_apex,
-     .watch_count = 0,
-     .watches = watches_no_apex,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_reduced_runner_motions[MODE_flight_retract],
-     .ends = false,
-     .open = open_flight_retract,
-     .vary_open = vary_open_flight_retract,
-     .guard_count = 1,
-     .guards = guards_flight_retract,
-     .watch_count = 1,
-     .watches = watches_flight_retract,
-     .outputs = outputs_flight_retract,
-     .vary_outputs = vary_outputs_flight_place,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run,
-     .from_world = from_world_flight_place,
-     .vary_from_world = vary_from_world_flight_place,
-     .to_world = to_world_flight_place,
-     .vary_to_world = vary_to_world_flight_place,
-     .world_rates = world_rates_flight_retract,
-     .vary_world_rates = vary_world_rates_flight_retract},
-    {.motion = &tdmf_reduced_runner_motions[MODE_slip_falling],
-     .ends = false,
-     .open = open_slip_falling,
-     .vary_open = vary_open_slip_falling,
-     .guard_count = 7,
-     .guards = guards_slip_falling,
-     .watch_count = 3,
-     .watches = watches_slip_falling,
-     .outputs = outputs_slip_falling,
-     .vary_outputs = vary_outputs_slip_falling,
-     .time_scale = time_scale_slip_falling,
-     .leave = leave_slip_constant,
-     .vary_leave = vary_leave_slip_constant,
-     .from_world = from_world_slip_constant,
-     .vary_from_world = vary_from_world_slip_constant,
-     .to_world = to_world_slip_constant,
-     .vary_to_world = vary_to_world_slip_constant,
-     .world_rates = world_rates_slip_falling,
-     .vary_world_rates = vary_world_rates_slip_falling},
+    {.motion = &tdmf_reduced_runner_motions[MODE_start_of_run], .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 1, .guards = guards_start_of_run,
+        .watch_count = 0, .watches = watches_start_of_run, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_reduced_runner_motions[MODE_no_start], .ends = true, .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_no_start, .watch_count = 0,
+        .watches = watches_no_start, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_reduced_runner_motions[MODE_flight_place], .open = open_flight_place,
+        .vary_open = vary_open_flight_place, .guard_count = 2, .guards = guards_flight_place,
+        .watch_count = 1, .watches = watches_flight_place, .outputs = outputs_flight_place,
+        .vary_outputs = vary_outputs_flight_place, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place,
+        .vary_from_world = vary_from_world_flight_place, .to_world = to_world_flight_place,
+        .vary_to_world = vary_to_world_flight_place},
+    {.motion = &tdmf_reduced_runner_motions[MODE_fallen], .ends = true, .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_fallen, .watch_count = 0,
+        .watches = watches_fallen, .outputs = outputs_fallen, .vary_outputs = vary_outputs_start_of_run,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_reduced_runner_motions[MODE_slip_constant], .open = open_slip_constant,
+        .vary_open = vary_open_slip_constant, .guard_count = 7, .guards = guards_slip_constant,
+        .watch_count = 3, .watches = watches_slip_constant, .outputs = outputs_slip_constant,
+        .vary_outputs = vary_outputs_slip_constant, .leave = leave_slip_constant,
+        .vary_leave = vary_leave_slip_constant, .from_world = from_world_slip_constant,
+        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
+        .vary_to_world = vary_to_world_slip_constant},
+    {.motion = &tdmf_reduced_runner_motions[MODE_stick], .open = open_stick, .vary_open = vary_open_stick,
+        .guard_count = 7, .guards = guards_stick, .watch_count = 3, .watches = watches_stick,
+        .outputs = outputs_stick, .vary_outputs = vary_outputs_stick, .leave = leave_stick,
+        .vary_leave = vary_leave_stick, .from_world = from_world_slip_constant,
+        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
+        .vary_to_world = vary_to_world_slip_constant},
+    {.motion = &tdmf_reduced_runner_motions[MODE_no_stance], .ends = true, .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_no_stance, .watch_count = 0,
+        .watches = watches_no_stance, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_reduced_runner_motions[MODE_no_apex], .ends = true, .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_no_apex, .watch_count = 0,
+        .watches = watches_no_apex, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_reduced_runner_motions[MODE_flight_retract], .open = open_flight_retract,
+        .vary_open = vary_open_flight_retract, .guard_count = 1, .guards = guards_flight_retract,
+        .watch_count = 1, .watches = watches_flight_retract, .outputs = outputs_flight_retract,
+        .vary_outputs = vary_outputs_flight_place, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place,
+        .vary_from_world = vary_from_world_flight_place, .to_world = to_world_flight_place,
+        .vary_to_world = vary_to_world_flight_place},
+    {.motion = &tdmf_reduced_runner_motions[MODE_slip_falling], .open = open_slip_falling,
+        .vary_open = vary_open_slip_falling, .guard_count = 7, .guards = guards_slip_falling,
+        .watch_count = 3, .watches = watches_slip_falling, .outputs = outputs_slip_falling,
+        .vary_outputs = vary_outputs_slip_falling, .time_scale = time_scale_slip_falling,
+        .leave = leave_slip_constant, .vary_leave = vary_leave_slip_constant,
+        .from_world = from_world_slip_constant, .vary_from_world = vary_from_world_slip_constant,
+        .to_world = to_world_slip_constant, .vary_to_world = vary_to_world_slip_constant},
 };
 
 static const tdmf_set_kind sets[] = {
@@ -4486,224 +3656,50 @@ static const tdmf_set_kind sets[] = {
     {.index = -1},
 };
 static const tdmf_section_kind sections[] = {
-    {.enter = enter_at_apex,
-     .vary_enter = vary_enter_at_apex,
-     .event = EVENT_apex,
-     .count = 2,
-     .coordinates = coordinates_at_apex},
+    {.enter = enter_at_apex, .vary_enter = vary_enter_at_apex, .event = EVENT_apex, .count = 2,
+        .coordinates = coordinates_at_apex},
     {.event = -1},
 };
 
-static const char *const mode_names[] = {"start_of_run",   "no_start",    "flight_place", "fallen",
-                                         "slip_constant",  "stick",       "no_stance",    "no_apex",
-                                         "flight_retract", "slip_falling"};
-static const char *const state_names[] = {"time",
-                                          "events",
-                                          "last_event",
-                                          "is_open",
-                                          "work_then",
-                                          "leg_work_then",
-                                          "positive_work_so_far",
-                                          "positive_work_then",
-                                          "peak_force_so_far",
-                                          "vertical_so_far",
-                                          "touchdowns_so_far",
-                                          "slip_so_far",
-                                          "slid_from",
-                                          "stance_so_far",
-                                          "word_so_far",
-                                          "last_letter",
-                                          "bar_is_due",
-                                          "mode_began",
-                                          "x_then",
-                                          "y_then",
-                                          "count",
-                                          "word_code",
-                                          "period",
-                                          "distance",
-                                          "rise_of_stride",
-                                          "work_of_stride",
-                                          "hip_work",
-                                          "leg_work_of_stride",
-                                          "positive_work",
-                                          "speed",
-                                          "cost_of_transport",
-                                          "touchdowns",
-                                          "stance_time",
-                                          "duty_factor",
-                                          "slip_distance",
-                                          "peak_force",
-                                          "peak_vertical_force",
-                                          "apex_time",
-                                          "apex_com_height",
-                                          "apex_com_speed",
-                                          "apex_length",
-                                          "apex_angle",
-                                          "apex_length_rate",
-                                          "apex_angle_rate",
-                                          "height",
-                                          "slope",
-                                          "extension",
-                                          "external_fx",
-                                          "external_fy",
-                                          "seen_x",
-                                          "seen_y",
-                                          "length",
-                                          "angle",
-                                          "seen_vx",
-                                          "seen_vy",
-                                          "length_rate",
-                                          "angle_rate",
-                                          "com_x",
-                                          "com_y",
-                                          "com_vx",
-                                          "com_vy",
-                                          "momentum",
-                                          "x",
-                                          "y",
-                                          "vx",
-                                          "vy",
-                                          "foot_x",
-                                          "foot_vx",
-                                          "winding",
-                                          "thrusting",
-                                          "leg_work",
-                                          "external_work",
-                                          "damper_loss",
-                                          "friction",
-                                          "way",
-                                          "friction_loss",
-                                          "impact_loss",
-                                          "external_torque",
-                                          "liftoff_angle",
-                                          "driving",
-                                          "placing",
-                                          "touchdown_time",
-                                          "work"};
-static const char *const parameter_names[] = {
-    "ground_height",     "ground_slope", "body_mass",       "foot_mass",       "stiffness",   "damping",
-    "free_length",       "least_length", "gravity",         "thrust",          "more_thrust", "static_ratio",
-    "stribeck_velocity", "drive_torque", "touchdown_angle", "retraction_rate", "more_angle",  "more_torque"};
-static const char *const event_names[] = {
-    "begins",       "falls",    "collapses",    "apex",         "touchdown",     "greatest_compression",
-    "mid_stance",   "lift_off", "enters_layer", "leaves_layer", "slips_forward", "slips_backward",
-    "comes_to_rest"};
-static const char *const output_names[] = {
-    "pending",        "torque",           "normal_force",   "tangential_force", "ground_force_x",
-    "ground_force_y", "force_of_leg",     "body_x",         "body_y",           "body_vx",
-    "body_vy",        "center_x",         "center_y",       "center_vx",        "center_vy",
-    "kinetic_energy", "potential_energy", "elastic_energy", "energy",           "kind_of_contact",
-    "phase_of_hip",   "has_fallen"};
+static const char *const mode_names[] = {"start_of_run", "no_start", "flight_place", "fallen",
+    "slip_constant", "stick", "no_stance", "no_apex", "flight_retract", "slip_falling"};
+static const char *const state_names[] = {"time", "events", "last_event", "is_open", "work_then",
+    "leg_work_then", "positive_work_so_far", "positive_work_then", "peak_force_so_far", "vertical_so_far",
+    "touchdowns_so_far", "slip_so_far", "slid_from", "stance_so_far", "word_so_far", "last_letter",
+    "bar_is_due", "mode_began", "x_then", "y_then", "count", "word_code", "period", "distance",
+    "rise_of_stride", "work_of_stride", "hip_work", "leg_work_of_stride", "positive_work", "speed",
+    "cost_of_transport", "touchdowns", "stance_time", "duty_factor", "slip_distance", "peak_force",
+    "peak_vertical_force", "apex_time", "apex_com_height", "apex_com_speed", "apex_length", "apex_angle",
+    "apex_length_rate", "apex_angle_rate", "height", "slope", "extension", "external_fx", "external_fy",
+    "seen_x", "seen_y", "length", "angle", "seen_vx", "seen_vy", "length_rate", "angle_rate", "com_x",
+    "com_y", "com_vx", "com_vy", "momentum", "x", "y", "vx", "vy", "foot_x", "foot_vx", "winding",
+    "thrusting", "leg_work", "external_work", "damper_loss", "friction", "way", "friction_loss",
+    "impact_loss", "external_torque", "liftoff_angle", "driving", "placing", "touchdown_time", "work"};
+static const char *const parameter_names[] = {"ground_height", "ground_slope", "body_mass", "foot_mass",
+    "stiffness", "damping", "free_length", "least_length", "gravity", "thrust", "more_thrust", "static_ratio",
+    "stribeck_velocity", "drive_torque", "touchdown_angle", "retraction_rate", "more_angle", "more_torque"};
+static const char *const event_names[] = {"begins", "falls", "collapses", "apex", "touchdown",
+    "greatest_compression", "mid_stance", "lift_off", "enters_layer", "leaves_layer", "slips_forward",
+    "slips_backward", "comes_to_rest"};
+static const char *const output_names[] = {"pending", "torque", "normal_force", "tangential_force",
+    "ground_force_x", "ground_force_y", "force_of_leg", "body_x", "body_y", "body_vx", "body_vy", "center_x",
+    "center_y", "center_vx", "center_vy", "kinetic_energy", "potential_energy", "elastic_energy", "energy",
+    "kind_of_contact", "phase_of_hip", "has_fallen"};
 static const char *const table_names[] = {0};
 static const char *const section_names[] = {"at_apex"};
-static const double state_defaults[] = {0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        -0.4722627765193387,
-                                        0.6417114468531165,
-                                        0.9999993776846997,
-                                        -0.5462532571145313,
-                                        1.062035591761993,
-                                        -1.9951712441925837e-05,
-                                        1.1268102275039307e-06,
-                                        4.039363331769765e-05,
-                                        0.0,
-                                        1.4,
-                                        1.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        1.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.6,
-                                        1.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0};
-static const double parameter_defaults[] = {
-    0.0, 0.0, 1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01, 0.0, 0.0, 1.0, 0.0, 0.2, 0.6981317007977318,
-    0.0, 0.0, 0.0};
-static const double parameter_least[] = {-1000000000.0,
-                                         -1.0,
-                                         1e-09,
-                                         1e-12,
-                                         1e-09,
-                                         0.0,
-                                         1e-06,
-                                         1e-09,
-                                         1e-09,
-                                         0.0,
-                                         -1000000.0,
-                                         1.0,
-                                         0.0,
-                                         -1e+18,
-                                         -1.5707963267948966,
-                                         -1000000000.0,
-                                         -3.141592653589793,
-                                         -1e+18};
-static const double parameter_most[] = {
-    1000000000.0, 1.0,       1000000000.0,       1000000000.0, 1000000000000.0,   1000000000000.0,
-    1000000.0,    1000000.0, 1000000.0,          1000000.0,    1000000.0,         1000000.0,
-    1000000000.0, 1e+18,     1.5707963267948966, 1000000000.0, 3.141592653589793, 1e+18};
+static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.4722627765193387,
+    0.6417114468531165, 0.9999993776846997, -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05,
+    1.1268102275039307e-06, 4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+static const double parameter_defaults[] = {0.0, 0.0, 1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01, 0.0, 0.0, 1.0, 0.0,
+    0.2, 0.6981317007977318, 0.0, 0.0, 0.0};
+static const double parameter_least[] = {-1000000000.0, -1.0, 1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09,
+    0.0, -1000000.0, 1.0, 0.0, -1e+18, -1.5707963267948966, -1000000000.0, -3.141592653589793, -1e+18};
+static const double parameter_most[] = {1000000000.0, 1.0, 1000000000.0, 1000000000.0, 1000000000000.0,
+    1000000000000.0, 1000000.0, 1000000.0, 1000000.0, 1000000.0, 1000000.0, 1000000.0, 1000000000.0, 1e+18,
+    1.5707963267948966, 1000000000.0, 3.141592653589793, 1e+18};
 
 const tdmf_model_kind tdmf_reduced_runner_model = {
     .modes = modes,
@@ -4714,8 +3710,8 @@ const tdmf_model_kind tdmf_reduced_runner_model = {
     .series_count = 33,
     .constant_count = 21,
     .lanes = {TDMF_TWO_LANES(tdmf_reduced_runner_motions_of_2),
-              TDMF_FOUR_LANES(tdmf_reduced_runner_motions_of_4),
-              TDMF_EIGHT_LANES(tdmf_reduced_runner_motions_of_8)},
+        TDMF_FOUR_LANES(tdmf_reduced_runner_motions_of_4),
+        TDMF_EIGHT_LANES(tdmf_reduced_runner_motions_of_8)},
     .seeds = TDMF_FOR_SEEDS(tdmf_reduced_runner_seeds),
     .mode_count = 10,
     .mode_names = mode_names,

@@ -19,7 +19,7 @@ static void open_start_of_run(const real *parameters, const real *states, real *
 
 /* First variation of open_start_of_run. */
 static void vary_open_start_of_run(const real *parameters, const real *states, const real *d_parameters,
-                                   const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -38,27 +38,24 @@ static void vary_open_start_of_run(const real *parameters, const real *states, c
 
 /* passes_end: The foot is above the next segment. */
 static int react_start_of_run_passes_end(const real *parameters, const real *states, const tdmf_table *tables,
-                                         real *after, const int *next) {
+    real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real segment_plus_by_1 = x->segment + 1.0;
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
-    const real friction =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_plus_by_1,
-                  select(real_abs(segment_plus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_plus_by_1, select(real_abs(segment_plus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = segment_plus_by_1;
-    y->segment_begin = looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_plus_by_1,
+    y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_plus_by_1,
         select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, end, begin), -1000000000000.0));
-    y->segment_end = looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_plus_by_1,
+    y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_plus_by_1,
         select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, 1000000000000.0, end), begin));
-    y->segment_height =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, segment_plus_by_1, 0.0);
-    y->segment_slope =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_plus_by_1, 0.0);
+    y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        segment_plus_by_1, 0.0);
+    y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_plus_by_1,
+        0.0);
     y->friction_ahead = friction;
     y->friction_behind = friction;
     return next[0]; /* start_of_run */
@@ -66,8 +63,7 @@ static int react_start_of_run_passes_end(const real *parameters, const real *sta
 
 /* First variation of passes_end. */
 static void vary_react_start_of_run_passes_end(const real *parameters, const real *states,
-                                               const real *d_parameters, const real *d_states,
-                                               const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -76,27 +72,26 @@ static void vary_react_start_of_run_passes_end(const real *parameters, const rea
     const real segment_plus_by_1 = x->segment + 1.0;
     const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
     const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
-    const real d_friction = variation_looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, segment_plus_by_1,
-        select(real_abs(segment_plus_by_1 - 1.0) > 0.0, 0.0, dp->patch_friction));
+    const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        seed, segment_plus_by_1, select(real_abs(segment_plus_by_1 - 1.0) > 0.0, 0.0, dp->patch_friction));
     y->segment = dx->segment;
-    y->segment_begin = variation_looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed, segment_plus_by_1,
-        select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, d_end, d_begin), 0.0));
-    y->segment_end = variation_looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed, segment_plus_by_1,
-        select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, 0.0, d_end), d_begin));
+    y->segment_begin = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed,
+        segment_plus_by_1, select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, d_end, d_begin),
+        0.0));
+    y->segment_end = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed,
+        segment_plus_by_1, select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, 0.0, d_end),
+        d_begin));
     y->segment_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, seed,
-                                            segment_plus_by_1, 0.0);
+        segment_plus_by_1, 0.0);
     y->segment_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
-                                           segment_plus_by_1, 0.0);
+        segment_plus_by_1, 0.0);
     y->friction_ahead = d_friction;
     y->friction_behind = d_friction;
 }
 
 /* First variation of the guard of passes_end. */
 static real vary_guard_start_of_run_passes_end(const real *parameters, const real *states,
-                                               const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -106,27 +101,25 @@ static real vary_guard_start_of_run_passes_end(const real *parameters, const rea
 
 /* passes_begin: The foot is above the segment before. */
 static int react_start_of_run_passes_begin(const real *parameters, const real *states,
-                                           const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real segment_minus_by_1 = x->segment - 1.0;
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
-    const real friction =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_minus_by_1,
-                  select(real_abs(segment_minus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_minus_by_1, select(real_abs(segment_minus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = segment_minus_by_1;
-    y->segment_begin = looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_minus_by_1,
-        select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, end, begin), -1000000000000.0));
-    y->segment_end = looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_minus_by_1,
+    y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
+        segment_minus_by_1, select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, end, begin),
+        -1000000000000.0));
+    y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_minus_by_1,
         select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, 1000000000000.0, end), begin));
-    y->segment_height =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, segment_minus_by_1, 0.0);
-    y->segment_slope =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_minus_by_1, 0.0);
+    y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        segment_minus_by_1, 0.0);
+    y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope,
+        segment_minus_by_1, 0.0);
     y->friction_ahead = friction;
     y->friction_behind = friction;
     return next[0]; /* start_of_run */
@@ -134,8 +127,7 @@ static int react_start_of_run_passes_begin(const real *parameters, const real *s
 
 /* First variation of passes_begin. */
 static void vary_react_start_of_run_passes_begin(const real *parameters, const real *states,
-                                                 const real *d_parameters, const real *d_states,
-                                                 const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -144,27 +136,26 @@ static void vary_react_start_of_run_passes_begin(const real *parameters, const r
     const real segment_minus_by_1 = x->segment - 1.0;
     const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
     const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
-    const real d_friction = variation_looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, segment_minus_by_1,
-        select(real_abs(segment_minus_by_1 - 1.0) > 0.0, 0.0, dp->patch_friction));
+    const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        seed, segment_minus_by_1, select(real_abs(segment_minus_by_1 - 1.0) > 0.0, 0.0, dp->patch_friction));
     y->segment = dx->segment;
-    y->segment_begin = variation_looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed, segment_minus_by_1,
-        select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, d_end, d_begin), 0.0));
-    y->segment_end = variation_looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed, segment_minus_by_1,
-        select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, 0.0, d_end), d_begin));
+    y->segment_begin = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed,
+        segment_minus_by_1, select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, d_end, d_begin),
+        0.0));
+    y->segment_end = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed,
+        segment_minus_by_1, select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, 0.0, d_end),
+        d_begin));
     y->segment_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, seed,
-                                            segment_minus_by_1, 0.0);
+        segment_minus_by_1, 0.0);
     y->segment_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
-                                           segment_minus_by_1, 0.0);
+        segment_minus_by_1, 0.0);
     y->friction_ahead = d_friction;
     y->friction_behind = d_friction;
 }
 
 /* First variation of the guard of passes_begin. */
 static real vary_guard_start_of_run_passes_begin(const real *parameters, const real *states,
-                                                 const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -174,7 +165,7 @@ static real vary_guard_start_of_run_passes_begin(const real *parameters, const r
 
 /* begins: An impact if the foot is on the ground and does not rise, else flight. An apex opens a stride. */
 static int react_start_of_run_begins(const real *parameters, const real *states, const tdmf_table *tables,
-                                     real *after, const int *next) {
+    real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -203,16 +194,15 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
         const real way = select(along >= 0.0, 1.0, -1.0);
         const real way_times_along = way * along;
         const real x_2 = x->seen_x + by_1eminus_12_times_free_length;
-        const real segment_towards =
-            x->segment + select(x_2 > x->segment_end, 1.0, 0.0) - select(x_2 < x->segment_begin, 1.0, 0.0);
-        const real friction =
-            looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
-                      select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
+        const real segment_towards = x->segment + select(x_2 > x->segment_end, 1.0, 0.0)
+            - select(x_2 < x->segment_begin, 1.0, 0.0);
+        const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+            segment_towards, select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
         const real sum_2 = x->seen_x - by_1eminus_12_times_free_length;
-        const real sum_3 = x->segment + select(sum_2 > x->segment_end, 1.0, 0.0) -
-                           select(sum_2 < x->segment_begin, 1.0, 0.0);
+        const real sum_3 = x->segment + select(sum_2 > x->segment_end, 1.0, 0.0)
+            - select(sum_2 < x->segment_begin, 1.0, 0.0);
         const real friction_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3,
-                                          select(real_abs(sum_3 - 1.0) > 0.0, -1.0, p->patch_friction));
+            select(real_abs(sum_3 - 1.0) > 0.0, -1.0, p->patch_friction));
         const real own = select(way > 0.0, friction, friction_2);
         const real is_own = select(own < 0.0, 0.0, 1.0);
         const real friction_along = is_own * own + (1.0 - is_own) * x->friction;
@@ -221,19 +211,18 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
         const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
         const real sum_5 = x->seen_x * cosine + seen_y_minus_set_height * sine;
         const real sum_times_cosine_plus_product = sum_5 * cosine + by_1eminus_12_times_free_length * way;
-        const real sum_6 = x->segment + select(sum_times_cosine_plus_product > x->segment_end, 1.0, 0.0) -
-                           select(sum_times_cosine_plus_product < x->segment_begin, 1.0, 0.0);
+        const real sum_6 = x->segment + select(sum_times_cosine_plus_product > x->segment_end, 1.0, 0.0)
+            - select(sum_times_cosine_plus_product < x->segment_begin, 1.0, 0.0);
         const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
         const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
-        const real begin_2 =
-            looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_6,
-                      select(sum_6 > 0.0, select(sum_6 > 1.0, end, begin), -1000000000000.0));
+        const real begin_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_6,
+            select(sum_6 > 0.0, select(sum_6 > 1.0, end, begin), -1000000000000.0));
         const real end_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, sum_6,
-                                     select(sum_6 > 0.0, select(sum_6 > 1.0, 1000000000000.0, end), begin));
+            select(sum_6 > 0.0, select(sum_6 > 1.0, 1000000000000.0, end), begin));
         const real height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, sum_6, 0.0);
         const real slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_6, 0.0);
         const real friction_3 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_6,
-                                          select(real_abs(sum_6 - 1.0) > 0.0, -1.0, p->patch_friction));
+            select(real_abs(sum_6 - 1.0) > 0.0, -1.0, p->patch_friction));
         const real sum_7 = y_2 * sine - length_times_sin_of_angle * cosine;
         const real sum_8 = y_2 * cosine + length_times_sin_of_angle * sine;
         const real sum_9 = vx * cosine + vy * sine + along;
@@ -254,18 +243,17 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
         y->was_placed = 0.0;
         y->placed_for = x->placing;
         if (p->stribeck_velocity > 0.0 && p->static_ratio > 1.0) {
-            const real product_2 =
-                (p->static_ratio - 1.0) * real_expm1(friction_along_times_off / p->stribeck_velocity);
+            const real product_2 = (p->static_ratio
+                - 1.0) * real_expm1(friction_along_times_off / p->stribeck_velocity);
             const real more = -product_2;
-            const real left = sum_4 + p->stribeck_velocity *
-                                          real_log1p(product_2 * real_exp(-(sum_4 / p->stribeck_velocity)));
-            const real speed_after_impact =
-                select(way_times_along <= p->stribeck_velocity * real_log1p(more) - friction_along_times_off,
-                       0.0, select(left > 0.0, left, 0.0));
+            const real left = sum_4
+                + p->stribeck_velocity * real_log1p(product_2 * real_exp(-(sum_4 / p->stribeck_velocity)));
+            const real speed_after_impact = select(way_times_along <= p->stribeck_velocity * real_log1p(more)
+                - friction_along_times_off, 0.0, select(left > 0.0, left, 0.0));
             const real way_times_speed_after_impact = way * speed_after_impact;
             const real sum_minus_way_times_speed_after_impact = sum_9 - way_times_speed_after_impact;
-            const real speeds = along_times_along_plus_off_times_off -
-                                way_times_speed_after_impact * way_times_speed_after_impact;
+            const real speeds = along_times_along_plus_off_times_off
+                - way_times_speed_after_impact * way_times_speed_after_impact;
             const real sum_11 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
             y->vx = sum_minus_way_times_speed_after_impact;
             y->foot_vx = way_times_speed_after_impact;
@@ -285,13 +273,12 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
             y->friction_behind = friction_2;
             return next[1]; /* stick */
         }
-        const real after_2 =
-            select(way_times_along <= -(p->static_ratio * friction_along_times_off), 0.0, sum_4);
+        const real after_2 = select(way_times_along <= -(p->static_ratio * friction_along_times_off), 0.0,
+            sum_4);
         const real way_times_after = way * after_2;
         const real sum_minus_way_times_after = sum_9 - way_times_after;
-        const real sum_11 =
-            x->impact_loss +
-            0.5 * (p->foot_mass * (along_times_along_plus_off_times_off - way_times_after * way_times_after));
+        const real sum_11 = x->impact_loss + 0.5 * (p->foot_mass * (along_times_along_plus_off_times_off
+            - way_times_after * way_times_after));
         y->vx = sum_minus_way_times_after;
         y->foot_vx = way_times_after;
         y->impact_loss = sum_11;
@@ -360,8 +347,7 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
 
 /* First variation of begins. */
 static void vary_react_start_of_run_begins(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states,
-                                           const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -391,11 +377,11 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     const real sum_2 = dx->length * sin_of_angle + x->length * cos_of_angle_times_angle;
     const real length_times_sin_of_angle = x->length * sin_of_angle;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
-    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle) -
-                      (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
+    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle)
+        - (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
     const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
-    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle -
-                      (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
+    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle
+        - (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
     y->height = d_set_height;
     y->slope = d_set_slope;
     y->liftoff_angle = dx->angle;
@@ -405,72 +391,67 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
         const real way = select(along >= 0.0, 1.0, -1.0);
         const real way_times_along = way * along;
         const real x_2 = x->seen_x + by_1eminus_12_times_free_length;
-        const real segment_towards =
-            x->segment + select(x_2 > x->segment_end, 1.0, 0.0) - select(x_2 < x->segment_begin, 1.0, 0.0);
+        const real segment_towards = x->segment + select(x_2 > x->segment_end, 1.0, 0.0)
+            - select(x_2 < x->segment_begin, 1.0, 0.0);
         const real abs_of_segment_towards_minus_by_1 = real_abs(segment_towards - 1.0);
         const real sum_3 = x->seen_x - by_1eminus_12_times_free_length;
-        const real sum_4 = x->segment + select(sum_3 > x->segment_end, 1.0, 0.0) -
-                           select(sum_3 < x->segment_begin, 1.0, 0.0);
+        const real sum_4 = x->segment + select(sum_3 > x->segment_end, 1.0, 0.0)
+            - select(sum_3 < x->segment_begin, 1.0, 0.0);
         const real abs_of_sum_minus_by_1 = real_abs(sum_4 - 1.0);
-        const real own =
-            select(way > 0.0,
-                   looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
-                             select(abs_of_segment_towards_minus_by_1 > 0.0, -1.0, p->patch_friction)),
-                   looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_4,
-                             select(abs_of_sum_minus_by_1 > 0.0, -1.0, p->patch_friction)));
+        const real own = select(way > 0.0, looked_up(tables, TABLE_ground_segment,
+            COLUMN_ground_segment_friction, segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0,
+            -1.0, p->patch_friction)), looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+            sum_4, select(abs_of_sum_minus_by_1 > 0.0, -1.0, p->patch_friction)));
         const real is_own = select(own < 0.0, 0.0, 1.0);
         const real by_1_minus_is_own = 1.0 - is_own;
         const real friction_along = is_own * own + by_1_minus_is_own * x->friction;
         const real friction_along_times_off = friction_along * off;
         const real sum_5 = way_times_along + friction_along_times_off;
-        const real sum_plus_sum = dx->seen_x * cosine - x->seen_x * sine_times_d_set_slope +
-                                  ((dx->seen_y - d_set_height) * sine + seen_y_minus_set_height * d_sine);
-        const real sum_times_cosine_plus_product =
-            (x->seen_x * cosine + seen_y_minus_set_height * sine) * cosine +
-            by_1eminus_12_times_free_length * way;
-        const real sum_6 = x->segment + select(sum_times_cosine_plus_product > x->segment_end, 1.0, 0.0) -
-                           select(sum_times_cosine_plus_product < x->segment_begin, 1.0, 0.0);
+        const real sum_plus_sum = dx->seen_x * cosine - x->seen_x * sine_times_d_set_slope + ((dx->seen_y
+            - d_set_height) * sine + seen_y_minus_set_height * d_sine);
+        const real sum_times_cosine_plus_product = (x->seen_x * cosine
+            + seen_y_minus_set_height * sine) * cosine + by_1eminus_12_times_free_length * way;
+        const real sum_6 = x->segment + select(sum_times_cosine_plus_product > x->segment_end, 1.0, 0.0)
+            - select(sum_times_cosine_plus_product < x->segment_begin, 1.0, 0.0);
         const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
         const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
-        const real d_begin_2 =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed, sum_6,
-                                select(sum_6 > 0.0, select(sum_6 > 1.0, d_end, d_begin), 0.0));
-        const real d_end_2 =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed, sum_6,
-                                select(sum_6 > 0.0, select(sum_6 > 1.0, 0.0, d_end), d_begin));
-        const real d_height =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, seed, sum_6, 0.0);
-        const real d_slope =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed, sum_6, 0.0);
-        const real d_friction =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, sum_6,
-                                select(real_abs(sum_6 - 1.0) > 0.0, 0.0, dp->patch_friction));
-        const real sum_7 =
-            d_y * sine + y_2 * d_sine - (sum_2 * cosine - length_times_sin_of_angle * sine_times_d_set_slope);
-        const real sum_plus_sum_2 =
-            d_y * cosine - y_2 * sine_times_d_set_slope + (sum_2 * sine + length_times_sin_of_angle * d_sine);
-        const real d_along = dx->seen_vx * cosine - x->seen_vx * sine_times_d_set_slope +
-                             (dx->seen_vy * sine + x->seen_vy * d_sine);
-        const real sum_plus_d_along =
-            d_vx * cosine - vx * sine_times_d_set_slope + (d_vy * sine + vy * d_sine) + d_along;
-        const real d_friction_2 = variation_looked_up(
-            tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, segment_towards,
+        const real d_begin_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
+            seed, sum_6, select(sum_6 > 0.0, select(sum_6 > 1.0, d_end, d_begin), 0.0));
+        const real d_end_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end,
+            seed, sum_6, select(sum_6 > 0.0, select(sum_6 > 1.0, 0.0, d_end), d_begin));
+        const real d_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+            seed, sum_6, 0.0);
+        const real d_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope,
+            seed, sum_6, 0.0);
+        const real d_friction = variation_looked_up(tables, TABLE_ground_segment,
+            COLUMN_ground_segment_friction, seed, sum_6, select(real_abs(sum_6 - 1.0) > 0.0, 0.0,
+            dp->patch_friction));
+        const real sum_7 = d_y * sine + y_2 * d_sine - (sum_2 * cosine
+            - length_times_sin_of_angle * sine_times_d_set_slope);
+        const real sum_plus_sum_2 = d_y * cosine - y_2 * sine_times_d_set_slope + (sum_2 * sine
+            + length_times_sin_of_angle * d_sine);
+        const real d_along = dx->seen_vx * cosine - x->seen_vx * sine_times_d_set_slope
+            + (dx->seen_vy * sine + x->seen_vy * d_sine);
+        const real sum_plus_d_along = d_vx * cosine - vx * sine_times_d_set_slope + (d_vy * sine
+            + vy * d_sine) + d_along;
+        const real d_friction_2 = variation_looked_up(tables, TABLE_ground_segment,
+            COLUMN_ground_segment_friction, seed, segment_towards,
             select(abs_of_segment_towards_minus_by_1 > 0.0, 0.0, dp->patch_friction));
-        const real d_friction_3 =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, sum_4,
-                                select(abs_of_sum_minus_by_1 > 0.0, 0.0, dp->patch_friction));
-        const real d_off = dx->seen_vy * cosine - x->seen_vy * sine_times_d_set_slope -
-                           (dx->seen_vx * sine + x->seen_vx * d_sine);
+        const real d_friction_3 = variation_looked_up(tables, TABLE_ground_segment,
+            COLUMN_ground_segment_friction, seed, sum_4, select(abs_of_sum_minus_by_1 > 0.0, 0.0,
+            dp->patch_friction));
+        const real d_off = dx->seen_vy * cosine - x->seen_vy * sine_times_d_set_slope - (dx->seen_vx * sine
+            + x->seen_vx * d_sine);
         const real d_own = select(way > 0.0, d_friction_2, d_friction_3);
         const real d_friction_along = is_own * d_own + by_1_minus_is_own * dx->friction;
         const real sum_8 = d_friction_along * off + friction_along * d_off;
         const real way_times_d_along_plus_sum = way * d_along + sum_8;
-        const real sum_plus_d_off =
-            d_vy * cosine - vy * sine_times_d_set_slope - (d_vx * sine + vx * d_sine) + d_off;
+        const real sum_plus_d_off = d_vy * cosine - vy * sine_times_d_set_slope - (d_vx * sine
+            + vx * d_sine) + d_off;
         const real sum_9 = y_2 * sine - length_times_sin_of_angle * cosine;
         const real sum_10 = y_2 * cosine + length_times_sin_of_angle * sine;
-        const real angle_minus_ratio =
-            dx->angle - (sum_9 * sum_plus_sum_2 - sum_10 * sum_7) / (sum_9 * sum_9 + sum_10 * sum_10);
+        const real angle_minus_ratio = dx->angle - (sum_9 * sum_plus_sum_2
+            - sum_10 * sum_7) / (sum_9 * sum_9 + sum_10 * sum_10);
         const real along_times_along_plus_off_times_off = along * along + off * off;
         const real sum_11 = 2.0 * (along * d_along) + 2.0 * (off * d_off);
         y->touchdowns_so_far = dx->touchdowns_so_far;
@@ -497,33 +478,27 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
             const real product_3 = product_2 * exp_of_minus_sum_over_stribeck_velocity;
             const real log1p_of_product = real_log1p(product_3);
             const real left = sum_5 + p->stribeck_velocity * log1p_of_product;
-            const real speed_after_impact =
-                select(way_times_along <= sum_12, 0.0, select(left > 0.0, left, 0.0));
+            const real speed_after_impact = select(way_times_along <= sum_12, 0.0, select(left > 0.0, left,
+                0.0));
             const real way_times_speed_after_impact = way * speed_after_impact;
-            const real d_left =
-                way_times_d_along_plus_sum +
-                (dp->stribeck_velocity * log1p_of_product +
-                 p->stribeck_velocity *
-                     (((dp->static_ratio * expm1_of_ratio +
-                        static_ratio_minus_by_1 *
-                            ((expm1_of_ratio + 1.0) *
-                             ((sum_8 - ratio * dp->stribeck_velocity) / p->stribeck_velocity))) *
-                           exp_of_minus_sum_over_stribeck_velocity -
-                       product_2 * (exp_of_minus_sum_over_stribeck_velocity *
-                                    ((way_times_d_along_plus_sum -
-                                      sum_over_stribeck_velocity * dp->stribeck_velocity) /
-                                     p->stribeck_velocity))) /
-                      (1.0 + product_3)));
-            const real d_speed_after_impact =
-                select(way_times_along <= sum_12, 0.0, select(left > 0.0, d_left, 0.0));
+            const real d_left = way_times_d_along_plus_sum + (dp->stribeck_velocity * log1p_of_product
+                + p->stribeck_velocity * (((dp->static_ratio * expm1_of_ratio
+                + static_ratio_minus_by_1 * ((expm1_of_ratio + 1.0) * ((sum_8
+                - ratio * dp->stribeck_velocity) / p->stribeck_velocity))) *
+                exp_of_minus_sum_over_stribeck_velocity
+                - product_2 * (exp_of_minus_sum_over_stribeck_velocity * ((way_times_d_along_plus_sum
+                - sum_over_stribeck_velocity * dp->stribeck_velocity) / p->stribeck_velocity))) / (1.0
+                + product_3)));
+            const real d_speed_after_impact = select(way_times_along <= sum_12, 0.0, select(left > 0.0,
+                d_left, 0.0));
             const real way_times_d_speed_after_impact = way * d_speed_after_impact;
             const real sum_13 = sum_plus_d_along - way_times_d_speed_after_impact;
-            const real speeds = along_times_along_plus_off_times_off -
-                                way_times_speed_after_impact * way_times_speed_after_impact;
-            const real d_speeds =
-                sum_11 - 2.0 * (way_times_speed_after_impact * way_times_d_speed_after_impact);
-            const real impact_loss_plus_by_0_5_times_sum =
-                dx->impact_loss + 0.5 * (dp->foot_mass * speeds + p->foot_mass * d_speeds);
+            const real speeds = along_times_along_plus_off_times_off
+                - way_times_speed_after_impact * way_times_speed_after_impact;
+            const real d_speeds = sum_11
+                - 2.0 * (way_times_speed_after_impact * way_times_d_speed_after_impact);
+            const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss + 0.5 * (dp->foot_mass * speeds
+                + p->foot_mass * d_speeds);
             y->vx = sum_13;
             y->foot_vx = way_times_d_speed_after_impact;
             y->impact_loss = impact_loss_plus_by_0_5_times_sum;
@@ -548,10 +523,10 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
         const real d_after = select(way_times_along <= minus_product, 0.0, way_times_d_along_plus_sum);
         const real way_times_d_after = way * d_after;
         const real sum_12 = sum_plus_d_along - way_times_d_after;
-        const real impact_loss_plus_by_0_5_times_sum =
-            dx->impact_loss + 0.5 * (dp->foot_mass * (along_times_along_plus_off_times_off -
-                                                      way_times_after * way_times_after) +
-                                     p->foot_mass * (sum_11 - 2.0 * (way_times_after * way_times_d_after)));
+        const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss
+            + 0.5 * (dp->foot_mass * (along_times_along_plus_off_times_off
+            - way_times_after * way_times_after) + p->foot_mass * (sum_11
+            - 2.0 * (way_times_after * way_times_d_after)));
         y->vx = sum_12;
         y->foot_vx = way_times_d_after;
         y->impact_loss = impact_loss_plus_by_0_5_times_sum;
@@ -588,11 +563,9 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     y->momentum = d_moment;
     if (real_abs(rise) <= slow) {
         const real sine_over_cosine = sine / cosine;
-        const real d_height_of_section =
-            sum_3 - d_set_height -
-            (seen_x_minus_sum * sine_over_cosine +
-             (x->seen_x - share * length_times_sin_of_angle) *
-                 ((d_sine + sine_over_cosine * sine_times_d_set_slope) / cosine));
+        const real d_height_of_section = sum_3 - d_set_height - (seen_x_minus_sum * sine_over_cosine
+            + (x->seen_x - share * length_times_sin_of_angle) * ((d_sine
+            + sine_over_cosine * sine_times_d_set_slope) / cosine));
         const real moment = square * x->angle_rate;
         const real rate = moment / square;
         const real d_rate = (d_moment - rate * d_square) / square;
@@ -623,7 +596,7 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
 
 /* First variation of the guard of begins. */
 static real vary_guard_start_of_run_begins(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -637,11 +610,11 @@ static void outputs_start_of_run(const real *parameters, const real *states, rea
     const runner_states *x = (const void *)states;
     const real set_height = p->ground_height + x->segment_height;
     const real set_slope = p->ground_slope + x->segment_slope;
-    const real pending = select(
-        real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
+    const real pending = select(real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope
+        - x->slope)) > 0.0, 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real sin_of_angle = real_sin(x->angle);
@@ -661,8 +634,8 @@ static void outputs_start_of_run(const real *parameters, const real *states, rea
     const real center_vx = x->seen_vx + share * vx;
     const real center_vy = x->seen_vy + share * vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy));
+    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (x->seen_vx * x->seen_vx
+        + x->seen_vy * x->seen_vy));
     const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
@@ -692,7 +665,7 @@ static void outputs_start_of_run(const real *parameters, const real *states, rea
 
 /* First variation of outputs_start_of_run. */
 static void vary_outputs_start_of_run(const real *parameters, const real *states, const real *d_parameters,
-                                      const real *d_states, real *outputs) {
+    const real *d_states, real *outputs) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -702,12 +675,11 @@ static void vary_outputs_start_of_run(const real *parameters, const real *states
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real shorter = rest_length - x->length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_shorter = d_rest_length - dx->length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * x->length_rate
+        + p->damping * dx->length_rate);
     const real sin_of_angle = real_sin(x->angle);
     const real cos_of_angle = real_cos(x->angle);
     const real cos_of_angle_times_angle = cos_of_angle * dx->angle;
@@ -718,11 +690,11 @@ static void vary_outputs_start_of_run(const real *parameters, const real *states
     const real d_body_y = dx->seen_y + d_y;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
     const real turn = x->length * x->angle_rate;
-    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle) -
-                      (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
+    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle)
+        - (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
     const real d_body_vx = dx->seen_vx + d_vx;
-    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle -
-                      (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
+    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle
+        - (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
     const real d_body_vy = dx->seen_vy + d_vy;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
@@ -736,18 +708,17 @@ static void vary_outputs_start_of_run(const real *parameters, const real *states
     const real d_center_vy = dx->seen_vy + (d_share * vy + share * d_vy);
     const real body_vx = x->seen_vx + vx;
     const real body_vy = x->seen_vy + vy;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 *
-        (d_of_body + (dp->foot_mass * (x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy) +
-                      p->foot_mass * (2.0 * (x->seen_vx * dx->seen_vx) + 2.0 * (x->seen_vy * dx->seen_vy))));
+    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
+        + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (x->seen_vx * x->seen_vx
+        + x->seen_vy * x->seen_vy) + p->foot_mass * (2.0 * (x->seen_vx * dx->seen_vx)
+        + 2.0 * (x->seen_vy * dx->seen_vy))));
     const real body_y = x->seen_y + y_2;
-    const real d_potential_energy = dp->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y) +
-                                    p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                                                  (dp->foot_mass * x->seen_y + p->foot_mass * dx->seen_y));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_potential_energy = dp->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y)
+        + p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y + (dp->foot_mass * x->seen_y
+        + p->foot_mass * dx->seen_y));
+    const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
+        + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
     outputs[OUTPUT_pending] = 0.0;
     outputs[OUTPUT_torque] = 0.0;
@@ -786,7 +757,7 @@ static void leave_start_of_run(const real *parameters, const real *states, real 
 
 /* First variation of leave_start_of_run. */
 static void vary_leave_start_of_run(const real *parameters, const real *states, const real *d_parameters,
-                                    const real *d_states, real counted, real *after) {
+    const real *d_states, real counted, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -802,12 +773,14 @@ static void open_slip_constant(const real *parameters, const real *states, real 
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     slip_constant_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
     const real longer = p->thrust + p->more_thrust;
     const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real product_2 = x->driving * (p->drive_torque + p->more_torque);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
     const real gravity_times_sine = p->gravity * sine;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real foot_mass_times_gravity_times_sine = foot_mass_times_gravity * sine;
     const real own = select(x->way > 0.0, x->friction_ahead, x->friction_behind);
@@ -819,6 +792,7 @@ static void open_slip_constant(const real *parameters, const real *states, real 
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
     const real by_60_times_stribeck_velocity = 60.0 * p->stribeck_velocity;
     const real segment_end_or_segment_begin = select(x->way > 0.0, x->segment_end, x->segment_begin);
+    c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->thrusting_times_longer_or_by_0 = thrusting_times_longer_or_by_0;
@@ -826,9 +800,8 @@ static void open_slip_constant(const real *parameters, const real *states, real 
     c->product_2 = product_2;
     c->cosine = cosine;
     c->sine = sine;
-    c->body_mass = p->body_mass;
     c->gravity_times_sine = gravity_times_sine;
-    c->foot_mass = p->foot_mass;
+    c->inverse_foot_mass = inverse_foot_mass;
     c->foot_mass_times_gravity_times_sine = foot_mass_times_gravity_times_sine;
     c->way = x->way;
     c->is_own_times_own = is_own_times_own;
@@ -849,24 +822,28 @@ static void open_slip_constant(const real *parameters, const real *states, real 
 
 /* First variation of open_slip_constant. */
 static void vary_open_slip_constant(const real *parameters, const real *states, const real *d_parameters,
-                                    const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     slip_constant_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
-    const real d_product_2 =
-        (p->drive_torque + p->more_torque) * dx->driving + x->driving * (dp->drive_torque + dp->more_torque);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
+        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
+    const real d_product_2 = (p->drive_torque + p->more_torque) * dx->driving
+        + x->driving * (dp->drive_torque + dp->more_torque);
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
     const real d_cosine = -sine_times_slope;
     const real cosine = real_cos(x->slope);
     const real d_sine = cosine * dx->slope;
     const real d_gravity_times_sine = sine * dp->gravity + p->gravity * d_sine;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
     const real sum_2 = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real d_foot_mass_times_gravity_times_sine = sine * sum_2 + foot_mass_times_gravity * d_sine;
@@ -874,13 +851,14 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real d_own = select(x->way > 0.0, dx->friction_ahead, dx->friction_behind);
     const real d_is_own_times_own = is_own * d_own;
-    const real d_foot_mass_times_gravity_times_cosine =
-        cosine * sum_2 - foot_mass_times_gravity * sine_times_slope;
+    const real d_foot_mass_times_gravity_times_cosine = cosine * sum_2
+        - foot_mass_times_gravity * sine_times_slope;
     const real d_gravity_times_cosine = cosine * dp->gravity - p->gravity * sine_times_slope;
-    const real d_stiffness_times_extension_rate =
-        x->extension_rate * dp->stiffness + p->stiffness * dx->extension_rate;
+    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
+        + p->stiffness * dx->extension_rate;
     const real d_by_60_times_stribeck_velocity = 60.0 * dp->stribeck_velocity;
     const real d_segment_end_or_segment_begin = select(x->way > 0.0, dx->segment_end, dx->segment_begin);
+    c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->thrusting_times_longer_or_by_0 = d_thrusting_times_longer_or_by_0;
@@ -888,9 +866,8 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
     c->product_2 = d_product_2;
     c->cosine = d_cosine;
     c->sine = d_sine;
-    c->body_mass = dp->body_mass;
     c->gravity_times_sine = d_gravity_times_sine;
-    c->foot_mass = dp->foot_mass;
+    c->inverse_foot_mass = d_inverse_foot_mass;
     c->foot_mass_times_gravity_times_sine = d_foot_mass_times_gravity_times_sine;
     c->way = dx->way;
     c->is_own_times_own = d_is_own_times_own;
@@ -911,7 +888,7 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static int react_slip_constant_ramp_ends(const real *parameters, const real *states, const tdmf_table *tables,
-                                         real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -923,8 +900,7 @@ static int react_slip_constant_ramp_ends(const real *parameters, const real *sta
 
 /* First variation of ramp_ends. */
 static void vary_react_slip_constant_ramp_ends(const real *parameters, const real *states,
-                                               const real *d_parameters, const real *d_states,
-                                               const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -948,7 +924,7 @@ static real watches_slip_constant_ramp_ends(const real *parameters, const real *
 
 /* First variation of the guard of ramp_ends. */
 static real vary_guard_slip_constant_ramp_ends(const real *parameters, const real *states,
-                                               const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -958,7 +934,7 @@ static real vary_guard_slip_constant_ramp_ends(const real *parameters, const rea
 
 /* falls: The body reaches the ground. */
 static int react_slip_constant_falls(const real *parameters, const real *states, const tdmf_table *tables,
-                                     real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     const runner_states *x = (const void *)states;
     (void)tables;
@@ -988,8 +964,7 @@ static int react_slip_constant_falls(const real *parameters, const real *states,
 
 /* First variation of falls. */
 static void vary_react_slip_constant_falls(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states,
-                                           const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     const runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1011,9 +986,8 @@ static void vary_react_slip_constant_falls(const real *parameters, const real *s
     const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
     const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
@@ -1030,7 +1004,7 @@ static void vary_react_slip_constant_falls(const real *parameters, const real *s
 
 /* First variation of the guard of falls. */
 static real vary_guard_slip_constant_falls(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -1040,7 +1014,7 @@ static real vary_guard_slip_constant_falls(const real *parameters, const real *s
 
 /* First variation of the guard of collapses. */
 static real vary_guard_slip_constant_collapses(const real *parameters, const real *states,
-                                               const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -1055,7 +1029,7 @@ static real vary_guard_slip_constant_collapses(const real *parameters, const rea
 /* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
  * counted. */
 static int react_slip_constant_greatest_compression(const real *parameters, const real *states,
-                                                    const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     (void)tables;
@@ -1080,8 +1054,7 @@ static int react_slip_constant_greatest_compression(const real *parameters, cons
 
 /* First variation of greatest_compression. */
 static void vary_react_slip_constant_greatest_compression(const real *parameters, const real *states,
-                                                          const real *d_parameters, const real *d_states,
-                                                          const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -1099,8 +1072,8 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_longer_or_by_0 = select(longer >= 0.0, d_longer, 0.0);
     const real d_rest_length = free_length_plus_extension_2 + d_longer_or_by_0;
-    const real free_length_plus_extension_plus_sum =
-        free_length_plus_extension_2 + (d_longer_or_by_0 * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real free_length_plus_extension_plus_sum = free_length_plus_extension_2
+        + (d_longer_or_by_0 * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_jump = d_rest_length - free_length_plus_extension_plus_sum;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -1111,8 +1084,8 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     y->events = dx->events;
     y->last_event = select(select(longer > 0.0, 1.0, 0.0) > 0.0, dx->time, dx->last_event);
     y->thrusting = 0.0;
-    y->leg_work = dx->leg_work +
-                  ((dp->stiffness * jump + p->stiffness * d_jump) * middle + p->stiffness * jump * d_middle);
+    y->leg_work = dx->leg_work + ((dp->stiffness * jump + p->stiffness * d_jump) * middle
+        + p->stiffness * jump * d_middle);
 }
 
 /* Whether greatest_compression is watched. */
@@ -1127,7 +1100,7 @@ static real watches_slip_constant_greatest_compression(const real *parameters, c
 
 /* First variation of the guard of greatest_compression. */
 static real vary_guard_slip_constant_greatest_compression(const real *parameters, const real *states,
-                                                          const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1137,15 +1110,14 @@ static real vary_guard_slip_constant_greatest_compression(const real *parameters
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
     return -d_length_rate;
 }
 
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_slip_constant_mid_stance(const real *parameters, const real *states,
-                                          const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -1156,8 +1128,7 @@ static int react_slip_constant_mid_stance(const real *parameters, const real *st
 
 /* First variation of mid_stance. */
 static void vary_react_slip_constant_mid_stance(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states,
-                                                const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -1180,7 +1151,7 @@ static real watches_slip_constant_mid_stance(const real *parameters, const real 
 
 /* First variation of the guard of mid_stance. */
 static real vary_guard_slip_constant_mid_stance(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1192,7 +1163,7 @@ static real vary_guard_slip_constant_mid_stance(const real *parameters, const re
 
 /* lift_off: Flight where the flight law lifts the foot too; graze where it would push the foot down again. */
 static int react_slip_constant_lift_off(const real *parameters, const real *states, const tdmf_table *tables,
-                                        real *after, const int *next) {
+    real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     (void)tables;
@@ -1233,8 +1204,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     y->placing = goes_on_times_placed_for;
     y->rises_again = goes_on;
     if (rise < 0.0 || goes_on > 0.0) {
-        const real target =
-            p->touchdown_angle + p->more_angle - p->retraction_rate * goes_on_times_placed_for;
+        const real target = p->touchdown_angle + p->more_angle
+            - p->retraction_rate * goes_on_times_placed_for;
         const real servo = -(p->kp * (angle - target)) - p->kd * (angle_rate + p->retraction_rate);
         const real swing_torque = x->external_torque + servo;
         const real turning = swing_torque / square;
@@ -1257,8 +1228,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     }
     const real retracting_torque = -(p->kp * (angle - p->liftoff_factor * angle)) - p->kd * angle_rate;
     if (p->swing_clamp > 0.0 && retracting_torque <= 0.0) {
-        const real flight_lifts =
-            axial_times_y_ + x->external_torque / square * x->x_ + foot_mass_times_gravity_times_cosine;
+        const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
+            + foot_mass_times_gravity_times_cosine;
         if (flight_lifts > product_2) {
             return next[2]; /* graze */
         }
@@ -1274,9 +1245,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         y->leg_work = sum_2;
         return next[3]; /* flight */
     }
-    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_ +
-            foot_mass_times_gravity_times_cosine >
-        product_2) {
+    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
+        + foot_mass_times_gravity_times_cosine > product_2) {
         return next[4]; /* graze */
     }
     y->length = length;
@@ -1294,8 +1264,7 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
 
 /* First variation of lift_off. */
 static void vary_react_slip_constant_lift_off(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states,
-                                              const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -1330,47 +1299,40 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real sum_2 = d_goes_on * x->placed_for + goes_on * dx->placed_for;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
     const real sine_times_slope = sine * dx->slope;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real d_sine = cosine * dx->slope;
     const real d_x = dx->foot_x * cosine - x->foot_x * sine_times_slope;
-    const real d_x_plus_product_plus_share_times_sum =
-        d_x + (d_share * (x->x_ * cosine - x->y_ * sine) +
-               share * (dx->x_ * cosine - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine)));
+    const real d_x_plus_product_plus_share_times_sum = d_x + (d_share * (x->x_ * cosine - x->y_ * sine)
+        + share * (dx->x_ * cosine - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine)));
     const real d_y = dx->foot_x * sine + x->foot_x * d_sine;
-    const real sum_3 =
-        dx->height + d_y +
-        (d_share * (x->x_ * sine + x->y_ * cosine) +
-         share * (dx->x_ * sine + x->x_ * d_sine + (dx->y_ * cosine - x->y_ * sine_times_slope)));
+    const real sum_3 = dx->height + d_y + (d_share * (x->x_ * sine + x->y_ * cosine)
+        + share * (dx->x_ * sine + x->x_ * d_sine + (dx->y_ * cosine - x->y_ * sine_times_slope)));
     const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
-    const real d_vx_plus_product_plus_share_times_sum =
-        d_vx + (d_share * (x->vx * cosine - x->vy * sine) +
-                share * (dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine)));
+    const real d_vx_plus_product_plus_share_times_sum = d_vx + (d_share * (x->vx * cosine - x->vy * sine)
+        + share * (dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine)));
     const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
-    const real d_vy_plus_product_plus_share_times_sum =
-        d_vy + (d_share * (x->vx * sine + x->vy * cosine) +
-                share * (dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope)));
+    const real d_vy_plus_product_plus_share_times_sum = d_vy + (d_share * (x->vx * sine + x->vy * cosine)
+        + share * (dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope)));
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real jump = free_length_plus_extension - rest_length;
     const real free_length_plus_extension_2 = dp->free_length + dx->extension;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        free_length_plus_extension_2 +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = free_length_plus_extension_2 + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_jump = free_length_plus_extension_2 - d_rest_length;
     const real middle = rest_length + 0.5 * jump - length;
     const real d_middle = d_rest_length + 0.5 * d_jump - d_length;
-    const real leg_work_plus_sum = dx->leg_work + ((dp->stiffness * jump + p->stiffness * d_jump) * middle +
-                                                   p->stiffness * jump * d_middle);
+    const real leg_work_plus_sum = dx->leg_work + ((dp->stiffness * jump + p->stiffness * d_jump) * middle
+        + p->stiffness * jump * d_middle);
     y->liftoff_angle = d_angle;
     y->placing = sum_2;
     y->rises_again = d_goes_on;
     if (rise < 0.0 || goes_on > 0.0) {
-        const real target =
-            p->touchdown_angle + p->more_angle - p->retraction_rate * (goes_on * x->placed_for);
+        const real target = p->touchdown_angle + p->more_angle
+            - p->retraction_rate * (goes_on * x->placed_for);
         const real servo = -(p->kp * (angle - target)) - p->kd * (angle_rate + p->retraction_rate);
         const real swing_torque = x->external_torque + servo;
         const real turning = swing_torque / square;
@@ -1393,8 +1355,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     }
     const real retracting_torque = -(p->kp * (angle - p->liftoff_factor * angle)) - p->kd * angle_rate;
     if (p->swing_clamp > 0.0 && retracting_torque <= 0.0) {
-        const real flight_lifts =
-            axial_times_y_ + x->external_torque / square * x->x_ + foot_mass_times_gravity_times_cosine;
+        const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
+            + foot_mass_times_gravity_times_cosine;
         if (flight_lifts > product_2) {
             return;
         }
@@ -1410,9 +1372,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         y->leg_work = leg_work_plus_sum;
         return;
     }
-    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_ +
-            foot_mass_times_gravity_times_cosine >
-        product_2) {
+    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
+        + foot_mass_times_gravity_times_cosine > product_2) {
         return;
     }
     y->length = d_length;
@@ -1429,7 +1390,7 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
 
 /* First variation of the guard of lift_off. */
 static real vary_guard_slip_constant_lift_off(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -1441,38 +1402,35 @@ static real vary_guard_slip_constant_lift_off(const real *parameters, const real
     const real length = real_sqrt(square);
     const real rest_length_minus_length = rest_length - length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real spring = p->stiffness * rest_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
     const real drive_torque_plus_more_torque = p->drive_torque + p->more_torque;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving
+        + drive_torque_plus_more_torque * dx->driving);
     const real stance_torque = x->external_torque - drive_torque_plus_more_torque * x->driving;
     const real turning = stance_torque / square;
     const real d_turning = (d_stance_torque - turning * d_square) / square;
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
-    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine -
-                                   p->foot_mass * p->gravity * (sine * dx->slope));
+    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine
+        - p->foot_mass * p->gravity * (sine * dx->slope));
     return d_normal;
 }
 
 /* enters_layer: Slip is slow enough for friction to depend on the speed. */
 static int react_slip_constant_enters_layer(const real *parameters, const real *states,
-                                            const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -1482,8 +1440,7 @@ static int react_slip_constant_enters_layer(const real *parameters, const real *
 
 /* First variation of enters_layer. */
 static void vary_react_slip_constant_enters_layer(const real *parameters, const real *states,
-                                                  const real *d_parameters, const real *d_states,
-                                                  const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -1505,7 +1462,7 @@ static real watches_slip_constant_enters_layer(const real *parameters, const rea
 
 /* First variation of the guard of enters_layer. */
 static real vary_guard_slip_constant_enters_layer(const real *parameters, const real *states,
-                                                  const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -1515,13 +1472,13 @@ static real vary_guard_slip_constant_enters_layer(const real *parameters, const 
 
 /* comes_to_rest: The slip velocity reaches 0: the foot sticks, or slips the other way. */
 static int react_slip_constant_comes_to_rest(const real *parameters, const real *states,
-                                             const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -1538,18 +1495,15 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
     const real x_2 = x->foot_x * cosine;
     const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
     const real x_plus_by_1eminus_12_times_free_length = x_2 + by_1eminus_12_times_free_length;
-    const real segment_towards = x->segment +
-                                 select(x_plus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0) -
-                                 select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
-    const real friction =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
-                  select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
+        1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_towards, select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
     const real x_minus_by_1eminus_12_times_free_length = x_2 - by_1eminus_12_times_free_length;
-    const real sum_3 = x->segment +
-                       select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0) -
-                       select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real sum_3 = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0,
+        0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real friction_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3,
-                                      select(real_abs(sum_3 - 1.0) > 0.0, -1.0, p->patch_friction));
+        select(real_abs(sum_3 - 1.0) > 0.0, -1.0, p->patch_friction));
     const real own = select(way > 0.0, friction, friction_2);
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real friction_along = is_own * own + (1.0 - is_own) * x->friction;
@@ -1563,17 +1517,17 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
         return next[0]; /* stick */
     }
     const real x_plus_product = x_2 + by_1eminus_12_times_free_length * way;
-    const real sum_4 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0) -
-                       select(x_plus_product < x->segment_begin, 1.0, 0.0);
+    const real sum_4 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
+        - select(x_plus_product < x->segment_begin, 1.0, 0.0);
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
     const real friction_3 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_4,
-                                      select(real_abs(sum_4 - 1.0) > 0.0, -1.0, p->patch_friction));
+        select(real_abs(sum_4 - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = sum_4;
     y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_4,
-                                 select(sum_4 > 0.0, select(sum_4 > 1.0, end, begin), -1000000000000.0));
+        select(sum_4 > 0.0, select(sum_4 > 1.0, end, begin), -1000000000000.0));
     y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, sum_4,
-                               select(sum_4 > 0.0, select(sum_4 > 1.0, 1000000000000.0, end), begin));
+        select(sum_4 > 0.0, select(sum_4 > 1.0, 1000000000000.0, end), begin));
     y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, sum_4, 0.0);
     y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_4, 0.0);
     y->friction_ahead = friction_3;
@@ -1584,16 +1538,15 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
 
 /* First variation of comes_to_rest. */
 static void vary_react_slip_constant_comes_to_rest(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states,
-                                                   const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -1610,21 +1563,17 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     const real x_2 = x->foot_x * cosine;
     const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
     const real x_plus_by_1eminus_12_times_free_length = x_2 + by_1eminus_12_times_free_length;
-    const real segment_towards = x->segment +
-                                 select(x_plus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0) -
-                                 select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
+        1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real abs_of_segment_towards_minus_by_1 = real_abs(segment_towards - 1.0);
     const real x_minus_by_1eminus_12_times_free_length = x_2 - by_1eminus_12_times_free_length;
-    const real sum_3 = x->segment +
-                       select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0) -
-                       select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real sum_3 = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0,
+        0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real abs_of_sum_minus_by_1 = real_abs(sum_3 - 1.0);
-    const real own =
-        select(way > 0.0,
-               looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
-                         select(abs_of_segment_towards_minus_by_1 > 0.0, -1.0, p->patch_friction)),
-               looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3,
-                         select(abs_of_sum_minus_by_1 > 0.0, -1.0, p->patch_friction)));
+    const real own = select(way > 0.0, looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, -1.0, p->patch_friction)),
+        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3,
+        select(abs_of_sum_minus_by_1 > 0.0, -1.0, p->patch_friction)));
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real friction_along = is_own * own + (1.0 - is_own) * x->friction;
     const real off = axial * x->y_ + turning * x->x_;
@@ -1632,32 +1581,28 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     const real cone = p->static_ratio * friction_along * normal;
     y->foot_vx = 0.0;
     if (real_abs(sum_2) <= cone) {
-        y->friction_ahead = variation_looked_up(
-            tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, segment_towards,
-            select(abs_of_segment_towards_minus_by_1 > 0.0, 0.0, dp->patch_friction));
-        y->friction_behind =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, sum_3,
-                                select(abs_of_sum_minus_by_1 > 0.0, 0.0, dp->patch_friction));
+        y->friction_ahead = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+            seed, segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, 0.0, dp->patch_friction));
+        y->friction_behind = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+            seed, sum_3, select(abs_of_sum_minus_by_1 > 0.0, 0.0, dp->patch_friction));
         return;
     }
     const real x_plus_product = x_2 + by_1eminus_12_times_free_length * way;
-    const real sum_4 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0) -
-                       select(x_plus_product < x->segment_begin, 1.0, 0.0);
+    const real sum_4 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
+        - select(x_plus_product < x->segment_begin, 1.0, 0.0);
     const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
     const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
-    const real d_friction =
-        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, sum_4,
-                            select(real_abs(sum_4 - 1.0) > 0.0, 0.0, dp->patch_friction));
+    const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        seed, sum_4, select(real_abs(sum_4 - 1.0) > 0.0, 0.0, dp->patch_friction));
     y->segment = dx->segment;
-    y->segment_begin =
-        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed, sum_4,
-                            select(sum_4 > 0.0, select(sum_4 > 1.0, d_end, d_begin), 0.0));
+    y->segment_begin = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed,
+        sum_4, select(sum_4 > 0.0, select(sum_4 > 1.0, d_end, d_begin), 0.0));
     y->segment_end = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed, sum_4,
-                                         select(sum_4 > 0.0, select(sum_4 > 1.0, 0.0, d_end), d_begin));
-    y->segment_height =
-        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, seed, sum_4, 0.0);
-    y->segment_slope =
-        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed, sum_4, 0.0);
+        select(sum_4 > 0.0, select(sum_4 > 1.0, 0.0, d_end), d_begin));
+    y->segment_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, seed,
+        sum_4, 0.0);
+    y->segment_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
+        sum_4, 0.0);
     y->friction_ahead = d_friction;
     y->friction_behind = d_friction;
     y->way = 0.0;
@@ -1665,7 +1610,7 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
 
 /* First variation of the guard of comes_to_rest. */
 static real vary_guard_slip_constant_comes_to_rest(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1675,27 +1620,24 @@ static real vary_guard_slip_constant_comes_to_rest(const real *parameters, const
 
 /* crosses_border: The foot slips onto the next segment, whose line waits until the foot lifts off. */
 static int react_slip_constant_crosses_border(const real *parameters, const real *states,
-                                              const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real segment_plus_way = x->segment + x->way;
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
-    const real friction =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_plus_way,
-                  select(real_abs(segment_plus_way - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_plus_way, select(real_abs(segment_plus_way - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = segment_plus_way;
-    y->segment_begin = looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_plus_way,
+    y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_plus_way,
         select(segment_plus_way > 0.0, select(segment_plus_way > 1.0, end, begin), -1000000000000.0));
-    y->segment_end = looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_plus_way,
+    y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_plus_way,
         select(segment_plus_way > 0.0, select(segment_plus_way > 1.0, 1000000000000.0, end), begin));
-    y->segment_height =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, segment_plus_way, 0.0);
-    y->segment_slope =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_plus_way, 0.0);
+    y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        segment_plus_way, 0.0);
+    y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_plus_way,
+        0.0);
     y->friction_ahead = friction;
     y->friction_behind = friction;
     return next[0]; /* slip */
@@ -1703,8 +1645,7 @@ static int react_slip_constant_crosses_border(const real *parameters, const real
 
 /* First variation of crosses_border. */
 static void vary_react_slip_constant_crosses_border(const real *parameters, const real *states,
-                                                    const real *d_parameters, const real *d_states,
-                                                    const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -1713,20 +1654,19 @@ static void vary_react_slip_constant_crosses_border(const real *parameters, cons
     const real segment_plus_way = x->segment + x->way;
     const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
     const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
-    const real d_friction = variation_looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, segment_plus_way,
-        select(real_abs(segment_plus_way - 1.0) > 0.0, 0.0, dp->patch_friction));
+    const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        seed, segment_plus_way, select(real_abs(segment_plus_way - 1.0) > 0.0, 0.0, dp->patch_friction));
     y->segment = dx->segment + dx->way;
-    y->segment_begin = variation_looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed, segment_plus_way,
-        select(segment_plus_way > 0.0, select(segment_plus_way > 1.0, d_end, d_begin), 0.0));
-    y->segment_end = variation_looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed, segment_plus_way,
-        select(segment_plus_way > 0.0, select(segment_plus_way > 1.0, 0.0, d_end), d_begin));
+    y->segment_begin = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed,
+        segment_plus_way, select(segment_plus_way > 0.0, select(segment_plus_way > 1.0, d_end, d_begin),
+        0.0));
+    y->segment_end = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed,
+        segment_plus_way, select(segment_plus_way > 0.0, select(segment_plus_way > 1.0, 0.0, d_end),
+        d_begin));
     y->segment_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, seed,
-                                            segment_plus_way, 0.0);
+        segment_plus_way, 0.0);
     y->segment_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
-                                           segment_plus_way, 0.0);
+        segment_plus_way, 0.0);
     y->friction_ahead = d_friction;
     y->friction_behind = d_friction;
 }
@@ -1743,7 +1683,7 @@ static real watches_slip_constant_crosses_border(const real *parameters, const r
 
 /* First variation of the guard of crosses_border. */
 static real vary_guard_slip_constant_crosses_border(const real *parameters, const real *states,
-                                                    const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1752,8 +1692,8 @@ static real vary_guard_slip_constant_crosses_border(const real *parameters, cons
     const real x_2 = x->foot_x * cosine;
     const real sine = real_sin(x->slope);
     const real d_x = dx->foot_x * cosine - x->foot_x * (sine * dx->slope);
-    const real d_border_distance = dx->way * (select(x->way > 0.0, x->segment_end, x->segment_begin) - x_2) +
-                                   x->way * (select(x->way > 0.0, dx->segment_end, dx->segment_begin) - d_x);
+    const real d_border_distance = dx->way * (select(x->way > 0.0, x->segment_end, x->segment_begin) - x_2)
+        + x->way * (select(x->way > 0.0, dx->segment_end, dx->segment_begin) - d_x);
     return d_border_distance;
 }
 
@@ -1763,12 +1703,12 @@ static void outputs_slip_constant(const real *parameters, const real *states, re
     const runner_states *x = (const void *)states;
     const real set_height = p->ground_height + x->segment_height;
     const real set_slope = p->ground_slope + x->segment_slope;
-    const real pending = select(
-        real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
+    const real pending = select(real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope
+        - x->slope)) > 0.0, 1.0, 0.0);
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
@@ -1806,8 +1746,8 @@ static void outputs_slip_constant(const real *parameters, const real *states, re
     const real center_vy = vy + share * vx_times_sine_plus_vy_times_cosine;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
     const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (vx * vx + vy * vy));
-    const real potential_energy =
-        p->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_foot_x_times_sine);
+    const real potential_energy = p->gravity * (p->body_mass * body_y
+        + p->foot_mass * height_plus_foot_x_times_sine);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
     const real kind_of_contact = select(x->way > 0.0, 3.0, 4.0);
@@ -1838,14 +1778,14 @@ static void outputs_slip_constant(const real *parameters, const real *states, re
 
 /* First variation of outputs_slip_constant. */
 static void vary_outputs_slip_constant(const real *parameters, const real *states, const real *d_parameters,
-                                       const real *d_states, real *outputs) {
+    const real *d_states, real *outputs) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     const real drive_torque_plus_more_torque = p->drive_torque + p->more_torque;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving
+        + drive_torque_plus_more_torque * dx->driving);
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
@@ -1853,18 +1793,16 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_shorter = d_rest_length - d_length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * length_rate
+        + p->damping * d_length_rate);
     const real spring = p->stiffness * shorter - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
@@ -1876,8 +1814,8 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
-    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine -
-                                   foot_mass_times_gravity * sine_times_slope);
+    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine
+        - foot_mass_times_gravity * sine_times_slope);
     const real own = select(x->way > 0.0, x->friction_ahead, x->friction_behind);
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real by_1_minus_is_own = 1.0 - is_own;
@@ -1887,15 +1825,15 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + foot_mass_times_gravity * cosine;
     const real way_times_friction_along = x->way * friction_along;
-    const real sum_2 =
-        (dx->way * friction_along + x->way * d_friction_along) * normal + way_times_friction_along * d_normal;
+    const real sum_2 = (dx->way * friction_along + x->way * d_friction_along) * normal
+        + way_times_friction_along * d_normal;
     const real d_tangential_force = -sum_2;
     const real way_times_friction_along_times_normal = way_times_friction_along * normal;
     const real d_sine = cosine * dx->slope;
-    const real d_x = -(sum_2 * cosine - way_times_friction_along_times_normal * sine_times_slope) -
-                     (d_normal * sine + normal * d_sine);
-    const real d_y = d_normal * cosine - normal * sine_times_slope -
-                     (sum_2 * sine + way_times_friction_along_times_normal * d_sine);
+    const real d_x = -(sum_2 * cosine - way_times_friction_along_times_normal * sine_times_slope)
+        - (d_normal * sine + normal * d_sine);
+    const real d_y = d_normal * cosine - normal * sine_times_slope - (sum_2 * sine
+        + way_times_friction_along_times_normal * d_sine);
     const real sum_3 = dx->foot_x * cosine - x->foot_x * sine_times_slope;
     const real sum_4 = dx->x_ * cosine - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine);
     const real d_body_x = sum_3 + sum_4;
@@ -1922,19 +1860,18 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
     const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
     const real vy = x->foot_vx * sine;
     const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy) +
-                            p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
+    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
+        + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy)
+        + p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_foot_x_times_sine) +
-        p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                      (dp->foot_mass * height_plus_foot_x_times_sine + p->foot_mass * height_plus_sum));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_potential_energy = dp->gravity * (p->body_mass * body_y
+        + p->foot_mass * height_plus_foot_x_times_sine) + p->gravity * (dp->body_mass * body_y
+        + p->body_mass * d_body_y + (dp->foot_mass * height_plus_foot_x_times_sine
+        + p->foot_mass * height_plus_sum));
+    const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
+        + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
     outputs[OUTPUT_pending] = 0.0;
     outputs[OUTPUT_torque] = d_stance_torque;
@@ -1969,13 +1906,13 @@ static void leave_slip_constant(const real *parameters, const real *states, real
     const real slid = x->way * (x->foot_x - x->slid_from);
     const real lasted = x->time - x->mode_began;
     const real letter = select(x->way > 0.0, 3.0, 1.0);
-    const real adds =
-        select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real adds = select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0,
+        x->bar_is_due), 0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_letter = 4.0 * after_bar + letter;
     const real longer = select(after_bar < 0.0, -1.0,
-                               select(by_4_times_after_bar_plus_letter < 4503599627370496.0,
-                                      by_4_times_after_bar_plus_letter, -1.0));
+        select(by_4_times_after_bar_plus_letter < 4503599627370496.0, by_4_times_after_bar_plus_letter,
+        -1.0));
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slip_so_far = x->slip_so_far + slid;
@@ -1989,7 +1926,7 @@ static void leave_slip_constant(const real *parameters, const real *states, real
 
 /* First variation of leave_slip_constant. */
 static void vary_leave_slip_constant(const real *parameters, const real *states, const real *d_parameters,
-                                     const real *d_states, real counted, real *after) {
+    const real *d_states, real counted, real *after) {
     (void)parameters;
     const runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -1999,14 +1936,14 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
     const real letter = select(x->way > 0.0, 3.0, 1.0);
-    const real adds =
-        select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real adds = select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0,
+        x->bar_is_due), 0.0);
     const real bar_is_due_times_word_so_far = x->bar_is_due * x->word_so_far;
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
-    const real d_after_bar =
-        select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far, dx->word_so_far);
-    const real d_longer = select(
-        after_bar < 0.0, 0.0, select(4.0 * after_bar + letter < 4503599627370496.0, 4.0 * d_after_bar, 0.0));
+    const real d_after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far,
+        dx->word_so_far);
+    const real d_longer = select(after_bar < 0.0, 0.0, select(4.0 * after_bar + letter < 4503599627370496.0,
+        4.0 * d_after_bar, 0.0));
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slip_so_far = dx->slip_so_far + d_slid;
@@ -2040,12 +1977,12 @@ static void from_world_slip_constant(const real *parameters, const real *states,
     y->vx = vx * cos_of_slope + vy * sin_of_slope;
     y->vy = vy * cos_of_slope - vx * sin_of_slope;
     y->winding = x->angle - real_atan2(-(y_2 * sin_of_slope - length_times_sine * cos_of_slope),
-                                       y_2 * cos_of_slope + length_times_sine * sin_of_slope);
+        y_2 * cos_of_slope + length_times_sine * sin_of_slope);
 }
 
 /* First variation of from_world_slip_constant. */
 static void vary_from_world_slip_constant(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states, real *after) {
+    const real *d_parameters, const real *d_states, real *after) {
     (void)parameters;
     const runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -2055,9 +1992,8 @@ static void vary_from_world_slip_constant(const real *parameters, const real *st
     const real sin_of_slope = real_sin(x->slope);
     const real sin_of_slope_times_slope = sin_of_slope * dx->slope;
     const real cos_of_slope_times_slope = cos_of_slope * dx->slope;
-    const real d_along =
-        dx->seen_x * cos_of_slope - x->seen_x * sin_of_slope_times_slope +
-        ((dx->seen_y - dx->height) * sin_of_slope + (x->seen_y - x->height) * cos_of_slope_times_slope);
+    const real d_along = dx->seen_x * cos_of_slope - x->seen_x * sin_of_slope_times_slope + ((dx->seen_y
+        - dx->height) * sin_of_slope + (x->seen_y - x->height) * cos_of_slope_times_slope);
     const real cosine = real_cos(x->angle);
     const real sine = real_sin(x->angle);
     const real sine_times_angle = sine * dx->angle;
@@ -2068,31 +2004,29 @@ static void vary_from_world_slip_constant(const real *parameters, const real *st
     const real length_times_sine = x->length * sine;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
     const real turn = x->length * x->angle_rate;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real vy = x->length_rate * cosine - turn * sine;
     const real sum_3 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
     const real sum_4 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
     y->foot_x = d_along;
-    y->foot_vx = dx->seen_vx * cos_of_slope - x->seen_vx * sin_of_slope_times_slope +
-                 (dx->seen_vy * sin_of_slope + x->seen_vy * cos_of_slope_times_slope);
-    y->x_ = d_y * sin_of_slope + y_2 * cos_of_slope_times_slope -
-            (sum_2 * cos_of_slope - length_times_sine * sin_of_slope_times_slope);
-    y->y_ = d_y * cos_of_slope - y_2 * sin_of_slope_times_slope +
-            (sum_2 * sin_of_slope + length_times_sine * cos_of_slope_times_slope);
-    y->vx = d_vx * cos_of_slope - vx * sin_of_slope_times_slope +
-            (d_vy * sin_of_slope + vy * cos_of_slope_times_slope);
-    y->vy = d_vy * cos_of_slope - vy * sin_of_slope_times_slope -
-            (d_vx * sin_of_slope + vx * cos_of_slope_times_slope);
-    y->winding =
-        dx->angle - (sum_3 * (d_y * cos_of_slope - y_2 * sin_of_slope_times_slope +
-                              (sum_2 * sin_of_slope + length_times_sine * cos_of_slope_times_slope)) -
-                     sum_4 * (d_y * sin_of_slope + y_2 * cos_of_slope_times_slope -
-                              (sum_2 * cos_of_slope - length_times_sine * sin_of_slope_times_slope))) /
-                        (sum_3 * sum_3 + sum_4 * sum_4);
+    y->foot_vx = dx->seen_vx * cos_of_slope - x->seen_vx * sin_of_slope_times_slope
+        + (dx->seen_vy * sin_of_slope + x->seen_vy * cos_of_slope_times_slope);
+    y->x_ = d_y * sin_of_slope + y_2 * cos_of_slope_times_slope - (sum_2 * cos_of_slope
+        - length_times_sine * sin_of_slope_times_slope);
+    y->y_ = d_y * cos_of_slope - y_2 * sin_of_slope_times_slope + (sum_2 * sin_of_slope
+        + length_times_sine * cos_of_slope_times_slope);
+    y->vx = d_vx * cos_of_slope - vx * sin_of_slope_times_slope + (d_vy * sin_of_slope
+        + vy * cos_of_slope_times_slope);
+    y->vy = d_vy * cos_of_slope - vy * sin_of_slope_times_slope - (d_vx * sin_of_slope
+        + vx * cos_of_slope_times_slope);
+    y->winding = dx->angle - (sum_3 * (d_y * cos_of_slope - y_2 * sin_of_slope_times_slope
+        + (sum_2 * sin_of_slope + length_times_sine * cos_of_slope_times_slope))
+        - sum_4 * (d_y * sin_of_slope + y_2 * cos_of_slope_times_slope - (sum_2 * cos_of_slope
+        - length_times_sine * sin_of_slope_times_slope))) / (sum_3 * sum_3 + sum_4 * sum_4);
 }
 
 /* to world, in slip. */
@@ -2124,7 +2058,7 @@ static void to_world_slip_constant(const real *parameters, const real *states, r
 
 /* First variation of to_world_slip_constant. */
 static void vary_to_world_slip_constant(const real *parameters, const real *states, const real *d_parameters,
-                                        const real *d_states, real *after) {
+    const real *d_states, real *after) {
     (void)parameters;
     const runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -2144,9 +2078,8 @@ static void vary_to_world_slip_constant(const real *parameters, const real *stat
     const real d_length = 0.5 * d_square / length;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
@@ -2171,8 +2104,8 @@ static void world_rates_slip_constant(const real *parameters, const real *states
     const real sine = real_sin(x->slope);
     const real vy = x->foot_vx * sine;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real x__times_vx = x->x_ * x->vx;
@@ -2194,28 +2127,25 @@ static void world_rates_slip_constant(const real *parameters, const real *states
     const real sum_2 = 2.0 * x__times_vx + 2.0 * y__times_vy;
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
-    const real sum_minus_acceleration =
-        (along + (x->external_fx * cosine + x->external_fy * sine)) / p->body_mass - p->gravity * sine -
-        acceleration;
-    const real sum_3 =
-        (off + (x->external_fy * cosine - x->external_fx * sine)) / p->body_mass - p->gravity * cosine;
+    const real sum_minus_acceleration = (along + (x->external_fx * cosine
+        + x->external_fy * sine)) / p->body_mass - p->gravity * sine - acceleration;
+    const real sum_3 = (off + (x->external_fy * cosine - x->external_fx * sine)) / p->body_mass
+        - p->gravity * cosine;
     y->seen_x = vx;
     y->seen_y = vy;
     y->seen_vx = acceleration * cosine;
     y->seen_vy = acceleration * sine;
     y->length = 0.5 * sum_2 / length;
     y->angle = angle_rate;
-    y->length_rate = (x->vx * x->vx + x->x_ * sum_minus_acceleration + (x->vy * x->vy + x->y_ * sum_3) -
-                      length_rate * (0.5 * sum_2 / length)) /
-                     length;
-    y->angle_rate = (x->vx * x->vy + x->x_ * sum_3 - (x->vy * x->vx + x->y_ * sum_minus_acceleration) -
-                     angle_rate * sum_2) /
-                    square;
+    y->length_rate = (x->vx * x->vx + x->x_ * sum_minus_acceleration + (x->vy * x->vy + x->y_ * sum_3)
+        - length_rate * (0.5 * sum_2 / length)) / length;
+    y->angle_rate = (x->vx * x->vy + x->x_ * sum_3 - (x->vy * x->vx + x->y_ * sum_minus_acceleration)
+        - angle_rate * sum_2) / square;
 }
 
 /* First variation of world_rates_slip_constant. */
 static void vary_world_rates_slip_constant(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states, real *after) {
+    const real *d_parameters, const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -2234,9 +2164,8 @@ static void vary_world_rates_slip_constant(const real *parameters, const real *s
     const real length = real_sqrt(square);
     const real rest_length_minus_length = rest_length - length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real x__times_vx = x->x_ * x->vx;
@@ -2244,17 +2173,16 @@ static void vary_world_rates_slip_constant(const real *parameters, const real *s
     const real length_rate = (x__times_vx + y__times_vy) / length;
     const real x__times_vx_plus_x__times_vx = dx->x_ * x->vx + x->x_ * dx->vx;
     const real y__times_vy_plus_y__times_vy = dx->y_ * x->vy + x->y_ * dx->vy;
-    const real d_length_rate =
-        (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy - length_rate * d_length) / length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real spring = p->stiffness * rest_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
     const real drive_torque_plus_more_torque = p->drive_torque + p->more_torque;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving
+        + drive_torque_plus_more_torque * dx->driving);
     const real stance_torque = x->external_torque - drive_torque_plus_more_torque * x->driving;
     const real turning = stance_torque / square;
     const real d_turning = (d_stance_torque - turning * d_square) / square;
@@ -2272,14 +2200,13 @@ static void vary_world_rates_slip_constant(const real *parameters, const real *s
     const real way_times_friction_along = x->way * friction_along;
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real d_normal = d_off + (sum_2 * cosine - foot_mass_times_gravity * sine_times_slope);
-    const real d_friction_force =
-        (dx->way * friction_along + x->way * d_friction_along) * normal + way_times_friction_along * d_normal;
+    const real d_friction_force = (dx->way * friction_along + x->way * d_friction_along) * normal
+        + way_times_friction_along * d_normal;
     const real along = axial * x->x_ - turning * x->y_;
     const real friction_force = way_times_friction_along * normal;
     const real acceleration = (-(along + foot_mass_times_gravity * sine) - friction_force) / p->foot_mass;
-    const real d_acceleration = (-(d_along + (sum_2 * sine + foot_mass_times_gravity * d_sine)) -
-                                 d_friction_force - acceleration * dp->foot_mass) /
-                                p->foot_mass;
+    const real d_acceleration = (-(d_along + (sum_2 * sine + foot_mass_times_gravity * d_sine))
+        - d_friction_force - acceleration * dp->foot_mass) / p->foot_mass;
     const real sum_3 = 2.0 * x__times_vx_plus_x__times_vx + 2.0 * y__times_vy_plus_y__times_vy;
     const real sum_4 = 2.0 * x__times_vx + 2.0 * y__times_vy;
     const real by_0_5_times_sum_over_length = 0.5 * sum_4 / length;
@@ -2287,48 +2214,37 @@ static void vary_world_rates_slip_constant(const real *parameters, const real *s
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
     const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real along_plus_sum_over_body_mass =
-        (along + (x->external_fx * cosine + x->external_fy * sine)) / p->body_mass;
+    const real along_plus_sum_over_body_mass = (along + (x->external_fx * cosine
+        + x->external_fy * sine)) / p->body_mass;
     const real sum_minus_acceleration = along_plus_sum_over_body_mass - p->gravity * sine - acceleration;
-    const real ratio_minus_sum_minus_d_acceleration =
-        (d_along +
-         (dx->external_fx * cosine - x->external_fx * sine_times_slope +
-          (dx->external_fy * sine + x->external_fy * d_sine)) -
-         along_plus_sum_over_body_mass * dp->body_mass) /
-            p->body_mass -
-        (dp->gravity * sine + p->gravity * d_sine) - d_acceleration;
-    const real off_plus_sum_over_body_mass =
-        (off + (x->external_fy * cosine - x->external_fx * sine)) / p->body_mass;
+    const real ratio_minus_sum_minus_d_acceleration = (d_along + (dx->external_fx * cosine
+        - x->external_fx * sine_times_slope + (dx->external_fy * sine + x->external_fy * d_sine))
+        - along_plus_sum_over_body_mass * dp->body_mass) / p->body_mass - (dp->gravity * sine
+        + p->gravity * d_sine) - d_acceleration;
+    const real off_plus_sum_over_body_mass = (off + (x->external_fy * cosine
+        - x->external_fx * sine)) / p->body_mass;
     const real sum_5 = off_plus_sum_over_body_mass - p->gravity * cosine;
-    const real ratio_minus_sum = (d_off +
-                                  (dx->external_fy * cosine - x->external_fy * sine_times_slope -
-                                   (dx->external_fx * sine + x->external_fx * d_sine)) -
-                                  off_plus_sum_over_body_mass * dp->body_mass) /
-                                     p->body_mass -
-                                 (dp->gravity * cosine - p->gravity * sine_times_slope);
+    const real ratio_minus_sum = (d_off + (dx->external_fy * cosine - x->external_fy * sine_times_slope
+        - (dx->external_fx * sine + x->external_fx * d_sine))
+        - off_plus_sum_over_body_mass * dp->body_mass) / p->body_mass - (dp->gravity * cosine
+        - p->gravity * sine_times_slope);
     y->seen_x = d_vx;
     y->seen_y = d_vy;
     y->seen_vx = d_acceleration * cosine - acceleration * sine_times_slope;
     y->seen_vy = d_acceleration * sine + acceleration * d_sine;
     y->length = (0.5 * sum_3 - by_0_5_times_sum_over_length * d_length) / length;
     y->angle = d_angle_rate;
-    y->length_rate = (2.0 * (x->vx * dx->vx) +
-                      (dx->x_ * sum_minus_acceleration + x->x_ * ratio_minus_sum_minus_d_acceleration) +
-                      (2.0 * (x->vy * dx->vy) + (dx->y_ * sum_5 + x->y_ * ratio_minus_sum)) -
-                      (d_length_rate * by_0_5_times_sum_over_length +
-                       length_rate * ((0.5 * sum_3 - by_0_5_times_sum_over_length * d_length) / length)) -
-                      (x->vx * x->vx + x->x_ * sum_minus_acceleration + (x->vy * x->vy + x->y_ * sum_5) -
-                       length_rate * by_0_5_times_sum_over_length) /
-                          length * d_length) /
-                     length;
-    y->angle_rate = (dx->vx * x->vy + x->vx * dx->vy + (dx->x_ * sum_5 + x->x_ * ratio_minus_sum) -
-                     (dx->vy * x->vx + x->vy * dx->vx +
-                      (dx->y_ * sum_minus_acceleration + x->y_ * ratio_minus_sum_minus_d_acceleration)) -
-                     (d_angle_rate * sum_4 + angle_rate * sum_3) -
-                     (x->vx * x->vy + x->x_ * sum_5 - (x->vy * x->vx + x->y_ * sum_minus_acceleration) -
-                      angle_rate * sum_4) /
-                         square * d_square) /
-                    square;
+    y->length_rate = (2.0 * (x->vx * dx->vx) + (dx->x_ * sum_minus_acceleration
+        + x->x_ * ratio_minus_sum_minus_d_acceleration) + (2.0 * (x->vy * dx->vy) + (dx->y_ * sum_5
+        + x->y_ * ratio_minus_sum)) - (d_length_rate * by_0_5_times_sum_over_length
+        + length_rate * ((0.5 * sum_3 - by_0_5_times_sum_over_length * d_length) / length)) - (x->vx * x->vx
+        + x->x_ * sum_minus_acceleration + (x->vy * x->vy + x->y_ * sum_5)
+        - length_rate * by_0_5_times_sum_over_length) / length * d_length) / length;
+    y->angle_rate = (dx->vx * x->vy + x->vx * dx->vy + (dx->x_ * sum_5 + x->x_ * ratio_minus_sum)
+        - (dx->vy * x->vx + x->vy * dx->vx + (dx->y_ * sum_minus_acceleration
+        + x->y_ * ratio_minus_sum_minus_d_acceleration)) - (d_angle_rate * sum_4 + angle_rate * sum_3)
+        - (x->vx * x->vy + x->x_ * sum_5 - (x->vy * x->vx + x->y_ * sum_minus_acceleration)
+        - angle_rate * sum_4) / square * d_square) / square;
 }
 
 /* Constants of stick. */
@@ -2336,6 +2252,7 @@ static void open_stick(const real *parameters, const real *states, real *constan
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     stick_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
     const real longer = p->thrust + p->more_thrust;
     const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real product_2 = x->driving * (p->drive_torque + p->more_torque);
@@ -2353,6 +2270,7 @@ static void open_stick(const real *parameters, const real *states, real *constan
     const real by_0_or_by_1 = select(x->friction_behind < 0.0, 0.0, 1.0);
     const real by_0_or_by_1_times_friction_behind = by_0_or_by_1 * x->friction_behind;
     const real by_1_minus_by_0_or_by_1 = 1.0 - by_0_or_by_1;
+    c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->thrusting_times_longer_or_by_0 = thrusting_times_longer_or_by_0;
@@ -2360,7 +2278,6 @@ static void open_stick(const real *parameters, const real *states, real *constan
     c->product_2 = product_2;
     c->cosine = cosine;
     c->sine = sine;
-    c->body_mass = p->body_mass;
     c->gravity_times_sine = gravity_times_sine;
     c->gravity_times_cosine = gravity_times_cosine;
     c->extension_rate = x->extension_rate;
@@ -2383,18 +2300,20 @@ static void open_stick(const real *parameters, const real *states, real *constan
 
 /* First variation of open_stick. */
 static void vary_open_stick(const real *parameters, const real *states, const real *d_parameters,
-                            const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     stick_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
-    const real d_product_2 =
-        (p->drive_torque + p->more_torque) * dx->driving + x->driving * (dp->drive_torque + dp->more_torque);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
+        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
+    const real d_product_2 = (p->drive_torque + p->more_torque) * dx->driving
+        + x->driving * (dp->drive_torque + dp->more_torque);
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
     const real d_cosine = -sine_times_slope;
@@ -2402,17 +2321,18 @@ static void vary_open_stick(const real *parameters, const real *states, const re
     const real d_sine = cosine * dx->slope;
     const real d_gravity_times_sine = sine * dp->gravity + p->gravity * d_sine;
     const real d_gravity_times_cosine = cosine * dp->gravity - p->gravity * sine_times_slope;
-    const real d_stiffness_times_extension_rate =
-        x->extension_rate * dp->stiffness + p->stiffness * dx->extension_rate;
+    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
+        + p->stiffness * dx->extension_rate;
     const real sum_2 = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
-    const real d_foot_mass_times_gravity_times_cosine =
-        cosine * sum_2 - foot_mass_times_gravity * sine_times_slope;
+    const real d_foot_mass_times_gravity_times_cosine = cosine * sum_2
+        - foot_mass_times_gravity * sine_times_slope;
     const real is_own = select(x->friction_ahead < 0.0, 0.0, 1.0);
     const real d_is_own_times_friction_ahead = is_own * dx->friction_ahead;
     const real d_foot_mass_times_gravity_times_sine = sine * sum_2 + foot_mass_times_gravity * d_sine;
-    const real d_by_0_or_by_1_times_friction_behind =
-        select(x->friction_behind < 0.0, 0.0, 1.0) * dx->friction_behind;
+    const real d_by_0_or_by_1_times_friction_behind = select(x->friction_behind < 0.0, 0.0,
+        1.0) * dx->friction_behind;
+    c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->thrusting_times_longer_or_by_0 = d_thrusting_times_longer_or_by_0;
@@ -2420,7 +2340,6 @@ static void vary_open_stick(const real *parameters, const real *states, const re
     c->product_2 = d_product_2;
     c->cosine = d_cosine;
     c->sine = d_sine;
-    c->body_mass = dp->body_mass;
     c->gravity_times_sine = d_gravity_times_sine;
     c->gravity_times_cosine = d_gravity_times_cosine;
     c->extension_rate = dx->extension_rate;
@@ -2443,7 +2362,7 @@ static void vary_open_stick(const real *parameters, const real *states, const re
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static int react_stick_ramp_ends(const real *parameters, const real *states, const tdmf_table *tables,
-                                 real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -2456,7 +2375,7 @@ static int react_stick_ramp_ends(const real *parameters, const real *states, con
 /* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
  * counted. */
 static int react_stick_greatest_compression(const real *parameters, const real *states,
-                                            const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     (void)tables;
@@ -2481,7 +2400,7 @@ static int react_stick_greatest_compression(const real *parameters, const real *
 
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_stick_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
-                                  real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -2492,32 +2411,28 @@ static int react_stick_mid_stance(const real *parameters, const real *states, co
 
 /* slips_forward: The push of the leg exceeds static friction, and the foot slips forward. */
 static int react_stick_slips_forward(const real *parameters, const real *states, const tdmf_table *tables,
-                                     real *after, const int *next) {
+    real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real x_plus_by_1eminus_12_times_free_length = x_2 + 1e-12 * p->free_length;
-    const real segment_towards = x->segment +
-                                 select(x_plus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0) -
-                                 select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
+        1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
-    const real friction =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
-                  select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_towards, select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = segment_towards;
-    y->segment_begin =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_towards,
-                  select(segment_towards > 0.0, select(segment_towards > 1.0, end, begin), -1000000000000.0));
-    y->segment_end =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_towards,
-                  select(segment_towards > 0.0, select(segment_towards > 1.0, 1000000000000.0, end), begin));
-    y->segment_height =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, segment_towards, 0.0);
-    y->segment_slope =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_towards, 0.0);
+    y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_towards,
+        select(segment_towards > 0.0, select(segment_towards > 1.0, end, begin), -1000000000000.0));
+    y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_towards,
+        select(segment_towards > 0.0, select(segment_towards > 1.0, 1000000000000.0, end), begin));
+    y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, segment_towards,
+        0.0);
+    y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_towards,
+        0.0);
     y->friction_ahead = friction;
     y->friction_behind = friction;
     y->way = 1.0;
@@ -2526,8 +2441,7 @@ static int react_stick_slips_forward(const real *parameters, const real *states,
 
 /* First variation of slips_forward. */
 static void vary_react_stick_slips_forward(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states,
-                                           const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -2536,25 +2450,21 @@ static void vary_react_stick_slips_forward(const real *parameters, const real *s
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real x_plus_by_1eminus_12_times_free_length = x_2 + 1e-12 * p->free_length;
-    const real segment_towards = x->segment +
-                                 select(x_plus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0) -
-                                 select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
+        1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
     const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
-    const real d_friction = variation_looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, segment_towards,
-        select(real_abs(segment_towards - 1.0) > 0.0, 0.0, dp->patch_friction));
+    const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        seed, segment_towards, select(real_abs(segment_towards - 1.0) > 0.0, 0.0, dp->patch_friction));
     y->segment = dx->segment;
-    y->segment_begin = variation_looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed, segment_towards,
-        select(segment_towards > 0.0, select(segment_towards > 1.0, d_end, d_begin), 0.0));
-    y->segment_end = variation_looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed, segment_towards,
-        select(segment_towards > 0.0, select(segment_towards > 1.0, 0.0, d_end), d_begin));
+    y->segment_begin = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed,
+        segment_towards, select(segment_towards > 0.0, select(segment_towards > 1.0, d_end, d_begin), 0.0));
+    y->segment_end = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed,
+        segment_towards, select(segment_towards > 0.0, select(segment_towards > 1.0, 0.0, d_end), d_begin));
     y->segment_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, seed,
-                                            segment_towards, 0.0);
+        segment_towards, 0.0);
     y->segment_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
-                                           segment_towards, 0.0);
+        segment_towards, 0.0);
     y->friction_ahead = d_friction;
     y->friction_behind = d_friction;
     y->way = 0.0;
@@ -2562,7 +2472,7 @@ static void vary_react_stick_slips_forward(const real *parameters, const real *s
 
 /* First variation of the guard of slips_forward. */
 static real vary_guard_stick_slips_forward(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -2588,27 +2498,24 @@ static real vary_guard_stick_slips_forward(const real *parameters, const real *s
     const real cosine = real_cos(x->slope);
     const real normal = off + foot_mass_times_gravity * cosine;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving
+        + drive_torque_plus_more_torque * dx->driving);
     const real d_turning = (d_stance_torque - turning * d_square) / square;
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real sum_2 = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
     const real sine = real_sin(x->slope);
     const real d_normal = d_off + (sum_2 * cosine - foot_mass_times_gravity * (sine * dx->slope));
-    const real d_cone = (dp->static_ratio * friction_along + p->static_ratio * d_friction_along) * normal +
-                        p->static_ratio * friction_along * d_normal;
+    const real d_cone = (dp->static_ratio * friction_along + p->static_ratio * d_friction_along) * normal
+        + p->static_ratio * friction_along * d_normal;
     const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
     const real d_sine = cosine * dx->slope;
     return d_cone + (d_along + (sum_2 * sine + foot_mass_times_gravity * d_sine));
@@ -2616,32 +2523,28 @@ static real vary_guard_stick_slips_forward(const real *parameters, const real *s
 
 /* slips_backward: The push of the leg exceeds static friction, and the foot slips backward. */
 static int react_stick_slips_backward(const real *parameters, const real *states, const tdmf_table *tables,
-                                      real *after, const int *next) {
+    real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real x_minus_by_1eminus_12_times_free_length = x_2 - 1e-12 * p->free_length;
-    const real segment_towards = x->segment +
-                                 select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0) -
-                                 select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real segment_towards = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end,
+        1.0, 0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
-    const real friction =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
-                  select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_towards, select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = segment_towards;
-    y->segment_begin =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_towards,
-                  select(segment_towards > 0.0, select(segment_towards > 1.0, end, begin), -1000000000000.0));
-    y->segment_end =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_towards,
-                  select(segment_towards > 0.0, select(segment_towards > 1.0, 1000000000000.0, end), begin));
-    y->segment_height =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, segment_towards, 0.0);
-    y->segment_slope =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_towards, 0.0);
+    y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_towards,
+        select(segment_towards > 0.0, select(segment_towards > 1.0, end, begin), -1000000000000.0));
+    y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_towards,
+        select(segment_towards > 0.0, select(segment_towards > 1.0, 1000000000000.0, end), begin));
+    y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, segment_towards,
+        0.0);
+    y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_towards,
+        0.0);
     y->friction_ahead = friction;
     y->friction_behind = friction;
     y->way = -1.0;
@@ -2650,8 +2553,7 @@ static int react_stick_slips_backward(const real *parameters, const real *states
 
 /* First variation of slips_backward. */
 static void vary_react_stick_slips_backward(const real *parameters, const real *states,
-                                            const real *d_parameters, const real *d_states,
-                                            const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -2660,25 +2562,21 @@ static void vary_react_stick_slips_backward(const real *parameters, const real *
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real x_minus_by_1eminus_12_times_free_length = x_2 - 1e-12 * p->free_length;
-    const real segment_towards = x->segment +
-                                 select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0) -
-                                 select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real segment_towards = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end,
+        1.0, 0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
     const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
-    const real d_friction = variation_looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, segment_towards,
-        select(real_abs(segment_towards - 1.0) > 0.0, 0.0, dp->patch_friction));
+    const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        seed, segment_towards, select(real_abs(segment_towards - 1.0) > 0.0, 0.0, dp->patch_friction));
     y->segment = dx->segment;
-    y->segment_begin = variation_looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed, segment_towards,
-        select(segment_towards > 0.0, select(segment_towards > 1.0, d_end, d_begin), 0.0));
-    y->segment_end = variation_looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed, segment_towards,
-        select(segment_towards > 0.0, select(segment_towards > 1.0, 0.0, d_end), d_begin));
+    y->segment_begin = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed,
+        segment_towards, select(segment_towards > 0.0, select(segment_towards > 1.0, d_end, d_begin), 0.0));
+    y->segment_end = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed,
+        segment_towards, select(segment_towards > 0.0, select(segment_towards > 1.0, 0.0, d_end), d_begin));
     y->segment_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, seed,
-                                            segment_towards, 0.0);
+        segment_towards, 0.0);
     y->segment_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
-                                           segment_towards, 0.0);
+        segment_towards, 0.0);
     y->friction_ahead = d_friction;
     y->friction_behind = d_friction;
     y->way = 0.0;
@@ -2686,7 +2584,7 @@ static void vary_react_stick_slips_backward(const real *parameters, const real *
 
 /* First variation of the guard of slips_backward. */
 static real vary_guard_stick_slips_backward(const real *parameters, const real *states,
-                                            const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -2712,27 +2610,24 @@ static real vary_guard_stick_slips_backward(const real *parameters, const real *
     const real cosine = real_cos(x->slope);
     const real normal = off + foot_mass_times_gravity * cosine;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving
+        + drive_torque_plus_more_torque * dx->driving);
     const real d_turning = (d_stance_torque - turning * d_square) / square;
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real sum_2 = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
     const real sine = real_sin(x->slope);
     const real d_normal = d_off + (sum_2 * cosine - foot_mass_times_gravity * (sine * dx->slope));
-    const real d_cone = (dp->static_ratio * friction_along + p->static_ratio * d_friction_along) * normal +
-                        p->static_ratio * friction_along * d_normal;
+    const real d_cone = (dp->static_ratio * friction_along + p->static_ratio * d_friction_along) * normal
+        + p->static_ratio * friction_along * d_normal;
     const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
     const real d_sine = cosine * dx->slope;
     return d_cone - (d_along + (sum_2 * sine + foot_mass_times_gravity * d_sine));
@@ -2744,12 +2639,12 @@ static void outputs_stick(const real *parameters, const real *states, real *outp
     const runner_states *x = (const void *)states;
     const real set_height = p->ground_height + x->segment_height;
     const real set_slope = p->ground_slope + x->segment_slope;
-    const real pending = select(
-        real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
+    const real pending = select(real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope
+        - x->slope)) > 0.0, 1.0, 0.0);
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
@@ -2785,8 +2680,8 @@ static void outputs_stick(const real *parameters, const real *states, real *outp
     const real center_vy = vy + share * vx_times_sine_plus_vy_times_cosine;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
     const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (vx * vx + vy * vy));
-    const real potential_energy =
-        p->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_foot_x_times_sine);
+    const real potential_energy = p->gravity * (p->body_mass * body_y
+        + p->foot_mass * height_plus_foot_x_times_sine);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
     const real phase_of_hip = select(x->driving > 0.0, 1.0, 2.0);
@@ -2816,14 +2711,14 @@ static void outputs_stick(const real *parameters, const real *states, real *outp
 
 /* First variation of outputs_stick. */
 static void vary_outputs_stick(const real *parameters, const real *states, const real *d_parameters,
-                               const real *d_states, real *outputs) {
+    const real *d_states, real *outputs) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     const real drive_torque_plus_more_torque = p->drive_torque + p->more_torque;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving
+        + drive_torque_plus_more_torque * dx->driving);
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
@@ -2831,18 +2726,16 @@ static void vary_outputs_stick(const real *parameters, const real *states, const
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_shorter = d_rest_length - d_length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * length_rate
+        + p->damping * d_length_rate);
     const real spring = p->stiffness * shorter - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
@@ -2863,10 +2756,10 @@ static void vary_outputs_stick(const real *parameters, const real *states, const
     const real tangential_force = along + foot_mass_times_gravity * sine;
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + foot_mass_times_gravity * cosine;
-    const real d_x = d_tangential_force * cosine - tangential_force * sine_times_slope -
-                     (d_normal * sine + normal * d_sine);
-    const real d_y = d_tangential_force * sine + tangential_force * d_sine +
-                     (d_normal * cosine - normal * sine_times_slope);
+    const real d_x = d_tangential_force * cosine - tangential_force * sine_times_slope - (d_normal * sine
+        + normal * d_sine);
+    const real d_y = d_tangential_force * sine + tangential_force * d_sine + (d_normal * cosine
+        - normal * sine_times_slope);
     const real sum_3 = dx->foot_x * cosine - x->foot_x * sine_times_slope;
     const real sum_4 = dx->x_ * cosine - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine);
     const real d_body_x = sum_3 + sum_4;
@@ -2893,19 +2786,18 @@ static void vary_outputs_stick(const real *parameters, const real *states, const
     const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
     const real vy = x->foot_vx * sine;
     const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy) +
-                            p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
+    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
+        + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy)
+        + p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_foot_x_times_sine) +
-        p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                      (dp->foot_mass * height_plus_foot_x_times_sine + p->foot_mass * height_plus_sum));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_potential_energy = dp->gravity * (p->body_mass * body_y
+        + p->foot_mass * height_plus_foot_x_times_sine) + p->gravity * (dp->body_mass * body_y
+        + p->body_mass * d_body_y + (dp->foot_mass * height_plus_foot_x_times_sine
+        + p->foot_mass * height_plus_sum));
+    const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
+        + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
     outputs[OUTPUT_pending] = 0.0;
     outputs[OUTPUT_torque] = d_stance_torque;
@@ -2938,12 +2830,11 @@ static void leave_stick(const real *parameters, const real *states, real counted
     runner_states *y = (void *)after;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real lasted = x->time - x->mode_began;
-    const real adds =
-        select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real adds = select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due),
+        0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_by_2 = 4.0 * after_bar + 2.0;
-    const real longer = select(
-        after_bar < 0.0, -1.0,
+    const real longer = select(after_bar < 0.0, -1.0,
         select(by_4_times_after_bar_plus_by_2 < 4503599627370496.0, by_4_times_after_bar_plus_by_2, -1.0));
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
@@ -2957,7 +2848,7 @@ static void leave_stick(const real *parameters, const real *states, real counted
 
 /* First variation of leave_stick. */
 static void vary_leave_stick(const real *parameters, const real *states, const real *d_parameters,
-                             const real *d_states, real counted, real *after) {
+    const real *d_states, real counted, real *after) {
     (void)parameters;
     const runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -2965,14 +2856,14 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     runner_states *y = (void *)after;
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
-    const real adds =
-        select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real adds = select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due),
+        0.0);
     const real bar_is_due_times_word_so_far = x->bar_is_due * x->word_so_far;
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
-    const real d_after_bar =
-        select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far, dx->word_so_far);
-    const real d_longer = select(after_bar < 0.0, 0.0,
-                                 select(4.0 * after_bar + 2.0 < 4503599627370496.0, 4.0 * d_after_bar, 0.0));
+    const real d_after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far,
+        dx->word_so_far);
+    const real d_longer = select(after_bar < 0.0, 0.0, select(4.0 * after_bar + 2.0 < 4503599627370496.0,
+        4.0 * d_after_bar, 0.0));
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slid_from = dx->foot_x;
@@ -3000,35 +2891,34 @@ static void world_rates_stick(const real *parameters, const real *states, real *
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real length_rate = (x__times_vx + y__times_vy) / length;
     const real spring = p->stiffness * (rest_length - length) - p->damping * length_rate;
     const real axial = spring / length;
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
     const real turning = stance_torque / square;
     const real along = axial * x->x_ - turning * x->y_;
-    const real sum_3 =
-        (along + (x->external_fx * cosine + x->external_fy * sine)) / p->body_mass - p->gravity * sine;
+    const real sum_3 = (along + (x->external_fx * cosine + x->external_fy * sine)) / p->body_mass
+        - p->gravity * sine;
     const real off = axial * x->y_ + turning * x->x_;
-    const real sum_4 =
-        (off + (x->external_fy * cosine - x->external_fx * sine)) / p->body_mass - p->gravity * cosine;
+    const real sum_4 = (off + (x->external_fy * cosine - x->external_fx * sine)) / p->body_mass
+        - p->gravity * cosine;
     y->seen_x = vx;
     y->seen_y = vy;
     y->seen_vx = 0.0;
     y->seen_vy = 0.0;
     y->length = 0.5 * sum_2 / length;
     y->angle = angle_rate;
-    y->length_rate = (x->vx * x->vx + x->x_ * sum_3 + (x->vy * x->vy + x->y_ * sum_4) -
-                      length_rate * (0.5 * sum_2 / length)) /
-                     length;
-    y->angle_rate =
-        (x->vx * x->vy + x->x_ * sum_4 - (x->vy * x->vx + x->y_ * sum_3) - angle_rate * sum_2) / square;
+    y->length_rate = (x->vx * x->vx + x->x_ * sum_3 + (x->vy * x->vy + x->y_ * sum_4)
+        - length_rate * (0.5 * sum_2 / length)) / length;
+    y->angle_rate = (x->vx * x->vy + x->x_ * sum_4 - (x->vy * x->vx + x->y_ * sum_3)
+        - angle_rate * sum_2) / square;
 }
 
 /* First variation of world_rates_stick. */
 static void vary_world_rates_stick(const real *parameters, const real *states, const real *d_parameters,
-                                   const real *d_states, real *after) {
+    const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -3066,60 +2956,50 @@ static void vary_world_rates_stick(const real *parameters, const real *states, c
     const real stance_torque = x->external_torque - drive_torque_plus_more_torque * x->driving;
     const real turning = stance_torque / square;
     const real along = axial * x->x_ - turning * x->y_;
-    const real along_plus_sum_over_body_mass =
-        (along + (x->external_fx * cosine + x->external_fy * sine)) / p->body_mass;
+    const real along_plus_sum_over_body_mass = (along + (x->external_fx * cosine
+        + x->external_fy * sine)) / p->body_mass;
     const real sum_4 = along_plus_sum_over_body_mass - p->gravity * sine;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_length_rate =
-        (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy - length_rate * d_length) / length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_length_rate = (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real d_axial = (d_spring - axial * d_length) / length;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving
+        + drive_torque_plus_more_torque * dx->driving);
     const real d_turning = (d_stance_torque - turning * d_square) / square;
     const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
-    const real ratio_minus_sum = (d_along +
-                                  (dx->external_fx * cosine - x->external_fx * sine_times_slope +
-                                   (dx->external_fy * sine + x->external_fy * d_sine)) -
-                                  along_plus_sum_over_body_mass * dp->body_mass) /
-                                     p->body_mass -
-                                 (dp->gravity * sine + p->gravity * d_sine);
+    const real ratio_minus_sum = (d_along + (dx->external_fx * cosine - x->external_fx * sine_times_slope
+        + (dx->external_fy * sine + x->external_fy * d_sine))
+        - along_plus_sum_over_body_mass * dp->body_mass) / p->body_mass - (dp->gravity * sine
+        + p->gravity * d_sine);
     const real off = axial * x->y_ + turning * x->x_;
-    const real off_plus_sum_over_body_mass =
-        (off + (x->external_fy * cosine - x->external_fx * sine)) / p->body_mass;
+    const real off_plus_sum_over_body_mass = (off + (x->external_fy * cosine
+        - x->external_fx * sine)) / p->body_mass;
     const real sum_5 = off_plus_sum_over_body_mass - p->gravity * cosine;
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
-    const real ratio_minus_sum_2 = (d_off +
-                                    (dx->external_fy * cosine - x->external_fy * sine_times_slope -
-                                     (dx->external_fx * sine + x->external_fx * d_sine)) -
-                                    off_plus_sum_over_body_mass * dp->body_mass) /
-                                       p->body_mass -
-                                   (dp->gravity * cosine - p->gravity * sine_times_slope);
+    const real ratio_minus_sum_2 = (d_off + (dx->external_fy * cosine - x->external_fy * sine_times_slope
+        - (dx->external_fx * sine + x->external_fx * d_sine))
+        - off_plus_sum_over_body_mass * dp->body_mass) / p->body_mass - (dp->gravity * cosine
+        - p->gravity * sine_times_slope);
     y->seen_x = d_vx;
     y->seen_y = d_vy;
     y->seen_vx = 0.0;
     y->seen_vy = 0.0;
     y->length = (0.5 * sum_2 - by_0_5_times_sum_over_length * d_length) / length;
     y->angle = d_angle_rate;
-    y->length_rate = (2.0 * (x->vx * dx->vx) + (dx->x_ * sum_4 + x->x_ * ratio_minus_sum) +
-                      (2.0 * (x->vy * dx->vy) + (dx->y_ * sum_5 + x->y_ * ratio_minus_sum_2)) -
-                      (d_length_rate * by_0_5_times_sum_over_length +
-                       length_rate * ((0.5 * sum_2 - by_0_5_times_sum_over_length * d_length) / length)) -
-                      (x->vx * x->vx + x->x_ * sum_4 + (x->vy * x->vy + x->y_ * sum_5) -
-                       length_rate * by_0_5_times_sum_over_length) /
-                          length * d_length) /
-                     length;
-    y->angle_rate = (dx->vx * x->vy + x->vx * dx->vy + (dx->x_ * sum_5 + x->x_ * ratio_minus_sum_2) -
-                     (dx->vy * x->vx + x->vy * dx->vx + (dx->y_ * sum_4 + x->y_ * ratio_minus_sum)) -
-                     (d_angle_rate * sum_3 + angle_rate * sum_2) -
-                     (x->vx * x->vy + x->x_ * sum_5 - (x->vy * x->vx + x->y_ * sum_4) - angle_rate * sum_3) /
-                         square * d_square) /
-                    square;
+    y->length_rate = (2.0 * (x->vx * dx->vx) + (dx->x_ * sum_4 + x->x_ * ratio_minus_sum)
+        + (2.0 * (x->vy * dx->vy) + (dx->y_ * sum_5 + x->y_ * ratio_minus_sum_2))
+        - (d_length_rate * by_0_5_times_sum_over_length + length_rate * ((0.5 * sum_2
+        - by_0_5_times_sum_over_length * d_length) / length)) - (x->vx * x->vx + x->x_ * sum_4
+        + (x->vy * x->vy + x->y_ * sum_5)
+        - length_rate * by_0_5_times_sum_over_length) / length * d_length) / length;
+    y->angle_rate = (dx->vx * x->vy + x->vx * dx->vy + (dx->x_ * sum_5 + x->x_ * ratio_minus_sum_2)
+        - (dx->vy * x->vx + x->vy * dx->vx + (dx->y_ * sum_4 + x->y_ * ratio_minus_sum))
+        - (d_angle_rate * sum_3 + angle_rate * sum_2) - (x->vx * x->vy + x->x_ * sum_5 - (x->vy * x->vx
+        + x->y_ * sum_4) - angle_rate * sum_3) / square * d_square) / square;
 }
 
 /* Constants of flight_place_calm. */
@@ -3175,21 +3055,21 @@ static void open_flight_place_calm(const real *parameters, const real *states, r
 
 /* First variation of open_flight_place_calm. */
 static void vary_open_flight_place_calm(const real *parameters, const real *states, const real *d_parameters,
-                                        const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     flight_place_calm_constants *c = (void *)constants;
-    const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass) -
-                            1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
+    const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass)
+        - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
+        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real d_touchdown_angle_plus_more_angle = dp->touchdown_angle + dp->more_angle;
-    const real d_stiffness_times_extension_rate =
-        x->extension_rate * dp->stiffness + p->stiffness * dx->extension_rate;
+    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
+        + p->stiffness * dx->extension_rate;
     const real d_minus_gravity = -dp->gravity;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
@@ -3240,27 +3120,24 @@ static void vary_open_flight_place_calm(const real *parameters, const real *stat
 
 /* passes_end: The foot is above the next segment. */
 static int react_flight_place_calm_passes_end(const real *parameters, const real *states,
-                                              const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real segment_plus_by_1 = x->segment + 1.0;
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
-    const real friction =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_plus_by_1,
-                  select(real_abs(segment_plus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_plus_by_1, select(real_abs(segment_plus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = segment_plus_by_1;
-    y->segment_begin = looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_plus_by_1,
+    y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_plus_by_1,
         select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, end, begin), -1000000000000.0));
-    y->segment_end = looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_plus_by_1,
+    y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_plus_by_1,
         select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, 1000000000000.0, end), begin));
-    y->segment_height =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, segment_plus_by_1, 0.0);
-    y->segment_slope =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_plus_by_1, 0.0);
+    y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        segment_plus_by_1, 0.0);
+    y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_plus_by_1,
+        0.0);
     y->friction_ahead = friction;
     y->friction_behind = friction;
     return next[0]; /* flight */
@@ -3278,7 +3155,7 @@ static real watches_flight_place_calm_passes_end(const real *parameters, const r
 
 /* First variation of the guard of passes_end. */
 static real vary_guard_flight_place_calm_passes_end(const real *parameters, const real *states,
-                                                    const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -3289,33 +3166,31 @@ static real vary_guard_flight_place_calm_passes_end(const real *parameters, cons
     const real sine = real_sin(x->angle);
     const real cosine = real_cos(x->angle);
     const real d_sine = cosine * dx->angle;
-    return dx->segment_end -
-           (dx->com_x + (d_share * (x->length * sine) + share * (dx->length * sine + x->length * d_sine)));
+    return dx->segment_end - (dx->com_x + (d_share * (x->length * sine) + share * (dx->length * sine
+        + x->length * d_sine)));
 }
 
 /* passes_begin: The foot is above the segment before. */
 static int react_flight_place_calm_passes_begin(const real *parameters, const real *states,
-                                                const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real segment_minus_by_1 = x->segment - 1.0;
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
-    const real friction =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_minus_by_1,
-                  select(real_abs(segment_minus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_minus_by_1, select(real_abs(segment_minus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = segment_minus_by_1;
-    y->segment_begin = looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_minus_by_1,
-        select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, end, begin), -1000000000000.0));
-    y->segment_end = looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_minus_by_1,
+    y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
+        segment_minus_by_1, select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, end, begin),
+        -1000000000000.0));
+    y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_minus_by_1,
         select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, 1000000000000.0, end), begin));
-    y->segment_height =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, segment_minus_by_1, 0.0);
-    y->segment_slope =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_minus_by_1, 0.0);
+    y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        segment_minus_by_1, 0.0);
+    y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope,
+        segment_minus_by_1, 0.0);
     y->friction_ahead = friction;
     y->friction_behind = friction;
     return next[0]; /* flight */
@@ -3333,7 +3208,7 @@ static real watches_flight_place_calm_passes_begin(const real *parameters, const
 
 /* First variation of the guard of passes_begin. */
 static real vary_guard_flight_place_calm_passes_begin(const real *parameters, const real *states,
-                                                      const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -3344,8 +3219,8 @@ static real vary_guard_flight_place_calm_passes_begin(const real *parameters, co
     const real sine = real_sin(x->angle);
     const real cosine = real_cos(x->angle);
     const real d_sine = cosine * dx->angle;
-    return dx->com_x + (d_share * (x->length * sine) + share * (dx->length * sine + x->length * d_sine)) -
-           dx->segment_begin;
+    return dx->com_x + (d_share * (x->length * sine) + share * (dx->length * sine + x->length * d_sine))
+        - dx->segment_begin;
 }
 
 /* Whether next_segment_comes is watched. */
@@ -3360,7 +3235,7 @@ static real watches_flight_place_calm_next_segment_comes(const real *parameters,
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static int react_flight_place_calm_ramp_ends(const real *parameters, const real *states,
-                                             const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -3372,7 +3247,7 @@ static int react_flight_place_calm_ramp_ends(const real *parameters, const real 
 
 /* wind_rises: An external force acts, so flight is no longer ballistic. */
 static int react_flight_place_calm_wind_rises(const real *parameters, const real *states,
-                                              const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -3394,7 +3269,7 @@ static real watches_flight_place_calm_wind_rises(const real *parameters, const r
 
 /* new_ground: The foot is above the pending ground line, which comes into force. */
 static int react_flight_place_calm_new_ground(const real *parameters, const real *states,
-                                              const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     (void)tables;
@@ -3408,8 +3283,7 @@ static int react_flight_place_calm_new_ground(const real *parameters, const real
 
 /* First variation of new_ground. */
 static void vary_react_flight_place_calm_new_ground(const real *parameters, const real *states,
-                                                    const real *d_parameters, const real *d_states,
-                                                    const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     (void)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -3437,7 +3311,7 @@ static real watches_flight_place_calm_new_ground(const real *parameters, const r
 
 /* First variation of the guard of new_ground. */
 static real vary_guard_flight_place_calm_new_ground(const real *parameters, const real *states,
-                                                    const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -3448,22 +3322,22 @@ static real vary_guard_flight_place_calm_new_ground(const real *parameters, cons
     const real sin_of_set_slope = real_sin(set_slope);
     const real d_set_slope = dp->ground_slope + dx->segment_slope;
     const real set_height = p->ground_height + x->segment_height;
-    const real d_level = cos_of_set_slope * (dx->com_y - d_set_height) -
-                         sin_of_set_slope * d_set_slope * (x->com_y - set_height) -
-                         (cos_of_set_slope * d_set_slope * x->com_x + sin_of_set_slope * dx->com_x);
+    const real d_level = cos_of_set_slope * (dx->com_y - d_set_height)
+        - sin_of_set_slope * d_set_slope * (x->com_y - set_height)
+        - (cos_of_set_slope * d_set_slope * x->com_x + sin_of_set_slope * dx->com_x);
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real angle_minus_set_slope = x->angle - set_slope;
-    const real d_above =
-        d_level - ((d_share * x->length + share * dx->length) * real_cos(angle_minus_set_slope) -
-                   share * x->length * (real_sin(angle_minus_set_slope) * (dx->angle - d_set_slope)));
+    const real d_above = d_level - ((d_share * x->length
+        + share * dx->length) * real_cos(angle_minus_set_slope)
+        - share * x->length * (real_sin(angle_minus_set_slope) * (dx->angle - d_set_slope)));
     return -d_above;
 }
 
 /* falls: The body reaches the ground. */
 static int react_flight_place_calm_falls(const real *parameters, const real *states, const tdmf_table *tables,
-                                         real *after, const int *next) {
+    real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     (void)tables;
@@ -3487,8 +3361,7 @@ static int react_flight_place_calm_falls(const real *parameters, const real *sta
 
 /* First variation of falls. */
 static void vary_react_flight_place_calm_falls(const real *parameters, const real *states,
-                                               const real *d_parameters, const real *d_states,
-                                               const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -3508,11 +3381,11 @@ static void vary_react_flight_place_calm_falls(const real *parameters, const rea
     const real turn = x->momentum / x->length;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
@@ -3526,30 +3399,29 @@ static void vary_react_flight_place_calm_falls(const real *parameters, const rea
 
 /* First variation of the guard of falls. */
 static real vary_guard_flight_place_calm_falls(const real *parameters, const real *states,
-                                               const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
-    const real d_level = cos_of_slope * (dx->com_y - dx->height) -
-                         sin_of_slope * dx->slope * (x->com_y - x->height) -
-                         (cos_of_slope * dx->slope * x->com_x + sin_of_slope * dx->com_x);
+    const real d_level = cos_of_slope * (dx->com_y - dx->height) - sin_of_slope * dx->slope * (x->com_y
+        - x->height) - (cos_of_slope * dx->slope * x->com_x + sin_of_slope * dx->com_x);
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real by_1_minus_share = 1.0 - share;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real angle_minus_slope = x->angle - x->slope;
-    const real d_above =
-        d_level + ((by_1_minus_share * dx->length - d_share * x->length) * real_cos(angle_minus_slope) -
-                   by_1_minus_share * x->length * (real_sin(angle_minus_slope) * (dx->angle - dx->slope)));
+    const real d_above = d_level + ((by_1_minus_share * dx->length
+        - d_share * x->length) * real_cos(angle_minus_slope)
+        - by_1_minus_share * x->length * (real_sin(angle_minus_slope) * (dx->angle - dx->slope)));
     return d_above;
 }
 
 /* First variation of the guard of collapses. */
 static real vary_guard_flight_place_calm_collapses(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -3559,7 +3431,7 @@ static real vary_guard_flight_place_calm_collapses(const real *parameters, const
 
 /* apex: A stride closes and place begins. An external force can cause further apices in place. */
 static int react_flight_place_calm_apex(const real *parameters, const real *states, const tdmf_table *tables,
-                                        real *after, const int *next) {
+    real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     (void)tables;
@@ -3570,8 +3442,8 @@ static int react_flight_place_calm_apex(const real *parameters, const real *stat
     const real leg = x->leg_work - x->leg_work_then;
     const real work = hip + leg;
     const real weight = (p->body_mass + p->foot_mass) * p->gravity;
-    const real height_of_section =
-        x->com_y - x->height - x->com_x * (real_sin(x->slope) / real_cos(x->slope));
+    const real height_of_section = x->com_y - x->height
+        - x->com_x * (real_sin(x->slope) / real_cos(x->slope));
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     y->is_open = 1.0;
@@ -3596,8 +3468,8 @@ static int react_flight_place_calm_apex(const real *parameters, const real *stat
     y->work_of_stride = select(x->is_open > 0.0, work, x->work_of_stride);
     y->hip_work = select(x->is_open > 0.0, hip, x->hip_work);
     y->leg_work_of_stride = select(x->is_open > 0.0, leg, x->leg_work_of_stride);
-    y->positive_work =
-        select(x->is_open > 0.0, x->positive_work_so_far - x->positive_work_then, x->positive_work);
+    y->positive_work = select(x->is_open > 0.0, x->positive_work_so_far - x->positive_work_then,
+        x->positive_work);
     y->speed = select(x->is_open > 0.0, distance / period, x->speed);
     y->cost_of_transport = select(x->is_open > 0.0, work / (weight * distance), x->cost_of_transport);
     y->touchdowns = select(x->is_open > 0.0, x->touchdowns_so_far, x->touchdowns);
@@ -3620,8 +3492,7 @@ static int react_flight_place_calm_apex(const real *parameters, const real *stat
 
 /* First variation of apex. */
 static void vary_react_flight_place_calm_apex(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states,
-                                              const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -3642,17 +3513,14 @@ static void vary_react_flight_place_calm_apex(const real *parameters, const real
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real weight = body_mass_plus_foot_mass * p->gravity;
     const real weight_times_distance = weight * distance;
-    const real d_weight =
-        p->gravity * (dp->body_mass + dp->foot_mass) + body_mass_plus_foot_mass * dp->gravity;
+    const real d_weight = p->gravity * (dp->body_mass + dp->foot_mass)
+        + body_mass_plus_foot_mass * dp->gravity;
     const real sin_of_slope = real_sin(x->slope);
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope_over_cos_of_slope = sin_of_slope / cos_of_slope;
-    const real d_height_of_section =
-        dx->com_y - dx->height -
-        (dx->com_x * sin_of_slope_over_cos_of_slope +
-         x->com_x *
-             ((cos_of_slope * dx->slope + sin_of_slope_over_cos_of_slope * (sin_of_slope * dx->slope)) /
-              cos_of_slope));
+    const real d_height_of_section = dx->com_y - dx->height - (dx->com_x * sin_of_slope_over_cos_of_slope
+        + x->com_x * ((cos_of_slope * dx->slope
+        + sin_of_slope_over_cos_of_slope * (sin_of_slope * dx->slope)) / cos_of_slope));
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
@@ -3679,19 +3547,16 @@ static void vary_react_flight_place_calm_apex(const real *parameters, const real
     y->work_of_stride = select(x->is_open > 0.0, d_work, dx->work_of_stride);
     y->hip_work = select(x->is_open > 0.0, d_hip, dx->hip_work);
     y->leg_work_of_stride = select(x->is_open > 0.0, d_leg, dx->leg_work_of_stride);
-    y->positive_work =
-        select(x->is_open > 0.0, dx->positive_work_so_far - dx->positive_work_then, dx->positive_work);
+    y->positive_work = select(x->is_open > 0.0, dx->positive_work_so_far - dx->positive_work_then,
+        dx->positive_work);
     y->speed = select(x->is_open > 0.0, (d_distance - distance / period * d_period) / period, dx->speed);
-    y->cost_of_transport =
-        select(x->is_open > 0.0,
-               (d_work - work / weight_times_distance * (d_weight * distance + weight * d_distance)) /
-                   weight_times_distance,
-               dx->cost_of_transport);
+    y->cost_of_transport = select(x->is_open > 0.0, (d_work
+        - work / weight_times_distance * (d_weight * distance + weight * d_distance)) / weight_times_distance,
+        dx->cost_of_transport);
     y->touchdowns = select(x->is_open > 0.0, dx->touchdowns_so_far, dx->touchdowns);
     y->stance_time = select(x->is_open > 0.0, dx->stance_so_far, dx->stance_time);
-    y->duty_factor =
-        select(x->is_open > 0.0, (dx->stance_so_far - x->stance_so_far / period * d_period) / period,
-               dx->duty_factor);
+    y->duty_factor = select(x->is_open > 0.0, (dx->stance_so_far
+        - x->stance_so_far / period * d_period) / period, dx->duty_factor);
     y->slip_distance = select(x->is_open > 0.0, dx->slip_so_far, dx->slip_distance);
     y->peak_force = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_force);
     y->peak_vertical_force = select(x->is_open > 0.0, dx->vertical_so_far, dx->peak_vertical_force);
@@ -3718,7 +3583,7 @@ static real watches_flight_place_calm_apex(const real *parameters, const real *s
 
 /* First variation of the guard of apex. */
 static real vary_guard_flight_place_calm_apex(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -3728,7 +3593,7 @@ static real vary_guard_flight_place_calm_apex(const real *parameters, const real
 
 /* touchdown: The foot reaches the ground. */
 static int react_flight_place_calm_touchdown(const real *parameters, const real *states,
-                                             const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -3742,24 +3607,23 @@ static int react_flight_place_calm_touchdown(const real *parameters, const real 
     const real vy = x->length_rate * cosine - turn * sine;
     const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
     const real sin_of_slope = real_sin(x->slope);
-    const real along =
-        com_vx_minus_share_times_vx * cos_of_slope + com_vy_minus_share_times_vy * sin_of_slope;
+    const real along = com_vx_minus_share_times_vx * cos_of_slope
+        + com_vy_minus_share_times_vy * sin_of_slope;
     const real way = select(along >= 0.0, 1.0, -1.0);
     const real way_times_along = way * along;
     const real length_times_sine = x->length * sine;
     const real sum_2 = x->com_x + share * length_times_sine;
     const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
     const real sum_3 = sum_2 + by_1eminus_12_times_free_length;
-    const real segment_towards =
-        x->segment + select(sum_3 > x->segment_end, 1.0, 0.0) - select(sum_3 < x->segment_begin, 1.0, 0.0);
-    const real friction =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
-                  select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real segment_towards = x->segment + select(sum_3 > x->segment_end, 1.0, 0.0)
+        - select(sum_3 < x->segment_begin, 1.0, 0.0);
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_towards, select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
     const real sum_4 = sum_2 - by_1eminus_12_times_free_length;
-    const real sum_5 =
-        x->segment + select(sum_4 > x->segment_end, 1.0, 0.0) - select(sum_4 < x->segment_begin, 1.0, 0.0);
+    const real sum_5 = x->segment + select(sum_4 > x->segment_end, 1.0, 0.0)
+        - select(sum_4 < x->segment_begin, 1.0, 0.0);
     const real friction_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_5,
-                                      select(real_abs(sum_5 - 1.0) > 0.0, -1.0, p->patch_friction));
+        select(real_abs(sum_5 - 1.0) > 0.0, -1.0, p->patch_friction));
     const real own = select(way > 0.0, friction, friction_2);
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real off = com_vy_minus_share_times_vy * cos_of_slope - com_vx_minus_share_times_vx * sin_of_slope;
@@ -3768,22 +3632,22 @@ static int react_flight_place_calm_touchdown(const real *parameters, const real 
     const real sum_6 = way_times_along + friction_along_times_off;
     const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
     const real y_2 = x->length * cosine;
-    const real sum_times_cos_of_slope_plus_product =
-        sum_2 * cos_of_slope + (x->com_y - share * y_2 - x->height) * sin_of_slope;
-    const real product_plus_product =
-        sum_times_cos_of_slope_plus_product * cos_of_slope + by_1eminus_12_times_free_length * way;
-    const real sum_7 = x->segment + select(product_plus_product > x->segment_end, 1.0, 0.0) -
-                       select(product_plus_product < x->segment_begin, 1.0, 0.0);
+    const real sum_times_cos_of_slope_plus_product = sum_2 * cos_of_slope + (x->com_y - share * y_2
+        - x->height) * sin_of_slope;
+    const real product_plus_product = sum_times_cos_of_slope_plus_product * cos_of_slope
+        + by_1eminus_12_times_free_length * way;
+    const real sum_7 = x->segment + select(product_plus_product > x->segment_end, 1.0, 0.0)
+        - select(product_plus_product < x->segment_begin, 1.0, 0.0);
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
     const real begin_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_7,
-                                   select(sum_7 > 0.0, select(sum_7 > 1.0, end, begin), -1000000000000.0));
+        select(sum_7 > 0.0, select(sum_7 > 1.0, end, begin), -1000000000000.0));
     const real end_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, sum_7,
-                                 select(sum_7 > 0.0, select(sum_7 > 1.0, 1000000000000.0, end), begin));
+        select(sum_7 > 0.0, select(sum_7 > 1.0, 1000000000000.0, end), begin));
     const real height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, sum_7, 0.0);
     const real slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_7, 0.0);
     const real friction_3 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_7,
-                                      select(real_abs(sum_7 - 1.0) > 0.0, -1.0, p->patch_friction));
+        select(real_abs(sum_7 - 1.0) > 0.0, -1.0, p->patch_friction));
     const real sum_8 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
     const real sum_9 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
     const real sum_plus_along = vx * cos_of_slope + vy * sin_of_slope + along;
@@ -3805,18 +3669,17 @@ static int react_flight_place_calm_touchdown(const real *parameters, const real 
     y->was_placed = 1.0;
     y->placed_for = x->placing;
     if (p->stribeck_velocity > 0.0 && p->static_ratio > 1.0) {
-        const real product_2 =
-            (p->static_ratio - 1.0) * real_expm1(friction_along_times_off / p->stribeck_velocity);
+        const real product_2 = (p->static_ratio
+            - 1.0) * real_expm1(friction_along_times_off / p->stribeck_velocity);
         const real more = -product_2;
-        const real left =
-            sum_6 + p->stribeck_velocity * real_log1p(product_2 * real_exp(-(sum_6 / p->stribeck_velocity)));
-        const real speed_after_impact =
-            select(way_times_along <= p->stribeck_velocity * real_log1p(more) - friction_along_times_off, 0.0,
-                   select(left > 0.0, left, 0.0));
+        const real left = sum_6
+            + p->stribeck_velocity * real_log1p(product_2 * real_exp(-(sum_6 / p->stribeck_velocity)));
+        const real speed_after_impact = select(way_times_along <= p->stribeck_velocity * real_log1p(more)
+            - friction_along_times_off, 0.0, select(left > 0.0, left, 0.0));
         const real way_times_speed_after_impact = way * speed_after_impact;
         const real sum_10 = sum_plus_along - way_times_speed_after_impact;
-        const real speeds = along_times_along_plus_off_times_off -
-                            way_times_speed_after_impact * way_times_speed_after_impact;
+        const real speeds = along_times_along_plus_off_times_off
+            - way_times_speed_after_impact * way_times_speed_after_impact;
         const real sum_11 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
         y->vx = sum_10;
         y->foot_vx = way_times_speed_after_impact;
@@ -3839,9 +3702,8 @@ static int react_flight_place_calm_touchdown(const real *parameters, const real 
     const real after_2 = select(way_times_along <= -(p->static_ratio * friction_along_times_off), 0.0, sum_6);
     const real way_times_after = way * after_2;
     const real sum_plus_along_minus_way_times_after = sum_plus_along - way_times_after;
-    const real sum_10 =
-        x->impact_loss +
-        0.5 * (p->foot_mass * (along_times_along_plus_off_times_off - way_times_after * way_times_after));
+    const real sum_10 = x->impact_loss + 0.5 * (p->foot_mass * (along_times_along_plus_off_times_off
+        - way_times_after * way_times_after));
     y->vx = sum_plus_along_minus_way_times_after;
     y->foot_vx = way_times_after;
     y->impact_loss = sum_10;
@@ -3863,8 +3725,7 @@ static int react_flight_place_calm_touchdown(const real *parameters, const real 
 
 /* First variation of touchdown. */
 static void vary_react_flight_place_calm_touchdown(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states,
-                                                   const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -3881,27 +3742,25 @@ static void vary_react_flight_place_calm_touchdown(const real *parameters, const
     const real vy = x->length_rate * cosine - turn * sine;
     const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
     const real sin_of_slope = real_sin(x->slope);
-    const real along =
-        com_vx_minus_share_times_vx * cos_of_slope + com_vy_minus_share_times_vy * sin_of_slope;
+    const real along = com_vx_minus_share_times_vx * cos_of_slope
+        + com_vy_minus_share_times_vy * sin_of_slope;
     const real way = select(along >= 0.0, 1.0, -1.0);
     const real way_times_along = way * along;
     const real length_times_sine = x->length * sine;
     const real sum_2 = x->com_x + share * length_times_sine;
     const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
     const real sum_3 = sum_2 + by_1eminus_12_times_free_length;
-    const real segment_towards =
-        x->segment + select(sum_3 > x->segment_end, 1.0, 0.0) - select(sum_3 < x->segment_begin, 1.0, 0.0);
+    const real segment_towards = x->segment + select(sum_3 > x->segment_end, 1.0, 0.0)
+        - select(sum_3 < x->segment_begin, 1.0, 0.0);
     const real abs_of_segment_towards_minus_by_1 = real_abs(segment_towards - 1.0);
     const real sum_4 = sum_2 - by_1eminus_12_times_free_length;
-    const real sum_5 =
-        x->segment + select(sum_4 > x->segment_end, 1.0, 0.0) - select(sum_4 < x->segment_begin, 1.0, 0.0);
+    const real sum_5 = x->segment + select(sum_4 > x->segment_end, 1.0, 0.0)
+        - select(sum_4 < x->segment_begin, 1.0, 0.0);
     const real abs_of_sum_minus_by_1 = real_abs(sum_5 - 1.0);
-    const real own =
-        select(way > 0.0,
-               looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
-                         select(abs_of_segment_towards_minus_by_1 > 0.0, -1.0, p->patch_friction)),
-               looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_5,
-                         select(abs_of_sum_minus_by_1 > 0.0, -1.0, p->patch_friction)));
+    const real own = select(way > 0.0, looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, -1.0, p->patch_friction)),
+        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_5,
+        select(abs_of_sum_minus_by_1 > 0.0, -1.0, p->patch_friction)));
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real by_1_minus_is_own = 1.0 - is_own;
     const real friction_along = is_own * own + by_1_minus_is_own * x->friction;
@@ -3917,63 +3776,59 @@ static void vary_react_flight_place_calm_touchdown(const real *parameters, const
     const real d_y = dx->length * cosine - x->length * sine_times_angle;
     const real com_y_minus_share_times_y_minus_height = x->com_y - share * y_2 - x->height;
     const real cos_of_slope_times_slope = cos_of_slope * dx->slope;
-    const real sum_plus_sum = (dx->com_x + (d_share * length_times_sine + share * sum_7)) * cos_of_slope -
-                              sum_2 * sin_of_slope_times_slope +
-                              ((dx->com_y - (d_share * y_2 + share * d_y) - dx->height) * sin_of_slope +
-                               com_y_minus_share_times_y_minus_height * cos_of_slope_times_slope);
-    const real product_plus_product =
-        (sum_2 * cos_of_slope + com_y_minus_share_times_y_minus_height * sin_of_slope) * cos_of_slope +
-        by_1eminus_12_times_free_length * way;
-    const real sum_8 = x->segment + select(product_plus_product > x->segment_end, 1.0, 0.0) -
-                       select(product_plus_product < x->segment_begin, 1.0, 0.0);
+    const real sum_plus_sum = (dx->com_x + (d_share * length_times_sine + share * sum_7)) * cos_of_slope
+        - sum_2 * sin_of_slope_times_slope + ((dx->com_y - (d_share * y_2 + share * d_y)
+        - dx->height) * sin_of_slope + com_y_minus_share_times_y_minus_height * cos_of_slope_times_slope);
+    const real product_plus_product = (sum_2 * cos_of_slope
+        + com_y_minus_share_times_y_minus_height * sin_of_slope) * cos_of_slope
+        + by_1eminus_12_times_free_length * way;
+    const real sum_8 = x->segment + select(product_plus_product > x->segment_end, 1.0, 0.0)
+        - select(product_plus_product < x->segment_begin, 1.0, 0.0);
     const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
     const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
-    const real d_begin_2 =
-        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed, sum_8,
-                            select(sum_8 > 0.0, select(sum_8 > 1.0, d_end, d_begin), 0.0));
-    const real d_end_2 =
-        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed, sum_8,
-                            select(sum_8 > 0.0, select(sum_8 > 1.0, 0.0, d_end), d_begin));
-    const real d_height =
-        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, seed, sum_8, 0.0);
-    const real d_slope =
-        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed, sum_8, 0.0);
-    const real d_friction =
-        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, sum_8,
-                            select(real_abs(sum_8 - 1.0) > 0.0, 0.0, dp->patch_friction));
-    const real sum_9 = d_y * sin_of_slope + y_2 * cos_of_slope_times_slope -
-                       (sum_7 * cos_of_slope - length_times_sine * sin_of_slope_times_slope);
-    const real sum_10 = d_y * cos_of_slope - y_2 * sin_of_slope_times_slope +
-                        (sum_7 * sin_of_slope + length_times_sine * cos_of_slope_times_slope);
+    const real d_begin_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
+        seed, sum_8, select(sum_8 > 0.0, select(sum_8 > 1.0, d_end, d_begin), 0.0));
+    const real d_end_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed,
+        sum_8, select(sum_8 > 0.0, select(sum_8 > 1.0, 0.0, d_end), d_begin));
+    const real d_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        seed, sum_8, 0.0);
+    const real d_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
+        sum_8, 0.0);
+    const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        seed, sum_8, select(real_abs(sum_8 - 1.0) > 0.0, 0.0, dp->patch_friction));
+    const real sum_9 = d_y * sin_of_slope + y_2 * cos_of_slope_times_slope - (sum_7 * cos_of_slope
+        - length_times_sine * sin_of_slope_times_slope);
+    const real sum_10 = d_y * cos_of_slope - y_2 * sin_of_slope_times_slope + (sum_7 * sin_of_slope
+        + length_times_sine * cos_of_slope_times_slope);
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real sum_11 = dx->com_vx - (d_share * vx + share * d_vx);
     const real sum_12 = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_along = sum_11 * cos_of_slope - com_vx_minus_share_times_vx * sin_of_slope_times_slope +
-                         (sum_12 * sin_of_slope + com_vy_minus_share_times_vy * cos_of_slope_times_slope);
-    const real sum_plus_sum_plus_d_along = d_vx * cos_of_slope - vx * sin_of_slope_times_slope +
-                                           (d_vy * sin_of_slope + vy * cos_of_slope_times_slope) + d_along;
-    const real d_friction_2 = variation_looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, segment_towards,
-        select(abs_of_segment_towards_minus_by_1 > 0.0, 0.0, dp->patch_friction));
-    const real d_friction_3 =
-        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, sum_5,
-                            select(abs_of_sum_minus_by_1 > 0.0, 0.0, dp->patch_friction));
-    const real d_off = sum_12 * cos_of_slope - com_vy_minus_share_times_vy * sin_of_slope_times_slope -
-                       (sum_11 * sin_of_slope + com_vx_minus_share_times_vx * cos_of_slope_times_slope);
+    const real d_along = sum_11 * cos_of_slope - com_vx_minus_share_times_vx * sin_of_slope_times_slope
+        + (sum_12 * sin_of_slope + com_vy_minus_share_times_vy * cos_of_slope_times_slope);
+    const real sum_plus_sum_plus_d_along = d_vx * cos_of_slope - vx * sin_of_slope_times_slope
+        + (d_vy * sin_of_slope + vy * cos_of_slope_times_slope) + d_along;
+    const real d_friction_2 = variation_looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_friction, seed, segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0,
+        0.0, dp->patch_friction));
+    const real d_friction_3 = variation_looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_friction, seed, sum_5, select(abs_of_sum_minus_by_1 > 0.0, 0.0,
+        dp->patch_friction));
+    const real d_off = sum_12 * cos_of_slope - com_vy_minus_share_times_vy * sin_of_slope_times_slope
+        - (sum_11 * sin_of_slope + com_vx_minus_share_times_vx * cos_of_slope_times_slope);
     const real d_own = select(way > 0.0, d_friction_2, d_friction_3);
     const real d_friction_along = is_own * d_own + by_1_minus_is_own * dx->friction;
     const real sum_13 = d_friction_along * off + friction_along * d_off;
     const real way_times_d_along_plus_sum = way * d_along + sum_13;
-    const real sum_minus_sum_plus_d_off = d_vy * cos_of_slope - vy * sin_of_slope_times_slope -
-                                          (d_vx * sin_of_slope + vx * cos_of_slope_times_slope) + d_off;
+    const real sum_minus_sum_plus_d_off = d_vy * cos_of_slope - vy * sin_of_slope_times_slope
+        - (d_vx * sin_of_slope + vx * cos_of_slope_times_slope) + d_off;
     const real sum_14 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
     const real sum_15 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
-    const real angle_minus_ratio =
-        dx->angle - (sum_14 * sum_10 - sum_15 * sum_9) / (sum_14 * sum_14 + sum_15 * sum_15);
+    const real angle_minus_ratio = dx->angle - (sum_14 * sum_10 - sum_15 * sum_9) / (sum_14 * sum_14
+        + sum_15 * sum_15);
     const real along_times_along_plus_off_times_off = along * along + off * off;
     const real sum_16 = 2.0 * (along * d_along) + 2.0 * (off * d_off);
     y->touchdowns_so_far = dx->touchdowns_so_far;
@@ -4003,29 +3858,23 @@ static void vary_react_flight_place_calm_touchdown(const real *parameters, const
         const real left = sum_6 + p->stribeck_velocity * log1p_of_product;
         const real speed_after_impact = select(way_times_along <= sum_17, 0.0, select(left > 0.0, left, 0.0));
         const real way_times_speed_after_impact = way * speed_after_impact;
-        const real d_left =
-            way_times_d_along_plus_sum +
-            (dp->stribeck_velocity * log1p_of_product +
-             p->stribeck_velocity *
-                 (((dp->static_ratio * expm1_of_ratio +
-                    static_ratio_minus_by_1 *
-                        ((expm1_of_ratio + 1.0) *
-                         ((sum_13 - ratio * dp->stribeck_velocity) / p->stribeck_velocity))) *
-                       exp_of_minus_sum_over_stribeck_velocity -
-                   product_2 *
-                       (exp_of_minus_sum_over_stribeck_velocity *
-                        ((way_times_d_along_plus_sum - sum_over_stribeck_velocity * dp->stribeck_velocity) /
-                         p->stribeck_velocity))) /
-                  (1.0 + product_3)));
-        const real d_speed_after_impact =
-            select(way_times_along <= sum_17, 0.0, select(left > 0.0, d_left, 0.0));
+        const real d_left = way_times_d_along_plus_sum + (dp->stribeck_velocity * log1p_of_product
+            + p->stribeck_velocity * (((dp->static_ratio * expm1_of_ratio
+            + static_ratio_minus_by_1 * ((expm1_of_ratio + 1.0) * ((sum_13
+            - ratio * dp->stribeck_velocity) / p->stribeck_velocity))) *
+            exp_of_minus_sum_over_stribeck_velocity
+            - product_2 * (exp_of_minus_sum_over_stribeck_velocity * ((way_times_d_along_plus_sum
+            - sum_over_stribeck_velocity * dp->stribeck_velocity) / p->stribeck_velocity))) / (1.0
+            + product_3)));
+        const real d_speed_after_impact = select(way_times_along <= sum_17, 0.0, select(left > 0.0, d_left,
+            0.0));
         const real way_times_d_speed_after_impact = way * d_speed_after_impact;
         const real sum_18 = sum_plus_sum_plus_d_along - way_times_d_speed_after_impact;
-        const real speeds = along_times_along_plus_off_times_off -
-                            way_times_speed_after_impact * way_times_speed_after_impact;
+        const real speeds = along_times_along_plus_off_times_off
+            - way_times_speed_after_impact * way_times_speed_after_impact;
         const real d_speeds = sum_16 - 2.0 * (way_times_speed_after_impact * way_times_d_speed_after_impact);
-        const real impact_loss_plus_by_0_5_times_sum =
-            dx->impact_loss + 0.5 * (dp->foot_mass * speeds + p->foot_mass * d_speeds);
+        const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss + 0.5 * (dp->foot_mass * speeds
+            + p->foot_mass * d_speeds);
         y->vx = sum_18;
         y->foot_vx = way_times_d_speed_after_impact;
         y->impact_loss = impact_loss_plus_by_0_5_times_sum;
@@ -4050,10 +3899,9 @@ static void vary_react_flight_place_calm_touchdown(const real *parameters, const
     const real d_after = select(way_times_along <= minus_product, 0.0, way_times_d_along_plus_sum);
     const real way_times_d_after = way * d_after;
     const real sum_17 = sum_plus_sum_plus_d_along - way_times_d_after;
-    const real impact_loss_plus_by_0_5_times_sum =
-        dx->impact_loss +
-        0.5 * (dp->foot_mass * (along_times_along_plus_off_times_off - way_times_after * way_times_after) +
-               p->foot_mass * (sum_16 - 2.0 * (way_times_after * way_times_d_after)));
+    const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss
+        + 0.5 * (dp->foot_mass * (along_times_along_plus_off_times_off - way_times_after * way_times_after)
+        + p->foot_mass * (sum_16 - 2.0 * (way_times_after * way_times_d_after)));
     y->vx = sum_17;
     y->foot_vx = way_times_d_after;
     y->impact_loss = impact_loss_plus_by_0_5_times_sum;
@@ -4074,23 +3922,21 @@ static void vary_react_flight_place_calm_touchdown(const real *parameters, const
 
 /* First variation of the guard of touchdown. */
 static real vary_guard_flight_place_calm_touchdown(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
-    const real d_level = cos_of_slope * (dx->com_y - dx->height) -
-                         sin_of_slope * dx->slope * (x->com_y - x->height) -
-                         (cos_of_slope * dx->slope * x->com_x + sin_of_slope * dx->com_x);
+    const real d_level = cos_of_slope * (dx->com_y - dx->height) - sin_of_slope * dx->slope * (x->com_y
+        - x->height) - (cos_of_slope * dx->slope * x->com_x + sin_of_slope * dx->com_x);
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real angle_minus_slope = x->angle - x->slope;
-    const real d_above =
-        d_level - ((d_share * x->length + share * dx->length) * real_cos(angle_minus_slope) -
-                   share * x->length * (real_sin(angle_minus_slope) * (dx->angle - dx->slope)));
+    const real d_above = d_level - ((d_share * x->length + share * dx->length) * real_cos(angle_minus_slope)
+        - share * x->length * (real_sin(angle_minus_slope) * (dx->angle - dx->slope)));
     return d_above;
 }
 
@@ -4100,16 +3946,16 @@ static void outputs_flight_place_calm(const real *parameters, const real *states
     const runner_states *x = (const void *)states;
     const real set_height = p->ground_height + x->segment_height;
     const real set_slope = p->ground_slope + x->segment_slope;
-    const real pending = select(
-        real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
+    const real pending = select(real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope
+        - x->slope)) > 0.0, 1.0, 0.0);
     const real target = p->touchdown_angle + p->more_angle - p->retraction_rate * x->placing;
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real servo = -(p->kp * (x->angle - target)) - p->kd * (rate + p->retraction_rate);
     const real swing_torque = x->external_torque + servo;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
@@ -4128,11 +3974,11 @@ static void outputs_flight_place_calm(const real *parameters, const real *states
     const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
     const real body_vy = com_vy_minus_share_times_vy + vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                         com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
-    const real potential_energy =
-        p->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y);
+    const real kinetic_energy = 0.5 * (of_body
+        + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
+        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
+    const real potential_energy = p->gravity * (p->body_mass * body_y
+        + p->foot_mass * com_y_minus_share_times_y);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
     outputs[OUTPUT_pending] = pending;
@@ -4161,32 +4007,31 @@ static void outputs_flight_place_calm(const real *parameters, const real *states
 
 /* First variation of outputs_flight_place_calm. */
 static void vary_outputs_flight_place_calm(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states, real *outputs) {
+    const real *d_parameters, const real *d_states, real *outputs) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     const real target = p->touchdown_angle + p->more_angle - p->retraction_rate * x->placing;
-    const real d_target = dp->touchdown_angle + dp->more_angle -
-                          (dp->retraction_rate * x->placing + p->retraction_rate * dx->placing);
+    const real d_target = dp->touchdown_angle + dp->more_angle - (dp->retraction_rate * x->placing
+        + p->retraction_rate * dx->placing);
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
     const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real d_servo = -(dp->kp * (x->angle - target) + p->kp * (dx->angle - d_target)) -
-                         (dp->kd * (rate + p->retraction_rate) + p->kd * (d_rate + dp->retraction_rate));
+    const real d_servo = -(dp->kp * (x->angle - target) + p->kp * (dx->angle - d_target)) - (dp->kd * (rate
+        + p->retraction_rate) + p->kd * (d_rate + dp->retraction_rate));
     const real d_swing_torque = dx->external_torque + d_servo;
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real shorter = rest_length - x->length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_shorter = d_rest_length - dx->length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * x->length_rate
+        + p->damping * dx->length_rate);
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
@@ -4203,34 +4048,33 @@ static void vary_outputs_flight_place_calm(const real *parameters, const real *s
     const real turn = x->momentum / x->length;
     const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle) -
-                      (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
+    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle)
+        - (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
     const real sum_4 = dx->com_vx - (d_share * vx + share * d_vx);
     const real d_body_vx = sum_4 + d_vx;
     const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
-    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle -
-                      (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
+    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle
+        - (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
     const real sum_5 = dx->com_vy - (d_share * vy + share * d_vy);
     const real d_body_vy = sum_5 + d_vy;
     const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
     const real body_vx = com_vx_minus_share_times_vx + vx;
     const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
     const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 * (d_of_body + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                             com_vy_minus_share_times_vy * com_vy_minus_share_times_vy) +
-                            p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4) +
-                                            2.0 * (com_vy_minus_share_times_vy * sum_5))));
+    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
+        + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real d_kinetic_energy = 0.5 * (d_of_body
+        + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
+        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy)
+        + p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4)
+        + 2.0 * (com_vy_minus_share_times_vy * sum_5))));
     const real com_y_minus_share_times_y = x->com_y - share * y_2;
     const real body_y = com_y_minus_share_times_y + y_2;
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y) +
-        p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                      (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_potential_energy = dp->gravity * (p->body_mass * body_y
+        + p->foot_mass * com_y_minus_share_times_y) + p->gravity * (dp->body_mass * body_y
+        + p->body_mass * d_body_y + (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
+    const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
+        + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
     outputs[OUTPUT_pending] = 0.0;
     outputs[OUTPUT_torque] = d_swing_torque;
@@ -4279,7 +4123,7 @@ static void from_world_flight_place_calm(const real *parameters, const real *sta
 
 /* First variation of from_world_flight_place_calm. */
 static void vary_from_world_flight_place_calm(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states, real *after) {
+    const real *d_parameters, const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -4297,11 +4141,11 @@ static void vary_from_world_flight_place_calm(const real *parameters, const real
     const real turn = x->length * x->angle_rate;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real d_square = 2.0 * (x->length * dx->length);
     const real square = x->length * x->length;
     const real d_moment = d_square * x->angle_rate + square * dx->angle_rate;
@@ -4335,7 +4179,7 @@ static void to_world_flight_place_calm(const real *parameters, const real *state
 
 /* First variation of to_world_flight_place_calm. */
 static void vary_to_world_flight_place_calm(const real *parameters, const real *states,
-                                            const real *d_parameters, const real *d_states, real *after) {
+    const real *d_parameters, const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -4353,11 +4197,11 @@ static void vary_to_world_flight_place_calm(const real *parameters, const real *
     const real turn = x->momentum / x->length;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_angle);
     const real vy = x->length_rate * cosine - turn * sine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+        + turn * d_sine);
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
@@ -4383,8 +4227,8 @@ static void world_rates_flight_place_calm(const real *parameters, const real *st
     const real sine_times_rate = sine * rate;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
     const real sum_2 = x->length * (rate * rate) + mobility * spring;
     const real target = p->touchdown_angle + p->more_angle - p->retraction_rate * x->placing;
@@ -4395,10 +4239,10 @@ static void world_rates_flight_place_calm(const real *parameters, const real *st
     const real sum_over_length = (mobility_times_swing_torque - turn * x->length_rate) / x->length;
     y->seen_x = x->com_vx + share * (x->length_rate * sine + x->length * cosine_times_rate);
     y->seen_y = x->com_vy - share * (x->length_rate * cosine - x->length * sine_times_rate);
-    y->seen_vx = -(share * (-(sum_2 * sine + x->length_rate * cosine_times_rate) -
-                            (sum_over_length * cosine - turn * sine_times_rate)));
-    y->seen_vy = -p->gravity - share * (sum_2 * cosine - x->length_rate * sine_times_rate -
-                                        (sum_over_length * sine + turn * cosine_times_rate));
+    y->seen_vx = -(share * (-(sum_2 * sine + x->length_rate * cosine_times_rate) - (sum_over_length * cosine
+        - turn * sine_times_rate)));
+    y->seen_vy = -p->gravity - share * (sum_2 * cosine - x->length_rate * sine_times_rate
+        - (sum_over_length * sine + turn * cosine_times_rate));
     y->length = x->length_rate;
     y->angle = rate;
     y->length_rate = sum_2;
@@ -4407,7 +4251,7 @@ static void world_rates_flight_place_calm(const real *parameters, const real *st
 
 /* First variation of world_rates_flight_place_calm. */
 static void vary_world_rates_flight_place_calm(const real *parameters, const real *states,
-                                               const real *d_parameters, const real *d_states, real *after) {
+    const real *d_parameters, const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -4429,9 +4273,9 @@ static void vary_world_rates_flight_place_calm(const real *parameters, const rea
     const real sine_times_rate = sine * rate;
     const real sum_3 = d_sine * rate + sine * d_rate;
     const real rate_times_rate = rate * rate;
-    const real by_1_over_body_mass = 1.0 / p->body_mass;
-    const real by_1_over_foot_mass = 1.0 / p->foot_mass;
-    const real mobility = by_1_over_body_mass + by_1_over_foot_mass;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real mobility = inverse_body_mass + inverse_foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
@@ -4446,55 +4290,48 @@ static void vary_world_rates_flight_place_calm(const real *parameters, const rea
     const real mobility_times_swing_torque = mobility * swing_torque;
     const real turn = x->momentum / x->length;
     const real sum_over_length = (mobility_times_swing_torque - turn * x->length_rate) / x->length;
-    const real d_mobility = -(by_1_over_body_mass * dp->body_mass / p->body_mass) -
-                            by_1_over_foot_mass * dp->foot_mass / p->foot_mass;
+    const real d_mobility = -(inverse_body_mass * dp->body_mass / p->body_mass)
+        - inverse_foot_mass * dp->foot_mass / p->foot_mass;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - dx->length) -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real sum_plus_sum = dx->length * rate_times_rate + x->length * (2.0 * (rate * d_rate)) +
-                              (d_mobility * spring + mobility * d_spring);
-    const real d_target = dp->touchdown_angle + dp->more_angle -
-                          (dp->retraction_rate * x->placing + p->retraction_rate * dx->placing);
-    const real d_servo = -(dp->kp * angle_minus_target + p->kp * (dx->angle - d_target)) -
-                         (dp->kd * rate_plus_retraction_rate + p->kd * (d_rate + dp->retraction_rate));
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - dx->length) - (dp->damping * x->length_rate + p->damping * dx->length_rate);
+    const real sum_plus_sum = dx->length * rate_times_rate + x->length * (2.0 * (rate * d_rate))
+        + (d_mobility * spring + mobility * d_spring);
+    const real d_target = dp->touchdown_angle + dp->more_angle - (dp->retraction_rate * x->placing
+        + p->retraction_rate * dx->placing);
+    const real d_servo = -(dp->kp * angle_minus_target + p->kp * (dx->angle - d_target))
+        - (dp->kd * rate_plus_retraction_rate + p->kd * (d_rate + dp->retraction_rate));
     const real d_swing_torque = dx->external_torque + d_servo;
     const real sum_5 = d_mobility * swing_torque + mobility * d_swing_torque;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real sum_over_length_2 =
-        (sum_5 - (d_turn * x->length_rate + turn * dx->length_rate) - sum_over_length * dx->length) /
-        x->length;
+    const real sum_over_length_2 = (sum_5 - (d_turn * x->length_rate + turn * dx->length_rate)
+        - sum_over_length * dx->length) / x->length;
     const real by_2_times_length_times_length_rate = 2.0 * (x->length * x->length_rate);
-    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate) +
-                              share * (dx->length_rate * sine + x->length_rate * d_sine +
-                                       (dx->length * cosine_times_rate + x->length * sum_2)));
-    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate) +
-                              share * (dx->length_rate * cosine - x->length_rate * sine_times_angle -
-                                       (dx->length * sine_times_rate + x->length * sum_3)));
-    y->seen_vx = -(d_share * (-(sum_4 * sine + x->length_rate * cosine_times_rate) -
-                              (sum_over_length * cosine - turn * sine_times_rate)) +
-                   share * (-(sum_plus_sum * sine + sum_4 * d_sine +
-                              (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)) -
-                            (sum_over_length_2 * cosine - sum_over_length * sine_times_angle -
-                             (d_turn * sine_times_rate + turn * sum_3))));
-    y->seen_vy = -dp->gravity - (d_share * (sum_4 * cosine - x->length_rate * sine_times_rate -
-                                            (sum_over_length * sine + turn * cosine_times_rate)) +
-                                 share * (sum_plus_sum * cosine - sum_4 * sine_times_angle -
-                                          (dx->length_rate * sine_times_rate + x->length_rate * sum_3) -
-                                          (sum_over_length_2 * sine + sum_over_length * d_sine +
-                                           (d_turn * cosine_times_rate + turn * sum_2))));
+    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate)
+        + share * (dx->length_rate * sine + x->length_rate * d_sine + (dx->length * cosine_times_rate
+        + x->length * sum_2)));
+    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate)
+        + share * (dx->length_rate * cosine - x->length_rate * sine_times_angle
+        - (dx->length * sine_times_rate + x->length * sum_3)));
+    y->seen_vx = -(d_share * (-(sum_4 * sine + x->length_rate * cosine_times_rate)
+        - (sum_over_length * cosine - turn * sine_times_rate)) + share * (-(sum_plus_sum * sine
+        + sum_4 * d_sine + (dx->length_rate * cosine_times_rate + x->length_rate * sum_2))
+        - (sum_over_length_2 * cosine - sum_over_length * sine_times_angle - (d_turn * sine_times_rate
+        + turn * sum_3))));
+    y->seen_vy = -dp->gravity - (d_share * (sum_4 * cosine - x->length_rate * sine_times_rate
+        - (sum_over_length * sine + turn * cosine_times_rate)) + share * (sum_plus_sum * cosine
+        - sum_4 * sine_times_angle - (dx->length_rate * sine_times_rate + x->length_rate * sum_3)
+        - (sum_over_length_2 * sine + sum_over_length * d_sine + (d_turn * cosine_times_rate
+        + turn * sum_2))));
     y->length = dx->length_rate;
     y->angle = d_rate;
     y->length_rate = sum_plus_sum;
-    y->angle_rate =
-        (sum_5 -
-         (d_rate * by_2_times_length_times_length_rate +
-          rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate))) -
-         (mobility_times_swing_torque - rate * by_2_times_length_times_length_rate) / square * d_square) /
-        square;
+    y->angle_rate = (sum_5 - (d_rate * by_2_times_length_times_length_rate
+        + rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate)))
+        - (mobility_times_swing_torque
+        - rate * by_2_times_length_times_length_rate) / square * d_square) / square;
 }
 
 /* Constants of flight_rest_calm. */
@@ -4549,20 +4386,20 @@ static void open_flight_rest_calm(const real *parameters, const real *states, re
 
 /* First variation of open_flight_rest_calm. */
 static void vary_open_flight_rest_calm(const real *parameters, const real *states, const real *d_parameters,
-                                       const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     flight_rest_calm_constants *c = (void *)constants;
-    const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass) -
-                            1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
+    const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass)
+        - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
-    const real d_stiffness_times_extension_rate =
-        x->extension_rate * dp->stiffness + p->stiffness * dx->extension_rate;
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
+        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
+    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
+        + p->stiffness * dx->extension_rate;
     const real d_minus_gravity = -dp->gravity;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
@@ -4579,8 +4416,8 @@ static void vary_open_flight_rest_calm(const real *parameters, const real *state
     const real cos_of_slope = real_cos(x->slope);
     const real d_sin_of_slope = cos_of_slope * dx->slope;
     const real d_by_1_minus_share = -d_share;
-    const real d_liftoff_factor_times_liftoff_angle =
-        x->liftoff_angle * dp->liftoff_factor + p->liftoff_factor * dx->liftoff_angle;
+    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
+        + p->liftoff_factor * dx->liftoff_angle;
     c->mobility = d_mobility;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
@@ -4614,7 +4451,7 @@ static void vary_open_flight_rest_calm(const real *parameters, const real *state
 
 /* touchdown: The foot reaches the ground. */
 static int react_flight_rest_calm_touchdown(const real *parameters, const real *states,
-                                            const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -4628,24 +4465,23 @@ static int react_flight_rest_calm_touchdown(const real *parameters, const real *
     const real vy = x->length_rate * cosine - turn * sine;
     const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
     const real sin_of_slope = real_sin(x->slope);
-    const real along =
-        com_vx_minus_share_times_vx * cos_of_slope + com_vy_minus_share_times_vy * sin_of_slope;
+    const real along = com_vx_minus_share_times_vx * cos_of_slope
+        + com_vy_minus_share_times_vy * sin_of_slope;
     const real way = select(along >= 0.0, 1.0, -1.0);
     const real way_times_along = way * along;
     const real length_times_sine = x->length * sine;
     const real sum_2 = x->com_x + share * length_times_sine;
     const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
     const real sum_3 = sum_2 + by_1eminus_12_times_free_length;
-    const real segment_towards =
-        x->segment + select(sum_3 > x->segment_end, 1.0, 0.0) - select(sum_3 < x->segment_begin, 1.0, 0.0);
-    const real friction =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
-                  select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real segment_towards = x->segment + select(sum_3 > x->segment_end, 1.0, 0.0)
+        - select(sum_3 < x->segment_begin, 1.0, 0.0);
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_towards, select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
     const real sum_4 = sum_2 - by_1eminus_12_times_free_length;
-    const real sum_5 =
-        x->segment + select(sum_4 > x->segment_end, 1.0, 0.0) - select(sum_4 < x->segment_begin, 1.0, 0.0);
+    const real sum_5 = x->segment + select(sum_4 > x->segment_end, 1.0, 0.0)
+        - select(sum_4 < x->segment_begin, 1.0, 0.0);
     const real friction_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_5,
-                                      select(real_abs(sum_5 - 1.0) > 0.0, -1.0, p->patch_friction));
+        select(real_abs(sum_5 - 1.0) > 0.0, -1.0, p->patch_friction));
     const real own = select(way > 0.0, friction, friction_2);
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real off = com_vy_minus_share_times_vy * cos_of_slope - com_vx_minus_share_times_vx * sin_of_slope;
@@ -4654,22 +4490,22 @@ static int react_flight_rest_calm_touchdown(const real *parameters, const real *
     const real sum_6 = way_times_along + friction_along_times_off;
     const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
     const real y_2 = x->length * cosine;
-    const real sum_times_cos_of_slope_plus_product =
-        sum_2 * cos_of_slope + (x->com_y - share * y_2 - x->height) * sin_of_slope;
-    const real product_plus_product =
-        sum_times_cos_of_slope_plus_product * cos_of_slope + by_1eminus_12_times_free_length * way;
-    const real sum_7 = x->segment + select(product_plus_product > x->segment_end, 1.0, 0.0) -
-                       select(product_plus_product < x->segment_begin, 1.0, 0.0);
+    const real sum_times_cos_of_slope_plus_product = sum_2 * cos_of_slope + (x->com_y - share * y_2
+        - x->height) * sin_of_slope;
+    const real product_plus_product = sum_times_cos_of_slope_plus_product * cos_of_slope
+        + by_1eminus_12_times_free_length * way;
+    const real sum_7 = x->segment + select(product_plus_product > x->segment_end, 1.0, 0.0)
+        - select(product_plus_product < x->segment_begin, 1.0, 0.0);
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
     const real begin_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_7,
-                                   select(sum_7 > 0.0, select(sum_7 > 1.0, end, begin), -1000000000000.0));
+        select(sum_7 > 0.0, select(sum_7 > 1.0, end, begin), -1000000000000.0));
     const real end_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, sum_7,
-                                 select(sum_7 > 0.0, select(sum_7 > 1.0, 1000000000000.0, end), begin));
+        select(sum_7 > 0.0, select(sum_7 > 1.0, 1000000000000.0, end), begin));
     const real height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, sum_7, 0.0);
     const real slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_7, 0.0);
     const real friction_3 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_7,
-                                      select(real_abs(sum_7 - 1.0) > 0.0, -1.0, p->patch_friction));
+        select(real_abs(sum_7 - 1.0) > 0.0, -1.0, p->patch_friction));
     const real sum_8 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
     const real sum_9 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
     const real sum_plus_along = vx * cos_of_slope + vy * sin_of_slope + along;
@@ -4691,18 +4527,17 @@ static int react_flight_rest_calm_touchdown(const real *parameters, const real *
     y->was_placed = 0.0;
     y->placed_for = x->placing;
     if (p->stribeck_velocity > 0.0 && p->static_ratio > 1.0) {
-        const real product_2 =
-            (p->static_ratio - 1.0) * real_expm1(friction_along_times_off / p->stribeck_velocity);
+        const real product_2 = (p->static_ratio
+            - 1.0) * real_expm1(friction_along_times_off / p->stribeck_velocity);
         const real more = -product_2;
-        const real left =
-            sum_6 + p->stribeck_velocity * real_log1p(product_2 * real_exp(-(sum_6 / p->stribeck_velocity)));
-        const real speed_after_impact =
-            select(way_times_along <= p->stribeck_velocity * real_log1p(more) - friction_along_times_off, 0.0,
-                   select(left > 0.0, left, 0.0));
+        const real left = sum_6
+            + p->stribeck_velocity * real_log1p(product_2 * real_exp(-(sum_6 / p->stribeck_velocity)));
+        const real speed_after_impact = select(way_times_along <= p->stribeck_velocity * real_log1p(more)
+            - friction_along_times_off, 0.0, select(left > 0.0, left, 0.0));
         const real way_times_speed_after_impact = way * speed_after_impact;
         const real sum_10 = sum_plus_along - way_times_speed_after_impact;
-        const real speeds = along_times_along_plus_off_times_off -
-                            way_times_speed_after_impact * way_times_speed_after_impact;
+        const real speeds = along_times_along_plus_off_times_off
+            - way_times_speed_after_impact * way_times_speed_after_impact;
         const real sum_11 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
         y->vx = sum_10;
         y->foot_vx = way_times_speed_after_impact;
@@ -4725,9 +4560,8 @@ static int react_flight_rest_calm_touchdown(const real *parameters, const real *
     const real after_2 = select(way_times_along <= -(p->static_ratio * friction_along_times_off), 0.0, sum_6);
     const real way_times_after = way * after_2;
     const real sum_plus_along_minus_way_times_after = sum_plus_along - way_times_after;
-    const real sum_10 =
-        x->impact_loss +
-        0.5 * (p->foot_mass * (along_times_along_plus_off_times_off - way_times_after * way_times_after));
+    const real sum_10 = x->impact_loss + 0.5 * (p->foot_mass * (along_times_along_plus_off_times_off
+        - way_times_after * way_times_after));
     y->vx = sum_plus_along_minus_way_times_after;
     y->foot_vx = way_times_after;
     y->impact_loss = sum_10;
@@ -4749,7 +4583,7 @@ static int react_flight_rest_calm_touchdown(const real *parameters, const real *
 
 /* First variation of the guard of release. */
 static real vary_guard_flight_rest_calm_release(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -4758,11 +4592,9 @@ static real vary_guard_flight_rest_calm_release(const real *parameters, const re
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
     const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real d_servo =
-        -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) +
-          p->kp *
-              (dx->angle - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) -
-        (dp->kd * rate + p->kd * d_rate);
+    const real d_servo = -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (dx->angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate
+        + p->kd * d_rate);
     return -d_servo;
 }
 
@@ -4772,11 +4604,11 @@ static void outputs_flight_rest_calm(const real *parameters, const real *states,
     const runner_states *x = (const void *)states;
     const real set_height = p->ground_height + x->segment_height;
     const real set_slope = p->ground_slope + x->segment_slope;
-    const real pending = select(
-        real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
+    const real pending = select(real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope
+        - x->slope)) > 0.0, 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
@@ -4795,11 +4627,11 @@ static void outputs_flight_rest_calm(const real *parameters, const real *states,
     const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
     const real body_vy = com_vy_minus_share_times_vy + vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                         com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
-    const real potential_energy =
-        p->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y);
+    const real kinetic_energy = 0.5 * (of_body
+        + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
+        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
+    const real potential_energy = p->gravity * (p->body_mass * body_y
+        + p->foot_mass * com_y_minus_share_times_y);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
     outputs[OUTPUT_pending] = pending;
@@ -4828,7 +4660,7 @@ static void outputs_flight_rest_calm(const real *parameters, const real *states,
 
 /* First variation of outputs_flight_rest_calm. */
 static void vary_outputs_flight_rest_calm(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states, real *outputs) {
+    const real *d_parameters, const real *d_states, real *outputs) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -4838,12 +4670,11 @@ static void vary_outputs_flight_rest_calm(const real *parameters, const real *st
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real shorter = rest_length - x->length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_shorter = d_rest_length - dx->length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * x->length_rate
+        + p->damping * dx->length_rate);
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
@@ -4860,34 +4691,33 @@ static void vary_outputs_flight_rest_calm(const real *parameters, const real *st
     const real turn = x->momentum / x->length;
     const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle) -
-                      (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
+    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle)
+        - (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
     const real sum_4 = dx->com_vx - (d_share * vx + share * d_vx);
     const real d_body_vx = sum_4 + d_vx;
     const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
-    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle -
-                      (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
+    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle
+        - (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
     const real sum_5 = dx->com_vy - (d_share * vy + share * d_vy);
     const real d_body_vy = sum_5 + d_vy;
     const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
     const real body_vx = com_vx_minus_share_times_vx + vx;
     const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
     const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 * (d_of_body + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                             com_vy_minus_share_times_vy * com_vy_minus_share_times_vy) +
-                            p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4) +
-                                            2.0 * (com_vy_minus_share_times_vy * sum_5))));
+    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
+        + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real d_kinetic_energy = 0.5 * (d_of_body
+        + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
+        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy)
+        + p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4)
+        + 2.0 * (com_vy_minus_share_times_vy * sum_5))));
     const real com_y_minus_share_times_y = x->com_y - share * y_2;
     const real body_y = com_y_minus_share_times_y + y_2;
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y) +
-        p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                      (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_potential_energy = dp->gravity * (p->body_mass * body_y
+        + p->foot_mass * com_y_minus_share_times_y) + p->gravity * (dp->body_mass * body_y
+        + p->body_mass * d_body_y + (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
+    const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
+        + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
     outputs[OUTPUT_pending] = 0.0;
     outputs[OUTPUT_torque] = dx->external_torque;
@@ -4927,8 +4757,8 @@ static void world_rates_flight_rest_calm(const real *parameters, const real *sta
     const real sine_times_rate = sine * rate;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
     const real sum_2 = x->length * (rate * rate) + mobility * spring;
     const real mobility_times_external_torque = mobility * x->external_torque;
@@ -4936,10 +4766,10 @@ static void world_rates_flight_rest_calm(const real *parameters, const real *sta
     const real sum_over_length = (mobility_times_external_torque - turn * x->length_rate) / x->length;
     y->seen_x = x->com_vx + share * (x->length_rate * sine + x->length * cosine_times_rate);
     y->seen_y = x->com_vy - share * (x->length_rate * cosine - x->length * sine_times_rate);
-    y->seen_vx = -(share * (-(sum_2 * sine + x->length_rate * cosine_times_rate) -
-                            (sum_over_length * cosine - turn * sine_times_rate)));
-    y->seen_vy = -p->gravity - share * (sum_2 * cosine - x->length_rate * sine_times_rate -
-                                        (sum_over_length * sine + turn * cosine_times_rate));
+    y->seen_vx = -(share * (-(sum_2 * sine + x->length_rate * cosine_times_rate) - (sum_over_length * cosine
+        - turn * sine_times_rate)));
+    y->seen_vy = -p->gravity - share * (sum_2 * cosine - x->length_rate * sine_times_rate
+        - (sum_over_length * sine + turn * cosine_times_rate));
     y->length = x->length_rate;
     y->angle = rate;
     y->length_rate = sum_2;
@@ -4948,7 +4778,7 @@ static void world_rates_flight_rest_calm(const real *parameters, const real *sta
 
 /* First variation of world_rates_flight_rest_calm. */
 static void vary_world_rates_flight_rest_calm(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states, real *after) {
+    const real *d_parameters, const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -4970,9 +4800,9 @@ static void vary_world_rates_flight_rest_calm(const real *parameters, const real
     const real sine_times_rate = sine * rate;
     const real sum_3 = d_sine * rate + sine * d_rate;
     const real rate_times_rate = rate * rate;
-    const real by_1_over_body_mass = 1.0 / p->body_mass;
-    const real by_1_over_foot_mass = 1.0 / p->foot_mass;
-    const real mobility = by_1_over_body_mass + by_1_over_foot_mass;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real mobility = inverse_body_mass + inverse_foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
@@ -4982,50 +4812,43 @@ static void vary_world_rates_flight_rest_calm(const real *parameters, const real
     const real mobility_times_external_torque = mobility * x->external_torque;
     const real turn = x->momentum / x->length;
     const real sum_over_length = (mobility_times_external_torque - turn * x->length_rate) / x->length;
-    const real d_mobility = -(by_1_over_body_mass * dp->body_mass / p->body_mass) -
-                            by_1_over_foot_mass * dp->foot_mass / p->foot_mass;
+    const real d_mobility = -(inverse_body_mass * dp->body_mass / p->body_mass)
+        - inverse_foot_mass * dp->foot_mass / p->foot_mass;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - dx->length) -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real sum_plus_sum = dx->length * rate_times_rate + x->length * (2.0 * (rate * d_rate)) +
-                              (d_mobility * spring + mobility * d_spring);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - dx->length) - (dp->damping * x->length_rate + p->damping * dx->length_rate);
+    const real sum_plus_sum = dx->length * rate_times_rate + x->length * (2.0 * (rate * d_rate))
+        + (d_mobility * spring + mobility * d_spring);
     const real sum_5 = d_mobility * x->external_torque + mobility * dx->external_torque;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real sum_over_length_2 =
-        (sum_5 - (d_turn * x->length_rate + turn * dx->length_rate) - sum_over_length * dx->length) /
-        x->length;
+    const real sum_over_length_2 = (sum_5 - (d_turn * x->length_rate + turn * dx->length_rate)
+        - sum_over_length * dx->length) / x->length;
     const real by_2_times_length_times_length_rate = 2.0 * (x->length * x->length_rate);
-    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate) +
-                              share * (dx->length_rate * sine + x->length_rate * d_sine +
-                                       (dx->length * cosine_times_rate + x->length * sum_2)));
-    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate) +
-                              share * (dx->length_rate * cosine - x->length_rate * sine_times_angle -
-                                       (dx->length * sine_times_rate + x->length * sum_3)));
-    y->seen_vx = -(d_share * (-(sum_4 * sine + x->length_rate * cosine_times_rate) -
-                              (sum_over_length * cosine - turn * sine_times_rate)) +
-                   share * (-(sum_plus_sum * sine + sum_4 * d_sine +
-                              (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)) -
-                            (sum_over_length_2 * cosine - sum_over_length * sine_times_angle -
-                             (d_turn * sine_times_rate + turn * sum_3))));
-    y->seen_vy = -dp->gravity - (d_share * (sum_4 * cosine - x->length_rate * sine_times_rate -
-                                            (sum_over_length * sine + turn * cosine_times_rate)) +
-                                 share * (sum_plus_sum * cosine - sum_4 * sine_times_angle -
-                                          (dx->length_rate * sine_times_rate + x->length_rate * sum_3) -
-                                          (sum_over_length_2 * sine + sum_over_length * d_sine +
-                                           (d_turn * cosine_times_rate + turn * sum_2))));
+    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate)
+        + share * (dx->length_rate * sine + x->length_rate * d_sine + (dx->length * cosine_times_rate
+        + x->length * sum_2)));
+    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate)
+        + share * (dx->length_rate * cosine - x->length_rate * sine_times_angle
+        - (dx->length * sine_times_rate + x->length * sum_3)));
+    y->seen_vx = -(d_share * (-(sum_4 * sine + x->length_rate * cosine_times_rate)
+        - (sum_over_length * cosine - turn * sine_times_rate)) + share * (-(sum_plus_sum * sine
+        + sum_4 * d_sine + (dx->length_rate * cosine_times_rate + x->length_rate * sum_2))
+        - (sum_over_length_2 * cosine - sum_over_length * sine_times_angle - (d_turn * sine_times_rate
+        + turn * sum_3))));
+    y->seen_vy = -dp->gravity - (d_share * (sum_4 * cosine - x->length_rate * sine_times_rate
+        - (sum_over_length * sine + turn * cosine_times_rate)) + share * (sum_plus_sum * cosine
+        - sum_4 * sine_times_angle - (dx->length_rate * sine_times_rate + x->length_rate * sum_3)
+        - (sum_over_length_2 * sine + sum_over_length * d_sine + (d_turn * cosine_times_rate
+        + turn * sum_2))));
     y->length = dx->length_rate;
     y->angle = d_rate;
     y->length_rate = sum_plus_sum;
-    y->angle_rate =
-        (sum_5 -
-         (d_rate * by_2_times_length_times_length_rate +
-          rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate))) -
-         (mobility_times_external_torque - rate * by_2_times_length_times_length_rate) / square * d_square) /
-        square;
+    y->angle_rate = (sum_5 - (d_rate * by_2_times_length_times_length_rate
+        + rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate)))
+        - (mobility_times_external_torque
+        - rate * by_2_times_length_times_length_rate) / square * d_square) / square;
 }
 
 /* Constants of flight_retract_calm. */
@@ -5080,22 +4903,22 @@ static void open_flight_retract_calm(const real *parameters, const real *states,
 
 /* First variation of open_flight_retract_calm. */
 static void vary_open_flight_retract_calm(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states, real *constants) {
+    const real *d_parameters, const real *d_states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     flight_retract_calm_constants *c = (void *)constants;
-    const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass) -
-                            1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
+    const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass)
+        - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
-    const real d_liftoff_factor_times_liftoff_angle =
-        x->liftoff_angle * dp->liftoff_factor + p->liftoff_factor * dx->liftoff_angle;
-    const real d_stiffness_times_extension_rate =
-        x->extension_rate * dp->stiffness + p->stiffness * dx->extension_rate;
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
+        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
+    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
+        + p->liftoff_factor * dx->liftoff_angle;
+    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
+        + p->stiffness * dx->extension_rate;
     const real d_minus_gravity = -dp->gravity;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
@@ -5155,7 +4978,7 @@ static real watches_flight_retract_calm_clamp(const real *parameters, const real
 
 /* First variation of the guard of clamp. */
 static real vary_guard_flight_retract_calm_clamp(const real *parameters, const real *states,
-                                                 const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -5164,11 +4987,9 @@ static real vary_guard_flight_retract_calm_clamp(const real *parameters, const r
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
     const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real d_servo =
-        -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) +
-          p->kp *
-              (dx->angle - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) -
-        (dp->kd * rate + p->kd * d_rate);
+    const real d_servo = -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (dx->angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate
+        + p->kd * d_rate);
     return d_servo;
 }
 
@@ -5178,15 +4999,15 @@ static void outputs_flight_retract_calm(const real *parameters, const real *stat
     const runner_states *x = (const void *)states;
     const real set_height = p->ground_height + x->segment_height;
     const real set_slope = p->ground_slope + x->segment_slope;
-    const real pending = select(
-        real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
+    const real pending = select(real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope
+        - x->slope)) > 0.0, 1.0, 0.0);
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real servo = -(p->kp * (x->angle - p->liftoff_factor * x->liftoff_angle)) - p->kd * rate;
     const real swing_torque = x->external_torque + servo;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
@@ -5205,11 +5026,11 @@ static void outputs_flight_retract_calm(const real *parameters, const real *stat
     const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
     const real body_vy = com_vy_minus_share_times_vy + vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                         com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
-    const real potential_energy =
-        p->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y);
+    const real kinetic_energy = 0.5 * (of_body
+        + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
+        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
+    const real potential_energy = p->gravity * (p->body_mass * body_y
+        + p->foot_mass * com_y_minus_share_times_y);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
     outputs[OUTPUT_pending] = pending;
@@ -5238,7 +5059,7 @@ static void outputs_flight_retract_calm(const real *parameters, const real *stat
 
 /* First variation of outputs_flight_retract_calm. */
 static void vary_outputs_flight_retract_calm(const real *parameters, const real *states,
-                                             const real *d_parameters, const real *d_states, real *outputs) {
+    const real *d_parameters, const real *d_states, real *outputs) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -5247,23 +5068,20 @@ static void vary_outputs_flight_retract_calm(const real *parameters, const real 
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
     const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real d_servo =
-        -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) +
-          p->kp *
-              (dx->angle - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) -
-        (dp->kd * rate + p->kd * d_rate);
+    const real d_servo = -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (dx->angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate
+        + p->kd * d_rate);
     const real d_swing_torque = dx->external_torque + d_servo;
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real shorter = rest_length - x->length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_shorter = d_rest_length - dx->length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * x->length_rate
+        + p->damping * dx->length_rate);
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
@@ -5280,34 +5098,33 @@ static void vary_outputs_flight_retract_calm(const real *parameters, const real 
     const real turn = x->momentum / x->length;
     const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle) -
-                      (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
+    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle)
+        - (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
     const real sum_4 = dx->com_vx - (d_share * vx + share * d_vx);
     const real d_body_vx = sum_4 + d_vx;
     const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
-    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle -
-                      (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
+    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle
+        - (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
     const real sum_5 = dx->com_vy - (d_share * vy + share * d_vy);
     const real d_body_vy = sum_5 + d_vy;
     const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
     const real body_vx = com_vx_minus_share_times_vx + vx;
     const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
     const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 * (d_of_body + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
-                                             com_vy_minus_share_times_vy * com_vy_minus_share_times_vy) +
-                            p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4) +
-                                            2.0 * (com_vy_minus_share_times_vy * sum_5))));
+    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
+        + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real d_kinetic_energy = 0.5 * (d_of_body
+        + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
+        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy)
+        + p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4)
+        + 2.0 * (com_vy_minus_share_times_vy * sum_5))));
     const real com_y_minus_share_times_y = x->com_y - share * y_2;
     const real body_y = com_y_minus_share_times_y + y_2;
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y) +
-        p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                      (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_potential_energy = dp->gravity * (p->body_mass * body_y
+        + p->foot_mass * com_y_minus_share_times_y) + p->gravity * (dp->body_mass * body_y
+        + p->body_mass * d_body_y + (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
+    const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
+        + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
     outputs[OUTPUT_pending] = 0.0;
     outputs[OUTPUT_torque] = d_swing_torque;
@@ -5347,8 +5164,8 @@ static void world_rates_flight_retract_calm(const real *parameters, const real *
     const real sine_times_rate = sine * rate;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
     const real sum_2 = x->length * (rate * rate) + mobility * spring;
     const real servo = -(p->kp * (x->angle - p->liftoff_factor * x->liftoff_angle)) - p->kd * rate;
@@ -5358,10 +5175,10 @@ static void world_rates_flight_retract_calm(const real *parameters, const real *
     const real sum_over_length = (mobility_times_swing_torque - turn * x->length_rate) / x->length;
     y->seen_x = x->com_vx + share * (x->length_rate * sine + x->length * cosine_times_rate);
     y->seen_y = x->com_vy - share * (x->length_rate * cosine - x->length * sine_times_rate);
-    y->seen_vx = -(share * (-(sum_2 * sine + x->length_rate * cosine_times_rate) -
-                            (sum_over_length * cosine - turn * sine_times_rate)));
-    y->seen_vy = -p->gravity - share * (sum_2 * cosine - x->length_rate * sine_times_rate -
-                                        (sum_over_length * sine + turn * cosine_times_rate));
+    y->seen_vx = -(share * (-(sum_2 * sine + x->length_rate * cosine_times_rate) - (sum_over_length * cosine
+        - turn * sine_times_rate)));
+    y->seen_vy = -p->gravity - share * (sum_2 * cosine - x->length_rate * sine_times_rate
+        - (sum_over_length * sine + turn * cosine_times_rate));
     y->length = x->length_rate;
     y->angle = rate;
     y->length_rate = sum_2;
@@ -5370,8 +5187,7 @@ static void world_rates_flight_retract_calm(const real *parameters, const real *
 
 /* First variation of world_rates_flight_retract_calm. */
 static void vary_world_rates_flight_retract_calm(const real *parameters, const real *states,
-                                                 const real *d_parameters, const real *d_states,
-                                                 real *after) {
+    const real *d_parameters, const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -5393,9 +5209,9 @@ static void vary_world_rates_flight_retract_calm(const real *parameters, const r
     const real sine_times_rate = sine * rate;
     const real sum_3 = d_sine * rate + sine * d_rate;
     const real rate_times_rate = rate * rate;
-    const real by_1_over_body_mass = 1.0 / p->body_mass;
-    const real by_1_over_foot_mass = 1.0 / p->foot_mass;
-    const real mobility = by_1_over_body_mass + by_1_over_foot_mass;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real mobility = inverse_body_mass + inverse_foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
@@ -5408,54 +5224,46 @@ static void vary_world_rates_flight_retract_calm(const real *parameters, const r
     const real mobility_times_swing_torque = mobility * swing_torque;
     const real turn = x->momentum / x->length;
     const real sum_over_length = (mobility_times_swing_torque - turn * x->length_rate) / x->length;
-    const real d_mobility = -(by_1_over_body_mass * dp->body_mass / p->body_mass) -
-                            by_1_over_foot_mass * dp->foot_mass / p->foot_mass;
+    const real d_mobility = -(inverse_body_mass * dp->body_mass / p->body_mass)
+        - inverse_foot_mass * dp->foot_mass / p->foot_mass;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - dx->length) -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real sum_plus_sum = dx->length * rate_times_rate + x->length * (2.0 * (rate * d_rate)) +
-                              (d_mobility * spring + mobility * d_spring);
-    const real d_servo = -(dp->kp * sum_5 + p->kp * (dx->angle - (dp->liftoff_factor * x->liftoff_angle +
-                                                                  p->liftoff_factor * dx->liftoff_angle))) -
-                         (dp->kd * rate + p->kd * d_rate);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - dx->length) - (dp->damping * x->length_rate + p->damping * dx->length_rate);
+    const real sum_plus_sum = dx->length * rate_times_rate + x->length * (2.0 * (rate * d_rate))
+        + (d_mobility * spring + mobility * d_spring);
+    const real d_servo = -(dp->kp * sum_5 + p->kp * (dx->angle - (dp->liftoff_factor * x->liftoff_angle
+        + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate + p->kd * d_rate);
     const real d_swing_torque = dx->external_torque + d_servo;
     const real sum_6 = d_mobility * swing_torque + mobility * d_swing_torque;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real sum_over_length_2 =
-        (sum_6 - (d_turn * x->length_rate + turn * dx->length_rate) - sum_over_length * dx->length) /
-        x->length;
+    const real sum_over_length_2 = (sum_6 - (d_turn * x->length_rate + turn * dx->length_rate)
+        - sum_over_length * dx->length) / x->length;
     const real by_2_times_length_times_length_rate = 2.0 * (x->length * x->length_rate);
-    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate) +
-                              share * (dx->length_rate * sine + x->length_rate * d_sine +
-                                       (dx->length * cosine_times_rate + x->length * sum_2)));
-    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate) +
-                              share * (dx->length_rate * cosine - x->length_rate * sine_times_angle -
-                                       (dx->length * sine_times_rate + x->length * sum_3)));
-    y->seen_vx = -(d_share * (-(sum_4 * sine + x->length_rate * cosine_times_rate) -
-                              (sum_over_length * cosine - turn * sine_times_rate)) +
-                   share * (-(sum_plus_sum * sine + sum_4 * d_sine +
-                              (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)) -
-                            (sum_over_length_2 * cosine - sum_over_length * sine_times_angle -
-                             (d_turn * sine_times_rate + turn * sum_3))));
-    y->seen_vy = -dp->gravity - (d_share * (sum_4 * cosine - x->length_rate * sine_times_rate -
-                                            (sum_over_length * sine + turn * cosine_times_rate)) +
-                                 share * (sum_plus_sum * cosine - sum_4 * sine_times_angle -
-                                          (dx->length_rate * sine_times_rate + x->length_rate * sum_3) -
-                                          (sum_over_length_2 * sine + sum_over_length * d_sine +
-                                           (d_turn * cosine_times_rate + turn * sum_2))));
+    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate)
+        + share * (dx->length_rate * sine + x->length_rate * d_sine + (dx->length * cosine_times_rate
+        + x->length * sum_2)));
+    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate)
+        + share * (dx->length_rate * cosine - x->length_rate * sine_times_angle
+        - (dx->length * sine_times_rate + x->length * sum_3)));
+    y->seen_vx = -(d_share * (-(sum_4 * sine + x->length_rate * cosine_times_rate)
+        - (sum_over_length * cosine - turn * sine_times_rate)) + share * (-(sum_plus_sum * sine
+        + sum_4 * d_sine + (dx->length_rate * cosine_times_rate + x->length_rate * sum_2))
+        - (sum_over_length_2 * cosine - sum_over_length * sine_times_angle - (d_turn * sine_times_rate
+        + turn * sum_3))));
+    y->seen_vy = -dp->gravity - (d_share * (sum_4 * cosine - x->length_rate * sine_times_rate
+        - (sum_over_length * sine + turn * cosine_times_rate)) + share * (sum_plus_sum * cosine
+        - sum_4 * sine_times_angle - (dx->length_rate * sine_times_rate + x->length_rate * sum_3)
+        - (sum_over_length_2 * sine + sum_over_length * d_sine + (d_turn * cosine_times_rate
+        + turn * sum_2))));
     y->length = dx->length_rate;
     y->angle = d_rate;
     y->length_rate = sum_plus_sum;
-    y->angle_rate =
-        (sum_6 -
-         (d_rate * by_2_times_length_times_length_rate +
-          rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate))) -
-         (mobility_times_swing_torque - rate * by_2_times_length_times_length_rate) / square * d_square) /
-        square;
+    y->angle_rate = (sum_6 - (d_rate * by_2_times_length_times_length_rate
+        + rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate)))
+        - (mobility_times_swing_torque
+        - rate * by_2_times_length_times_length_rate) / square * d_square) / square;
 }
 
 /* Constants of fallen. */
@@ -5467,7 +5275,7 @@ static void open_fallen(const real *parameters, const real *states, real *consta
 
 /* First variation of open_fallen. */
 static void vary_open_fallen(const real *parameters, const real *states, const real *d_parameters,
-                             const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -5481,11 +5289,11 @@ static void outputs_fallen(const real *parameters, const real *states, real *out
     const runner_states *x = (const void *)states;
     const real set_height = p->ground_height + x->segment_height;
     const real set_slope = p->ground_slope + x->segment_slope;
-    const real pending = select(
-        real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
+    const real pending = select(real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope
+        - x->slope)) > 0.0, 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real sin_of_angle = real_sin(x->angle);
@@ -5505,8 +5313,8 @@ static void outputs_fallen(const real *parameters, const real *states, real *out
     const real center_vx = x->seen_vx + share * vx;
     const real center_vy = x->seen_vy + share * vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy =
-        0.5 * (of_body + p->foot_mass * (x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy));
+    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (x->seen_vx * x->seen_vx
+        + x->seen_vy * x->seen_vy));
     const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
@@ -5539,6 +5347,7 @@ static void open_graze_place(const real *parameters, const real *states, real *c
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     graze_place_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
     const real longer = p->thrust + p->more_thrust;
     const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real cosine = real_cos(x->slope);
@@ -5546,21 +5355,22 @@ static void open_graze_place(const real *parameters, const real *states, real *c
     const real off = foot_mass_times_gravity * cosine;
     const real sine = real_sin(x->slope);
     const real gravity_times_sine = p->gravity * sine;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
     const real along = foot_mass_times_gravity * sine;
     const real gravity_times_cosine = p->gravity * cosine;
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
     const real product_2 = x->driving * (p->drive_torque + p->more_torque);
     const real touchdown_angle_plus_more_angle = p->touchdown_angle + p->more_angle;
+    c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->thrusting_times_longer_or_by_0 = thrusting_times_longer_or_by_0;
     c->damping = p->damping;
-    c->foot_mass = p->foot_mass;
     c->cosine = cosine;
     c->off = off;
     c->sine = sine;
-    c->body_mass = p->body_mass;
     c->gravity_times_sine = gravity_times_sine;
+    c->inverse_foot_mass = inverse_foot_mass;
     c->along = along;
     c->gravity_times_cosine = gravity_times_cosine;
     c->extension_rate = x->extension_rate;
@@ -5582,16 +5392,18 @@ static void open_graze_place(const real *parameters, const real *states, real *c
 
 /* First variation of open_graze_place. */
 static void vary_open_graze_place(const real *parameters, const real *states, const real *d_parameters,
-                                  const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     graze_place_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
+        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
     const real d_cosine = -sine_times_slope;
@@ -5601,21 +5413,23 @@ static void vary_open_graze_place(const real *parameters, const real *states, co
     const real d_off = cosine * sum_2 - foot_mass_times_gravity * sine_times_slope;
     const real d_sine = cosine * dx->slope;
     const real d_gravity_times_sine = sine * dp->gravity + p->gravity * d_sine;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
     const real d_along = sine * sum_2 + foot_mass_times_gravity * d_sine;
     const real d_gravity_times_cosine = cosine * dp->gravity - p->gravity * sine_times_slope;
-    const real d_stiffness_times_extension_rate =
-        x->extension_rate * dp->stiffness + p->stiffness * dx->extension_rate;
+    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
+        + p->stiffness * dx->extension_rate;
     const real d_touchdown_angle_plus_more_angle = dp->touchdown_angle + dp->more_angle;
+    c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->thrusting_times_longer_or_by_0 = d_thrusting_times_longer_or_by_0;
     c->damping = dp->damping;
-    c->foot_mass = dp->foot_mass;
     c->cosine = d_cosine;
     c->off = d_off;
     c->sine = d_sine;
-    c->body_mass = dp->body_mass;
     c->gravity_times_sine = d_gravity_times_sine;
+    c->inverse_foot_mass = d_inverse_foot_mass;
     c->along = d_along;
     c->gravity_times_cosine = d_gravity_times_cosine;
     c->extension_rate = dx->extension_rate;
@@ -5628,8 +5442,8 @@ static void vary_open_graze_place(const real *parameters, const real *states, co
     c->segment_begin = dx->segment_begin;
     c->least_length = dp->least_length;
     c->winding = dx->winding;
-    c->product_2 =
-        (p->drive_torque + p->more_torque) * dx->driving + x->driving * (dp->drive_torque + dp->more_torque);
+    c->product_2 = (p->drive_torque + p->more_torque) * dx->driving + x->driving * (dp->drive_torque
+        + dp->more_torque);
     c->kp = dp->kp;
     c->touchdown_angle_plus_more_angle = d_touchdown_angle_plus_more_angle;
     c->retraction_rate = dp->retraction_rate;
@@ -5638,27 +5452,24 @@ static void vary_open_graze_place(const real *parameters, const real *states, co
 
 /* passes_end: The foot is above the next segment. */
 static int react_graze_place_passes_end(const real *parameters, const real *states, const tdmf_table *tables,
-                                        real *after, const int *next) {
+    real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real segment_plus_by_1 = x->segment + 1.0;
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
-    const real friction =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_plus_by_1,
-                  select(real_abs(segment_plus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_plus_by_1, select(real_abs(segment_plus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = segment_plus_by_1;
-    y->segment_begin = looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_plus_by_1,
+    y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_plus_by_1,
         select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, end, begin), -1000000000000.0));
-    y->segment_end = looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_plus_by_1,
+    y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_plus_by_1,
         select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, 1000000000000.0, end), begin));
-    y->segment_height =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, segment_plus_by_1, 0.0);
-    y->segment_slope =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_plus_by_1, 0.0);
+    y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        segment_plus_by_1, 0.0);
+    y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_plus_by_1,
+        0.0);
     y->friction_ahead = friction;
     y->friction_behind = friction;
     return next[0]; /* graze */
@@ -5666,7 +5477,7 @@ static int react_graze_place_passes_end(const real *parameters, const real *stat
 
 /* First variation of the guard of passes_end. */
 static real vary_guard_graze_place_passes_end(const real *parameters, const real *states,
-                                              const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -5679,27 +5490,25 @@ static real vary_guard_graze_place_passes_end(const real *parameters, const real
 
 /* passes_begin: The foot is above the segment before. */
 static int react_graze_place_passes_begin(const real *parameters, const real *states,
-                                          const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real segment_minus_by_1 = x->segment - 1.0;
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
-    const real friction =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_minus_by_1,
-                  select(real_abs(segment_minus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_minus_by_1, select(real_abs(segment_minus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = segment_minus_by_1;
-    y->segment_begin = looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_minus_by_1,
-        select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, end, begin), -1000000000000.0));
-    y->segment_end = looked_up(
-        tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_minus_by_1,
+    y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
+        segment_minus_by_1, select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, end, begin),
+        -1000000000000.0));
+    y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_minus_by_1,
         select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, 1000000000000.0, end), begin));
-    y->segment_height =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, segment_minus_by_1, 0.0);
-    y->segment_slope =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_minus_by_1, 0.0);
+    y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        segment_minus_by_1, 0.0);
+    y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope,
+        segment_minus_by_1, 0.0);
     y->friction_ahead = friction;
     y->friction_behind = friction;
     return next[0]; /* graze */
@@ -5707,7 +5516,7 @@ static int react_graze_place_passes_begin(const real *parameters, const real *st
 
 /* First variation of the guard of passes_begin. */
 static real vary_guard_graze_place_passes_begin(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const runner_states *x = (const void *)states;
     (void)d_parameters;
@@ -5720,7 +5529,7 @@ static real vary_guard_graze_place_passes_begin(const real *parameters, const re
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static int react_graze_place_ramp_ends(const real *parameters, const real *states, const tdmf_table *tables,
-                                       real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -5732,7 +5541,7 @@ static int react_graze_place_ramp_ends(const real *parameters, const real *state
 
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_graze_place_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
-                                        real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -5743,7 +5552,7 @@ static int react_graze_place_mid_stance(const real *parameters, const real *stat
 
 /* graze_to_contact: The stance law presses the foot on the ground again. */
 static int react_graze_place_graze_to_contact(const real *parameters, const real *states,
-                                              const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -5756,15 +5565,15 @@ static int react_graze_place_graze_to_contact(const real *parameters, const real
     if (real_abs(x->foot_vx) > 0.0) {
         const real by_1_or_by_minus_1 = select(x->foot_vx > 0.0, 1.0, -1.0);
         const real x_plus_product = x_2 + by_1eminus_12_times_free_length * by_1_or_by_minus_1;
-        const real sum_2 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0) -
-                           select(x_plus_product < x->segment_begin, 1.0, 0.0);
+        const real sum_2 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
+            - select(x_plus_product < x->segment_begin, 1.0, 0.0);
         const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_2,
-                                        select(real_abs(sum_2 - 1.0) > 0.0, -1.0, p->patch_friction));
+            select(real_abs(sum_2 - 1.0) > 0.0, -1.0, p->patch_friction));
         y->segment = sum_2;
         y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_2,
-                                     select(sum_2 > 0.0, select(sum_2 > 1.0, end, begin), -1000000000000.0));
+            select(sum_2 > 0.0, select(sum_2 > 1.0, end, begin), -1000000000000.0));
         y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, sum_2,
-                                   select(sum_2 > 0.0, select(sum_2 > 1.0, 1000000000000.0, end), begin));
+            select(sum_2 > 0.0, select(sum_2 > 1.0, 1000000000000.0, end), begin));
         y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, sum_2, 0.0);
         y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_2, 0.0);
         y->friction_ahead = friction;
@@ -5773,8 +5582,8 @@ static int react_graze_place_graze_to_contact(const real *parameters, const real
         return next[0]; /* slip */
     }
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -5788,18 +5597,15 @@ static int react_graze_place_graze_to_contact(const real *parameters, const real
     const real sum_2 = along + foot_mass_times_gravity * sine;
     const real way = select(sum_2 > 0.0, -1.0, 1.0);
     const real x_plus_by_1eminus_12_times_free_length = x_2 + by_1eminus_12_times_free_length;
-    const real segment_towards = x->segment +
-                                 select(x_plus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0) -
-                                 select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
-    const real friction =
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
-                  select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
+        1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_towards, select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
     const real x_minus_by_1eminus_12_times_free_length = x_2 - by_1eminus_12_times_free_length;
-    const real sum_3 = x->segment +
-                       select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0) -
-                       select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real sum_3 = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0,
+        0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real friction_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3,
-                                      select(real_abs(sum_3 - 1.0) > 0.0, -1.0, p->patch_friction));
+        select(real_abs(sum_3 - 1.0) > 0.0, -1.0, p->patch_friction));
     const real own = select(way > 0.0, friction, friction_2);
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real friction_along = is_own * own + (1.0 - is_own) * x->friction;
@@ -5813,15 +5619,15 @@ static int react_graze_place_graze_to_contact(const real *parameters, const real
         return next[1]; /* stick */
     }
     const real x_plus_product = x_2 + by_1eminus_12_times_free_length * way;
-    const real sum_4 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0) -
-                       select(x_plus_product < x->segment_begin, 1.0, 0.0);
+    const real sum_4 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
+        - select(x_plus_product < x->segment_begin, 1.0, 0.0);
     const real friction_3 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_4,
-                                      select(real_abs(sum_4 - 1.0) > 0.0, -1.0, p->patch_friction));
+        select(real_abs(sum_4 - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = sum_4;
     y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_4,
-                                 select(sum_4 > 0.0, select(sum_4 > 1.0, end, begin), -1000000000000.0));
+        select(sum_4 > 0.0, select(sum_4 > 1.0, end, begin), -1000000000000.0));
     y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, sum_4,
-                               select(sum_4 > 0.0, select(sum_4 > 1.0, 1000000000000.0, end), begin));
+        select(sum_4 > 0.0, select(sum_4 > 1.0, 1000000000000.0, end), begin));
     y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, sum_4, 0.0);
     y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_4, 0.0);
     y->friction_ahead = friction_3;
@@ -5832,8 +5638,7 @@ static int react_graze_place_graze_to_contact(const real *parameters, const real
 
 /* First variation of graze_to_contact. */
 static void vary_react_graze_place_graze_to_contact(const real *parameters, const real *states,
-                                                    const real *d_parameters, const real *d_states,
-                                                    const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -5846,32 +5651,30 @@ static void vary_react_graze_place_graze_to_contact(const real *parameters, cons
     const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
     y->placing = 0.0;
     if (real_abs(x->foot_vx) > 0.0) {
-        const real x_plus_product =
-            x_2 + by_1eminus_12_times_free_length * select(x->foot_vx > 0.0, 1.0, -1.0);
-        const real sum_2 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0) -
-                           select(x_plus_product < x->segment_begin, 1.0, 0.0);
-        const real d_friction =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, sum_2,
-                                select(real_abs(sum_2 - 1.0) > 0.0, 0.0, dp->patch_friction));
+        const real x_plus_product = x_2 + by_1eminus_12_times_free_length * select(x->foot_vx > 0.0, 1.0,
+            -1.0);
+        const real sum_2 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
+            - select(x_plus_product < x->segment_begin, 1.0, 0.0);
+        const real d_friction = variation_looked_up(tables, TABLE_ground_segment,
+            COLUMN_ground_segment_friction, seed, sum_2, select(real_abs(sum_2 - 1.0) > 0.0, 0.0,
+            dp->patch_friction));
         y->segment = dx->segment;
-        y->segment_begin =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed, sum_2,
-                                select(sum_2 > 0.0, select(sum_2 > 1.0, d_end, d_begin), 0.0));
-        y->segment_end =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed, sum_2,
-                                select(sum_2 > 0.0, select(sum_2 > 1.0, 0.0, d_end), d_begin));
-        y->segment_height =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, seed, sum_2, 0.0);
-        y->segment_slope =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed, sum_2, 0.0);
+        y->segment_begin = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
+            seed, sum_2, select(sum_2 > 0.0, select(sum_2 > 1.0, d_end, d_begin), 0.0));
+        y->segment_end = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed,
+            sum_2, select(sum_2 > 0.0, select(sum_2 > 1.0, 0.0, d_end), d_begin));
+        y->segment_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+            seed, sum_2, 0.0);
+        y->segment_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope,
+            seed, sum_2, 0.0);
         y->friction_ahead = d_friction;
         y->friction_behind = d_friction;
         y->way = 0.0;
         return;
     }
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -5885,21 +5688,17 @@ static void vary_react_graze_place_graze_to_contact(const real *parameters, cons
     const real sum_2 = along + foot_mass_times_gravity * sine;
     const real way = select(sum_2 > 0.0, -1.0, 1.0);
     const real x_plus_by_1eminus_12_times_free_length = x_2 + by_1eminus_12_times_free_length;
-    const real segment_towards = x->segment +
-                                 select(x_plus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0) -
-                                 select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
+        1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real abs_of_segment_towards_minus_by_1 = real_abs(segment_towards - 1.0);
     const real x_minus_by_1eminus_12_times_free_length = x_2 - by_1eminus_12_times_free_length;
-    const real sum_3 = x->segment +
-                       select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0) -
-                       select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real sum_3 = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0,
+        0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real abs_of_sum_minus_by_1 = real_abs(sum_3 - 1.0);
-    const real own =
-        select(way > 0.0,
-               looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
-                         select(abs_of_segment_towards_minus_by_1 > 0.0, -1.0, p->patch_friction)),
-               looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3,
-                         select(abs_of_sum_minus_by_1 > 0.0, -1.0, p->patch_friction)));
+    const real own = select(way > 0.0, looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, -1.0, p->patch_friction)),
+        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3,
+        select(abs_of_sum_minus_by_1 > 0.0, -1.0, p->patch_friction)));
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real friction_along = is_own * own + (1.0 - is_own) * x->friction;
     const real off = axial * x->y_ + turning * x->x_;
@@ -5907,30 +5706,26 @@ static void vary_react_graze_place_graze_to_contact(const real *parameters, cons
     const real cone = p->static_ratio * friction_along * normal;
     y->foot_vx = 0.0;
     if (real_abs(sum_2) <= cone) {
-        y->friction_ahead = variation_looked_up(
-            tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, segment_towards,
-            select(abs_of_segment_towards_minus_by_1 > 0.0, 0.0, dp->patch_friction));
-        y->friction_behind =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, sum_3,
-                                select(abs_of_sum_minus_by_1 > 0.0, 0.0, dp->patch_friction));
+        y->friction_ahead = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+            seed, segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, 0.0, dp->patch_friction));
+        y->friction_behind = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+            seed, sum_3, select(abs_of_sum_minus_by_1 > 0.0, 0.0, dp->patch_friction));
         return;
     }
     const real x_plus_product = x_2 + by_1eminus_12_times_free_length * way;
-    const real sum_4 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0) -
-                       select(x_plus_product < x->segment_begin, 1.0, 0.0);
-    const real d_friction =
-        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, sum_4,
-                            select(real_abs(sum_4 - 1.0) > 0.0, 0.0, dp->patch_friction));
+    const real sum_4 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
+        - select(x_plus_product < x->segment_begin, 1.0, 0.0);
+    const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        seed, sum_4, select(real_abs(sum_4 - 1.0) > 0.0, 0.0, dp->patch_friction));
     y->segment = dx->segment;
-    y->segment_begin =
-        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed, sum_4,
-                            select(sum_4 > 0.0, select(sum_4 > 1.0, d_end, d_begin), 0.0));
+    y->segment_begin = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed,
+        sum_4, select(sum_4 > 0.0, select(sum_4 > 1.0, d_end, d_begin), 0.0));
     y->segment_end = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed, sum_4,
-                                         select(sum_4 > 0.0, select(sum_4 > 1.0, 0.0, d_end), d_begin));
-    y->segment_height =
-        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, seed, sum_4, 0.0);
-    y->segment_slope =
-        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed, sum_4, 0.0);
+        select(sum_4 > 0.0, select(sum_4 > 1.0, 0.0, d_end), d_begin));
+    y->segment_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, seed,
+        sum_4, 0.0);
+    y->segment_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
+        sum_4, 0.0);
     y->friction_ahead = d_friction;
     y->friction_behind = d_friction;
     y->way = 0.0;
@@ -5938,7 +5733,7 @@ static void vary_react_graze_place_graze_to_contact(const real *parameters, cons
 
 /* First variation of the guard of graze_to_contact. */
 static real vary_guard_graze_place_graze_to_contact(const real *parameters, const real *states,
-                                                    const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -5950,38 +5745,35 @@ static real vary_guard_graze_place_graze_to_contact(const real *parameters, cons
     const real length = real_sqrt(square);
     const real rest_length_minus_length = rest_length - length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real spring = p->stiffness * rest_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
     const real drive_torque_plus_more_torque = p->drive_torque + p->more_torque;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving
+        + drive_torque_plus_more_torque * dx->driving);
     const real stance_torque = x->external_torque - drive_torque_plus_more_torque * x->driving;
     const real turning = stance_torque / square;
     const real d_turning = (d_stance_torque - turning * d_square) / square;
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
-    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine -
-                                   p->foot_mass * p->gravity * (sine * dx->slope));
+    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine
+        - p->foot_mass * p->gravity * (sine * dx->slope));
     return -d_normal;
 }
 
 /* graze_to_flight: The flight law lifts the foot. */
 static int react_graze_place_graze_to_flight(const real *parameters, const real *states,
-                                             const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     (void)tables;
@@ -6018,8 +5810,7 @@ static int react_graze_place_graze_to_flight(const real *parameters, const real 
 
 /* First variation of graze_to_flight. */
 static void vary_react_graze_place_graze_to_flight(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states,
-                                                   const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -6033,9 +5824,8 @@ static void vary_react_graze_place_graze_to_flight(const real *parameters, const
     const real d_length = 0.5 * d_square / length;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
@@ -6055,35 +5845,31 @@ static void vary_react_graze_place_graze_to_flight(const real *parameters, const
     const real jump = rest_length - sum_2;
     const real d_rest_length = dp->free_length + dx->extension;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length_plus_sum = d_rest_length + (select(longer >= 0.0, d_longer, 0.0) * x->thrusting +
-                                                         longer_or_by_0 * dx->thrusting);
+    const real d_rest_length_plus_sum = d_rest_length + (select(longer >= 0.0, d_longer, 0.0) * x->thrusting
+        + longer_or_by_0 * dx->thrusting);
     const real d_jump = d_rest_length - d_rest_length_plus_sum;
     const real middle = sum_2 + 0.5 * jump - length;
     const real d_middle = d_rest_length_plus_sum + 0.5 * d_jump - d_length;
     y->length = d_length;
     y->angle = d_angle;
     y->length_rate = d_length_rate;
-    y->com_x =
-        d_x + (d_share * (x->x_ * cosine - x->y_ * sine) +
-               share * (dx->x_ * cosine - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine)));
-    y->com_y = dx->height + d_y +
-               (d_share * (x->x_ * sine + x->y_ * cosine) +
-                share * (dx->x_ * sine + x->x_ * d_sine + (dx->y_ * cosine - x->y_ * sine_times_slope)));
-    y->com_vx =
-        d_vx + (d_share * (x->vx * cosine - x->vy * sine) +
-                share * (dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine)));
-    y->com_vy =
-        d_vy + (d_share * (x->vx * sine + x->vy * cosine) +
-                share * (dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope)));
+    y->com_x = d_x + (d_share * (x->x_ * cosine - x->y_ * sine) + share * (dx->x_ * cosine
+        - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine)));
+    y->com_y = dx->height + d_y + (d_share * (x->x_ * sine + x->y_ * cosine) + share * (dx->x_ * sine
+        + x->x_ * d_sine + (dx->y_ * cosine - x->y_ * sine_times_slope)));
+    y->com_vx = d_vx + (d_share * (x->vx * cosine - x->vy * sine) + share * (dx->vx * cosine
+        - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine)));
+    y->com_vy = d_vy + (d_share * (x->vx * sine + x->vy * cosine) + share * (dx->vx * sine + x->vx * d_sine
+        + (dx->vy * cosine - x->vy * sine_times_slope)));
     y->momentum = d_moment;
     y->thrusting = 0.0;
-    y->leg_work = dx->leg_work +
-                  ((dp->stiffness * jump + p->stiffness * d_jump) * middle + p->stiffness * jump * d_middle);
+    y->leg_work = dx->leg_work + ((dp->stiffness * jump + p->stiffness * d_jump) * middle
+        + p->stiffness * jump * d_middle);
 }
 
 /* First variation of the guard of graze_to_flight. */
 static real vary_guard_graze_place_graze_to_flight(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -6095,18 +5881,15 @@ static real vary_guard_graze_place_graze_to_flight(const real *parameters, const
     const real length = real_sqrt(square);
     const real rest_length_minus_length = rest_length - length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real spring = p->stiffness * rest_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
@@ -6114,16 +5897,15 @@ static real vary_guard_graze_place_graze_to_flight(const real *parameters, const
     const real target = p->touchdown_angle + p->more_angle - p->retraction_rate * x->placing;
     const real angle_minus_target = angle - target;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
-    const real d_target = dp->touchdown_angle + dp->more_angle -
-                          (dp->retraction_rate * x->placing + p->retraction_rate * dx->placing);
+    const real d_target = dp->touchdown_angle + dp->more_angle - (dp->retraction_rate * x->placing
+        + p->retraction_rate * dx->placing);
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
     const real angle_rate_plus_retraction_rate = angle_rate + p->retraction_rate;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real d_servo =
-        -(dp->kp * angle_minus_target + p->kp * (d_angle - d_target)) -
-        (dp->kd * angle_rate_plus_retraction_rate + p->kd * (d_angle_rate + dp->retraction_rate));
+    const real d_servo = -(dp->kp * angle_minus_target + p->kp * (d_angle - d_target))
+        - (dp->kd * angle_rate_plus_retraction_rate + p->kd * (d_angle_rate + dp->retraction_rate));
     const real d_swing_torque = dx->external_torque + d_servo;
     const real servo = -(p->kp * angle_minus_target) - p->kd * angle_rate_plus_retraction_rate;
     const real swing_torque = x->external_torque + servo;
@@ -6132,8 +5914,8 @@ static real vary_guard_graze_place_graze_to_flight(const real *parameters, const
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
-    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine -
-                                   p->foot_mass * p->gravity * (sine * dx->slope));
+    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine
+        - p->foot_mass * p->gravity * (sine * dx->slope));
     return d_normal;
 }
 
@@ -6143,11 +5925,11 @@ static void outputs_graze_place(const real *parameters, const real *states, real
     const runner_states *x = (const void *)states;
     const real set_height = p->ground_height + x->segment_height;
     const real set_slope = p->ground_slope + x->segment_slope;
-    const real pending = select(
-        real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
+    const real pending = select(real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope
+        - x->slope)) > 0.0, 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
@@ -6206,7 +5988,7 @@ static void outputs_graze_place(const real *parameters, const real *states, real
 
 /* First variation of outputs_graze_place. */
 static void vary_outputs_graze_place(const real *parameters, const real *states, const real *d_parameters,
-                                     const real *d_states, real *outputs) {
+    const real *d_states, real *outputs) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -6218,32 +6000,28 @@ static void vary_outputs_graze_place(const real *parameters, const real *states,
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_shorter = d_rest_length - d_length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * length_rate
+        + p->damping * d_length_rate);
     const real spring = p->stiffness * shorter - p->damping * length_rate;
     const real spring_over_length = spring / length;
     const real cosine = real_cos(x->slope);
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
-    const real d_off = (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine -
-                       foot_mass_times_gravity * sine_times_slope;
+    const real d_off = (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine
+        - foot_mass_times_gravity * sine_times_slope;
     const real off = foot_mass_times_gravity * cosine;
     const real ratio = (spring_over_length * x->y_ + off) / x->x_;
-    const real d_torque = -(((d_spring - spring_over_length * d_length) / length * x->y_ +
-                             spring_over_length * dx->y_ + d_off - ratio * dx->x_) /
-                                x->x_ * square +
-                            ratio * d_square);
+    const real d_torque = -(((d_spring - spring_over_length * d_length) / length * x->y_
+        + spring_over_length * dx->y_ + d_off - ratio * dx->x_) / x->x_ * square + ratio * d_square);
     const real d_x = dx->foot_x * cosine - x->foot_x * sine_times_slope;
     const real d_sine = cosine * dx->slope;
     const real sum_2 = dx->x_ * cosine - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine);
@@ -6272,20 +6050,18 @@ static void vary_outputs_graze_place(const real *parameters, const real *states,
     const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
     const real vy = x->foot_vx * sine;
     const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy) +
-                            p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
+    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
+        + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy)
+        + p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
     const real y_2 = x->foot_x * sine;
     const real height_plus_y = x->height + y_2;
     const real body_y = height_plus_y + x__times_sine_plus_y__times_cosine;
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_y) +
-        p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                      (dp->foot_mass * height_plus_y + p->foot_mass * height_plus_d_y));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_potential_energy = dp->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_y)
+        + p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y + (dp->foot_mass * height_plus_y
+        + p->foot_mass * height_plus_d_y));
+    const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
+        + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
     outputs[OUTPUT_pending] = 0.0;
     outputs[OUTPUT_torque] = d_torque;
@@ -6325,7 +6101,7 @@ static void leave_graze_place(const real *parameters, const real *states, real c
 
 /* First variation of leave_graze_place. */
 static void vary_leave_graze_place(const real *parameters, const real *states, const real *d_parameters,
-                                   const real *d_states, real counted, real *after) {
+    const real *d_states, real counted, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -6347,8 +6123,8 @@ static void world_rates_graze_place(const real *parameters, const real *states, 
     const real sine = real_sin(x->slope);
     const real vy = x->foot_vx * sine;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real x__times_vx = x->x_ * x->vx;
@@ -6364,27 +6140,25 @@ static void world_rates_graze_place(const real *parameters, const real *states, 
     const real sum_2 = 2.0 * x__times_vx + 2.0 * y__times_vy;
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
-    const real sum_3 =
-        (axial_times_x__plus_product + (x->external_fx * cosine + x->external_fy * sine)) / p->body_mass -
-        p->gravity * sine + ratio;
-    const real sum_4 =
-        (x->external_fy * cosine - x->external_fx * sine - off) / p->body_mass - p->gravity * cosine;
+    const real sum_3 = (axial_times_x__plus_product + (x->external_fx * cosine
+        + x->external_fy * sine)) / p->body_mass - p->gravity * sine + ratio;
+    const real sum_4 = (x->external_fy * cosine - x->external_fx * sine - off) / p->body_mass
+        - p->gravity * cosine;
     y->seen_x = vx;
     y->seen_y = vy;
     y->seen_vx = -(ratio * cosine);
     y->seen_vy = -(ratio * sine);
     y->length = 0.5 * sum_2 / length;
     y->angle = angle_rate;
-    y->length_rate = (x->vx * x->vx + x->x_ * sum_3 + (x->vy * x->vy + x->y_ * sum_4) -
-                      length_rate * (0.5 * sum_2 / length)) /
-                     length;
-    y->angle_rate =
-        (x->vx * x->vy + x->x_ * sum_4 - (x->vy * x->vx + x->y_ * sum_3) - angle_rate * sum_2) / square;
+    y->length_rate = (x->vx * x->vx + x->x_ * sum_3 + (x->vy * x->vy + x->y_ * sum_4)
+        - length_rate * (0.5 * sum_2 / length)) / length;
+    y->angle_rate = (x->vx * x->vy + x->x_ * sum_4 - (x->vy * x->vx + x->y_ * sum_3)
+        - angle_rate * sum_2) / square;
 }
 
 /* First variation of world_rates_graze_place. */
 static void vary_world_rates_graze_place(const real *parameters, const real *states, const real *d_parameters,
-                                         const real *d_states, real *after) {
+    const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -6403,9 +6177,8 @@ static void vary_world_rates_graze_place(const real *parameters, const real *sta
     const real length = real_sqrt(square);
     const real rest_length_minus_length = rest_length - length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real x__times_vx = x->x_ * x->vx;
@@ -6413,11 +6186,10 @@ static void vary_world_rates_graze_place(const real *parameters, const real *sta
     const real length_rate = (x__times_vx + y__times_vy) / length;
     const real x__times_vx_plus_x__times_vx = dx->x_ * x->vx + x->x_ * dx->vx;
     const real y__times_vy_plus_y__times_vy = dx->y_ * x->vy + x->y_ * dx->vy;
-    const real d_length_rate =
-        (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy - length_rate * d_length) / length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real spring = p->stiffness * rest_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
@@ -6426,11 +6198,9 @@ static void vary_world_rates_graze_place(const real *parameters, const real *sta
     const real d_off = sum_2 * cosine - foot_mass_times_gravity * sine_times_slope;
     const real off = foot_mass_times_gravity * cosine;
     const real axial_times_y__plus_off_over_x_ = (axial * x->y_ + off) / x->x_;
-    const real sum_3 =
-        d_axial * x->x_ + axial * dx->x_ +
-        ((d_axial * x->y_ + axial * dx->y_ + d_off - axial_times_y__plus_off_over_x_ * dx->x_) / x->x_ *
-             x->y_ +
-         axial_times_y__plus_off_over_x_ * dx->y_);
+    const real sum_3 = d_axial * x->x_ + axial * dx->x_ + ((d_axial * x->y_ + axial * dx->y_ + d_off
+        - axial_times_y__plus_off_over_x_ * dx->x_) / x->x_ * x->y_
+        + axial_times_y__plus_off_over_x_ * dx->y_);
     const real d_along = sum_2 * sine + foot_mass_times_gravity * d_sine;
     const real axial_times_x__plus_product = axial * x->x_ + axial_times_y__plus_off_over_x_ * x->y_;
     const real along = foot_mass_times_gravity * sine;
@@ -6443,43 +6213,34 @@ static void vary_world_rates_graze_place(const real *parameters, const real *sta
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
     const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real ratio_2 =
-        (axial_times_x__plus_product + (x->external_fx * cosine + x->external_fy * sine)) / p->body_mass;
+    const real ratio_2 = (axial_times_x__plus_product + (x->external_fx * cosine
+        + x->external_fy * sine)) / p->body_mass;
     const real sum_6 = ratio_2 - p->gravity * sine + ratio;
-    const real sum_7 = (sum_3 +
-                        (dx->external_fx * cosine - x->external_fx * sine_times_slope +
-                         (dx->external_fy * sine + x->external_fy * d_sine)) -
-                        ratio_2 * dp->body_mass) /
-                           p->body_mass -
-                       (dp->gravity * sine + p->gravity * d_sine) + sum_over_foot_mass;
-    const real sum_minus_off_over_body_mass =
-        (x->external_fy * cosine - x->external_fx * sine - off) / p->body_mass;
+    const real sum_7 = (sum_3 + (dx->external_fx * cosine - x->external_fx * sine_times_slope
+        + (dx->external_fy * sine + x->external_fy * d_sine)) - ratio_2 * dp->body_mass) / p->body_mass
+        - (dp->gravity * sine + p->gravity * d_sine) + sum_over_foot_mass;
+    const real sum_minus_off_over_body_mass = (x->external_fy * cosine - x->external_fx * sine
+        - off) / p->body_mass;
     const real sum_8 = sum_minus_off_over_body_mass - p->gravity * cosine;
-    const real ratio_minus_sum = (dx->external_fy * cosine - x->external_fy * sine_times_slope -
-                                  (dx->external_fx * sine + x->external_fx * d_sine) - d_off -
-                                  sum_minus_off_over_body_mass * dp->body_mass) /
-                                     p->body_mass -
-                                 (dp->gravity * cosine - p->gravity * sine_times_slope);
+    const real ratio_minus_sum = (dx->external_fy * cosine - x->external_fy * sine_times_slope
+        - (dx->external_fx * sine + x->external_fx * d_sine) - d_off
+        - sum_minus_off_over_body_mass * dp->body_mass) / p->body_mass - (dp->gravity * cosine
+        - p->gravity * sine_times_slope);
     y->seen_x = d_vx;
     y->seen_y = d_vy;
     y->seen_vx = -(sum_over_foot_mass * cosine - ratio * sine_times_slope);
     y->seen_vy = -(sum_over_foot_mass * sine + ratio * d_sine);
     y->length = (0.5 * sum_4 - by_0_5_times_sum_over_length * d_length) / length;
     y->angle = d_angle_rate;
-    y->length_rate = (2.0 * (x->vx * dx->vx) + (dx->x_ * sum_6 + x->x_ * sum_7) +
-                      (2.0 * (x->vy * dx->vy) + (dx->y_ * sum_8 + x->y_ * ratio_minus_sum)) -
-                      (d_length_rate * by_0_5_times_sum_over_length +
-                       length_rate * ((0.5 * sum_4 - by_0_5_times_sum_over_length * d_length) / length)) -
-                      (x->vx * x->vx + x->x_ * sum_6 + (x->vy * x->vy + x->y_ * sum_8) -
-                       length_rate * by_0_5_times_sum_over_length) /
-                          length * d_length) /
-                     length;
-    y->angle_rate = (dx->vx * x->vy + x->vx * dx->vy + (dx->x_ * sum_8 + x->x_ * ratio_minus_sum) -
-                     (dx->vy * x->vx + x->vy * dx->vx + (dx->y_ * sum_6 + x->y_ * sum_7)) -
-                     (d_angle_rate * sum_5 + angle_rate * sum_4) -
-                     (x->vx * x->vy + x->x_ * sum_8 - (x->vy * x->vx + x->y_ * sum_6) - angle_rate * sum_5) /
-                         square * d_square) /
-                    square;
+    y->length_rate = (2.0 * (x->vx * dx->vx) + (dx->x_ * sum_6 + x->x_ * sum_7) + (2.0 * (x->vy * dx->vy)
+        + (dx->y_ * sum_8 + x->y_ * ratio_minus_sum)) - (d_length_rate * by_0_5_times_sum_over_length
+        + length_rate * ((0.5 * sum_4 - by_0_5_times_sum_over_length * d_length) / length)) - (x->vx * x->vx
+        + x->x_ * sum_6 + (x->vy * x->vy + x->y_ * sum_8)
+        - length_rate * by_0_5_times_sum_over_length) / length * d_length) / length;
+    y->angle_rate = (dx->vx * x->vy + x->vx * dx->vy + (dx->x_ * sum_8 + x->x_ * ratio_minus_sum)
+        - (dx->vy * x->vx + x->vy * dx->vx + (dx->y_ * sum_6 + x->y_ * sum_7)) - (d_angle_rate * sum_5
+        + angle_rate * sum_4) - (x->vx * x->vy + x->x_ * sum_8 - (x->vy * x->vx + x->y_ * sum_6)
+        - angle_rate * sum_5) / square * d_square) / square;
 }
 
 /* Constants of graze_rest. */
@@ -6487,6 +6248,7 @@ static void open_graze_rest(const real *parameters, const real *states, real *co
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     graze_rest_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
     const real longer = p->thrust + p->more_thrust;
     const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real cosine = real_cos(x->slope);
@@ -6494,22 +6256,23 @@ static void open_graze_rest(const real *parameters, const real *states, real *co
     const real off = foot_mass_times_gravity * cosine;
     const real sine = real_sin(x->slope);
     const real gravity_times_sine = p->gravity * sine;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
     const real along = foot_mass_times_gravity * sine;
     const real gravity_times_cosine = p->gravity * cosine;
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
     const real product_2 = x->driving * (p->drive_torque + p->more_torque);
+    c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->thrusting_times_longer_or_by_0 = thrusting_times_longer_or_by_0;
     c->damping = p->damping;
-    c->foot_mass = p->foot_mass;
     c->cosine = cosine;
     c->off = off;
     c->sine = sine;
-    c->body_mass = p->body_mass;
     c->gravity_times_sine = gravity_times_sine;
+    c->inverse_foot_mass = inverse_foot_mass;
     c->along = along;
     c->gravity_times_cosine = gravity_times_cosine;
     c->extension_rate = x->extension_rate;
@@ -6531,16 +6294,18 @@ static void open_graze_rest(const real *parameters, const real *states, real *co
 
 /* First variation of open_graze_rest. */
 static void vary_open_graze_rest(const real *parameters, const real *states, const real *d_parameters,
-                                 const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     graze_rest_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
+        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
     const real d_cosine = -sine_times_slope;
@@ -6550,25 +6315,27 @@ static void vary_open_graze_rest(const real *parameters, const real *states, con
     const real d_off = cosine * sum_2 - foot_mass_times_gravity * sine_times_slope;
     const real d_sine = cosine * dx->slope;
     const real d_gravity_times_sine = sine * dp->gravity + p->gravity * d_sine;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
     const real d_along = sine * sum_2 + foot_mass_times_gravity * d_sine;
     const real d_gravity_times_cosine = cosine * dp->gravity - p->gravity * sine_times_slope;
-    const real d_stiffness_times_extension_rate =
-        x->extension_rate * dp->stiffness + p->stiffness * dx->extension_rate;
+    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
+        + p->stiffness * dx->extension_rate;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_liftoff_factor_times_liftoff_angle =
-        x->liftoff_angle * dp->liftoff_factor + p->liftoff_factor * dx->liftoff_angle;
+    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
+        + p->liftoff_factor * dx->liftoff_angle;
+    c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->thrusting_times_longer_or_by_0 = d_thrusting_times_longer_or_by_0;
     c->damping = dp->damping;
-    c->foot_mass = dp->foot_mass;
     c->cosine = d_cosine;
     c->off = d_off;
     c->sine = d_sine;
-    c->body_mass = dp->body_mass;
     c->gravity_times_sine = d_gravity_times_sine;
+    c->inverse_foot_mass = d_inverse_foot_mass;
     c->along = d_along;
     c->gravity_times_cosine = d_gravity_times_cosine;
     c->extension_rate = dx->extension_rate;
@@ -6585,13 +6352,13 @@ static void vary_open_graze_rest(const real *parameters, const real *states, con
     c->winding = dx->winding;
     c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
     c->kd = dp->kd;
-    c->product_2 =
-        (p->drive_torque + p->more_torque) * dx->driving + x->driving * (dp->drive_torque + dp->more_torque);
+    c->product_2 = (p->drive_torque + p->more_torque) * dx->driving + x->driving * (dp->drive_torque
+        + dp->more_torque);
 }
 
 /* apex_in_graze: Place begins. No stride closes, because the foot is on the ground. */
 static int react_graze_rest_apex_in_graze(const real *parameters, const real *states,
-                                          const tdmf_table *tables, real *after, const int *next) {
+    const tdmf_table *tables, real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -6602,8 +6369,7 @@ static int react_graze_rest_apex_in_graze(const real *parameters, const real *st
 
 /* First variation of apex_in_graze. */
 static void vary_react_graze_rest_apex_in_graze(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states,
-                                                const tdmf_table *tables, int seed, real *after) {
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
     (void)states;
     (void)d_parameters;
@@ -6616,7 +6382,7 @@ static void vary_react_graze_rest_apex_in_graze(const real *parameters, const re
 
 /* First variation of the guard of apex_in_graze. */
 static real vary_guard_graze_rest_apex_in_graze(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -6628,15 +6394,14 @@ static real vary_guard_graze_rest_apex_in_graze(const real *parameters, const re
     const real sin_of_slope = real_sin(x->slope);
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real d_along = dx->foot_vx + (d_share * x->vx + share * dx->vx);
-    const real d_rise =
-        cos_of_slope * dx->slope * along + sin_of_slope * d_along +
-        (cos_of_slope * (d_share * x->vy + share * dx->vy) - sin_of_slope * dx->slope * (share * x->vy));
+    const real d_rise = cos_of_slope * dx->slope * along + sin_of_slope * d_along
+        + (cos_of_slope * (d_share * x->vy + share * dx->vy) - sin_of_slope * dx->slope * (share * x->vy));
     return d_rise;
 }
 
 /* release: The clamp of (12) releases the retracting torque. */
 static int react_graze_rest_release(const real *parameters, const real *states, const tdmf_table *tables,
-                                    real *after, const int *next) {
+    real *after, const int *next) {
     (void)parameters;
     (void)states;
     (void)tables;
@@ -6646,7 +6411,7 @@ static int react_graze_rest_release(const real *parameters, const real *states, 
 
 /* First variation of the guard of release. */
 static real vary_guard_graze_rest_release(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -6659,17 +6424,15 @@ static real vary_guard_graze_rest_release(const real *parameters, const real *st
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real d_servo =
-        -(dp->kp * (angle - p->liftoff_factor * x->liftoff_angle) +
-          p->kp *
-              (d_angle - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) -
-        (dp->kd * angle_rate + p->kd * d_angle_rate);
+    const real d_servo = -(dp->kp * (angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (d_angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle)))
+        - (dp->kd * angle_rate + p->kd * d_angle_rate);
     return -d_servo;
 }
 
 /* First variation of the guard of graze_to_flight. */
 static real vary_guard_graze_rest_graze_to_flight(const real *parameters, const real *states,
-                                                  const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -6681,18 +6444,15 @@ static real vary_guard_graze_rest_graze_to_flight(const real *parameters, const 
     const real length = real_sqrt(square);
     const real rest_length_minus_length = rest_length - length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real spring = p->stiffness * rest_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
@@ -6701,8 +6461,8 @@ static real vary_guard_graze_rest_graze_to_flight(const real *parameters, const 
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
-    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine -
-                                   p->foot_mass * p->gravity * (sine * dx->slope));
+    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine
+        - p->foot_mass * p->gravity * (sine * dx->slope));
     return d_normal;
 }
 
@@ -6712,11 +6472,11 @@ static void outputs_graze_rest(const real *parameters, const real *states, real 
     const runner_states *x = (const void *)states;
     const real set_height = p->ground_height + x->segment_height;
     const real set_slope = p->ground_slope + x->segment_slope;
-    const real pending = select(
-        real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
+    const real pending = select(real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope
+        - x->slope)) > 0.0, 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
@@ -6778,6 +6538,7 @@ static void open_graze_retract(const real *parameters, const real *states, real 
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     graze_retract_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
     const real longer = p->thrust + p->more_thrust;
     const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real cosine = real_cos(x->slope);
@@ -6785,22 +6546,23 @@ static void open_graze_retract(const real *parameters, const real *states, real 
     const real off = foot_mass_times_gravity * cosine;
     const real sine = real_sin(x->slope);
     const real gravity_times_sine = p->gravity * sine;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
     const real along = foot_mass_times_gravity * sine;
     const real gravity_times_cosine = p->gravity * cosine;
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
     const real product_2 = x->driving * (p->drive_torque + p->more_torque);
+    c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->thrusting_times_longer_or_by_0 = thrusting_times_longer_or_by_0;
     c->damping = p->damping;
-    c->foot_mass = p->foot_mass;
     c->cosine = cosine;
     c->off = off;
     c->sine = sine;
-    c->body_mass = p->body_mass;
     c->gravity_times_sine = gravity_times_sine;
+    c->inverse_foot_mass = inverse_foot_mass;
     c->along = along;
     c->gravity_times_cosine = gravity_times_cosine;
     c->extension_rate = x->extension_rate;
@@ -6822,16 +6584,18 @@ static void open_graze_retract(const real *parameters, const real *states, real 
 
 /* First variation of open_graze_retract. */
 static void vary_open_graze_retract(const real *parameters, const real *states, const real *d_parameters,
-                                    const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     graze_retract_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
+        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
     const real d_cosine = -sine_times_slope;
@@ -6841,25 +6605,27 @@ static void vary_open_graze_retract(const real *parameters, const real *states, 
     const real d_off = cosine * sum_2 - foot_mass_times_gravity * sine_times_slope;
     const real d_sine = cosine * dx->slope;
     const real d_gravity_times_sine = sine * dp->gravity + p->gravity * d_sine;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
     const real d_along = sine * sum_2 + foot_mass_times_gravity * d_sine;
     const real d_gravity_times_cosine = cosine * dp->gravity - p->gravity * sine_times_slope;
-    const real d_stiffness_times_extension_rate =
-        x->extension_rate * dp->stiffness + p->stiffness * dx->extension_rate;
+    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
+        + p->stiffness * dx->extension_rate;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_liftoff_factor_times_liftoff_angle =
-        x->liftoff_angle * dp->liftoff_factor + p->liftoff_factor * dx->liftoff_angle;
+    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
+        + p->liftoff_factor * dx->liftoff_angle;
+    c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->thrusting_times_longer_or_by_0 = d_thrusting_times_longer_or_by_0;
     c->damping = dp->damping;
-    c->foot_mass = dp->foot_mass;
     c->cosine = d_cosine;
     c->off = d_off;
     c->sine = d_sine;
-    c->body_mass = dp->body_mass;
     c->gravity_times_sine = d_gravity_times_sine;
+    c->inverse_foot_mass = d_inverse_foot_mass;
     c->along = d_along;
     c->gravity_times_cosine = d_gravity_times_cosine;
     c->extension_rate = dx->extension_rate;
@@ -6876,13 +6642,13 @@ static void vary_open_graze_retract(const real *parameters, const real *states, 
     c->winding = dx->winding;
     c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
     c->kd = dp->kd;
-    c->product_2 =
-        (p->drive_torque + p->more_torque) * dx->driving + x->driving * (dp->drive_torque + dp->more_torque);
+    c->product_2 = (p->drive_torque + p->more_torque) * dx->driving + x->driving * (dp->drive_torque
+        + dp->more_torque);
 }
 
 /* First variation of the guard of clamp. */
 static real vary_guard_graze_retract_clamp(const real *parameters, const real *states,
-                                           const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -6895,17 +6661,15 @@ static real vary_guard_graze_retract_clamp(const real *parameters, const real *s
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real d_servo =
-        -(dp->kp * (angle - p->liftoff_factor * x->liftoff_angle) +
-          p->kp *
-              (d_angle - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) -
-        (dp->kd * angle_rate + p->kd * d_angle_rate);
+    const real d_servo = -(dp->kp * (angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (d_angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle)))
+        - (dp->kd * angle_rate + p->kd * d_angle_rate);
     return d_servo;
 }
 
 /* First variation of the guard of graze_to_flight. */
 static real vary_guard_graze_retract_graze_to_flight(const real *parameters, const real *states,
-                                                     const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -6917,18 +6681,15 @@ static real vary_guard_graze_retract_graze_to_flight(const real *parameters, con
     const real length = real_sqrt(square);
     const real rest_length_minus_length = rest_length - length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real spring = p->stiffness * rest_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
@@ -6939,9 +6700,8 @@ static real vary_guard_graze_retract_graze_to_flight(const real *parameters, con
     const real angle_rate = moment / square;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real d_servo = -(dp->kp * sum_2 + p->kp * (d_angle - (dp->liftoff_factor * x->liftoff_angle +
-                                                                p->liftoff_factor * dx->liftoff_angle))) -
-                         (dp->kd * angle_rate + p->kd * d_angle_rate);
+    const real d_servo = -(dp->kp * sum_2 + p->kp * (d_angle - (dp->liftoff_factor * x->liftoff_angle
+        + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * angle_rate + p->kd * d_angle_rate);
     const real d_swing_torque = dx->external_torque + d_servo;
     const real servo = -(p->kp * sum_2) - p->kd * angle_rate;
     const real swing_torque = x->external_torque + servo;
@@ -6950,8 +6710,8 @@ static real vary_guard_graze_retract_graze_to_flight(const real *parameters, con
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
-    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine -
-                                   p->foot_mass * p->gravity * (sine * dx->slope));
+    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine
+        - p->foot_mass * p->gravity * (sine * dx->slope));
     return d_normal;
 }
 
@@ -6960,12 +6720,14 @@ static void open_slip_falling(const real *parameters, const real *states, real *
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     slip_falling_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
     const real longer = p->thrust + p->more_thrust;
     const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real product_2 = x->driving * (p->drive_torque + p->more_torque);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
     const real gravity_times_sine = p->gravity * sine;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real foot_mass_times_gravity_times_sine = foot_mass_times_gravity * sine;
     const real own = select(x->way > 0.0, x->friction_ahead, x->friction_behind);
@@ -6973,11 +6735,13 @@ static void open_slip_falling(const real *parameters, const real *states, real *
     const real is_own_times_own = is_own * own;
     const real by_1_minus_is_own = 1.0 - is_own;
     const real static_ratio_minus_by_1 = p->static_ratio - 1.0;
+    const real inverse_stribeck_velocity = 1.0 / p->stribeck_velocity;
     const real foot_mass_times_gravity_times_cosine = foot_mass_times_gravity * cosine;
     const real gravity_times_cosine = p->gravity * cosine;
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
     const real by_61_times_stribeck_velocity = 61.0 * p->stribeck_velocity;
     const real segment_end_or_segment_begin = select(x->way > 0.0, x->segment_end, x->segment_begin);
+    c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->thrusting_times_longer_or_by_0 = thrusting_times_longer_or_by_0;
@@ -6985,15 +6749,14 @@ static void open_slip_falling(const real *parameters, const real *states, real *
     c->product_2 = product_2;
     c->cosine = cosine;
     c->sine = sine;
-    c->body_mass = p->body_mass;
     c->gravity_times_sine = gravity_times_sine;
-    c->foot_mass = p->foot_mass;
+    c->inverse_foot_mass = inverse_foot_mass;
     c->foot_mass_times_gravity_times_sine = foot_mass_times_gravity_times_sine;
     c->way = x->way;
     c->is_own_times_own = is_own_times_own;
     c->by_1_minus_is_own = by_1_minus_is_own;
     c->static_ratio_minus_by_1 = static_ratio_minus_by_1;
-    c->stribeck_velocity = p->stribeck_velocity;
+    c->inverse_stribeck_velocity = inverse_stribeck_velocity;
     c->foot_mass_times_gravity_times_cosine = foot_mass_times_gravity_times_cosine;
     c->gravity_times_cosine = gravity_times_cosine;
     c->extension_rate = x->extension_rate;
@@ -7010,24 +6773,28 @@ static void open_slip_falling(const real *parameters, const real *states, real *
 
 /* First variation of open_slip_falling. */
 static void vary_open_slip_falling(const real *parameters, const real *states, const real *d_parameters,
-                                   const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     slip_falling_constants *c = (void *)constants;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
-    const real d_product_2 =
-        (p->drive_torque + p->more_torque) * dx->driving + x->driving * (dp->drive_torque + dp->more_torque);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
+        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
+    const real d_product_2 = (p->drive_torque + p->more_torque) * dx->driving
+        + x->driving * (dp->drive_torque + dp->more_torque);
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
     const real d_cosine = -sine_times_slope;
     const real cosine = real_cos(x->slope);
     const real d_sine = cosine * dx->slope;
     const real d_gravity_times_sine = sine * dp->gravity + p->gravity * d_sine;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
     const real sum_2 = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real d_foot_mass_times_gravity_times_sine = sine * sum_2 + foot_mass_times_gravity * d_sine;
@@ -7035,13 +6802,17 @@ static void vary_open_slip_falling(const real *parameters, const real *states, c
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real d_own = select(x->way > 0.0, dx->friction_ahead, dx->friction_behind);
     const real d_is_own_times_own = is_own * d_own;
-    const real d_foot_mass_times_gravity_times_cosine =
-        cosine * sum_2 - foot_mass_times_gravity * sine_times_slope;
+    const real inverse_stribeck_velocity = 1.0 / p->stribeck_velocity;
+    const real d_inverse_stribeck_velocity = -(inverse_stribeck_velocity * dp->stribeck_velocity /
+        p->stribeck_velocity);
+    const real d_foot_mass_times_gravity_times_cosine = cosine * sum_2
+        - foot_mass_times_gravity * sine_times_slope;
     const real d_gravity_times_cosine = cosine * dp->gravity - p->gravity * sine_times_slope;
-    const real d_stiffness_times_extension_rate =
-        x->extension_rate * dp->stiffness + p->stiffness * dx->extension_rate;
+    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
+        + p->stiffness * dx->extension_rate;
     const real d_by_61_times_stribeck_velocity = 61.0 * dp->stribeck_velocity;
     const real d_segment_end_or_segment_begin = select(x->way > 0.0, dx->segment_end, dx->segment_begin);
+    c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->thrusting_times_longer_or_by_0 = d_thrusting_times_longer_or_by_0;
@@ -7049,15 +6820,14 @@ static void vary_open_slip_falling(const real *parameters, const real *states, c
     c->product_2 = d_product_2;
     c->cosine = d_cosine;
     c->sine = d_sine;
-    c->body_mass = dp->body_mass;
     c->gravity_times_sine = d_gravity_times_sine;
-    c->foot_mass = dp->foot_mass;
+    c->inverse_foot_mass = d_inverse_foot_mass;
     c->foot_mass_times_gravity_times_sine = d_foot_mass_times_gravity_times_sine;
     c->way = dx->way;
     c->is_own_times_own = d_is_own_times_own;
     c->by_1_minus_is_own = 0.0;
     c->static_ratio_minus_by_1 = dp->static_ratio;
-    c->stribeck_velocity = dp->stribeck_velocity;
+    c->inverse_stribeck_velocity = d_inverse_stribeck_velocity;
     c->foot_mass_times_gravity_times_cosine = d_foot_mass_times_gravity_times_cosine;
     c->gravity_times_cosine = d_gravity_times_cosine;
     c->extension_rate = dx->extension_rate;
@@ -7074,7 +6844,7 @@ static void vary_open_slip_falling(const real *parameters, const real *states, c
 
 /* First variation of the guard of leaves_layer. */
 static real vary_guard_slip_falling_leaves_layer(const real *parameters, const real *states,
-                                                 const real *d_parameters, const real *d_states) {
+    const real *d_parameters, const real *d_states) {
     (void)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -7088,12 +6858,12 @@ static void outputs_slip_falling(const real *parameters, const real *states, rea
     const runner_states *x = (const void *)states;
     const real set_height = p->ground_height + x->segment_height;
     const real set_slope = p->ground_slope + x->segment_slope;
-    const real pending = select(
-        real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
+    const real pending = select(real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope
+        - x->slope)) > 0.0, 1.0, 0.0);
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
@@ -7133,8 +6903,8 @@ static void outputs_slip_falling(const real *parameters, const real *states, rea
     const real center_vy = vy + share * vx_times_sine_plus_vy_times_cosine;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
     const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (vx * vx + vy * vy));
-    const real potential_energy =
-        p->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_foot_x_times_sine);
+    const real potential_energy = p->gravity * (p->body_mass * body_y
+        + p->foot_mass * height_plus_foot_x_times_sine);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
     const real kind_of_contact = select(x->way > 0.0, 3.0, 4.0);
@@ -7165,14 +6935,14 @@ static void outputs_slip_falling(const real *parameters, const real *states, rea
 
 /* First variation of outputs_slip_falling. */
 static void vary_outputs_slip_falling(const real *parameters, const real *states, const real *d_parameters,
-                                      const real *d_states, real *outputs) {
+    const real *d_states, real *outputs) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     const real drive_torque_plus_more_torque = p->drive_torque + p->more_torque;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving
+        + drive_torque_plus_more_torque * dx->driving);
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
@@ -7180,18 +6950,16 @@ static void vary_outputs_slip_falling(const real *parameters, const real *states
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_shorter = d_rest_length - d_length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate =
-        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
-        length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * length_rate
+        + p->damping * d_length_rate);
     const real spring = p->stiffness * shorter - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
@@ -7203,8 +6971,8 @@ static void vary_outputs_slip_falling(const real *parameters, const real *states
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
-    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine -
-                                   foot_mass_times_gravity * sine_times_slope);
+    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine
+        - foot_mass_times_gravity * sine_times_slope);
     const real own = select(x->way > 0.0, x->friction_ahead, x->friction_behind);
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real by_1_minus_is_own = 1.0 - is_own;
@@ -7216,25 +6984,21 @@ static void vary_outputs_slip_falling(const real *parameters, const real *states
     const real slip_friction = friction_along * sum_2;
     const real d_own = select(x->way > 0.0, dx->friction_ahead, dx->friction_behind);
     const real d_friction_along = is_own * d_own + by_1_minus_is_own * dx->friction;
-    const real d_slip_friction =
-        d_friction_along * sum_2 +
-        friction_along *
-            (dp->static_ratio * fading -
-             static_ratio_minus_by_1 *
-                 (fading * ((dx->way * x->foot_vx + x->way * dx->foot_vx - ratio * dp->stribeck_velocity) /
-                            p->stribeck_velocity)));
+    const real d_slip_friction = d_friction_along * sum_2 + friction_along * (dp->static_ratio * fading
+        - static_ratio_minus_by_1 * (fading * ((dx->way * x->foot_vx + x->way * dx->foot_vx
+        - ratio * dp->stribeck_velocity) / p->stribeck_velocity)));
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + foot_mass_times_gravity * cosine;
     const real way_times_slip_friction = x->way * slip_friction;
-    const real sum_3 =
-        (dx->way * slip_friction + x->way * d_slip_friction) * normal + way_times_slip_friction * d_normal;
+    const real sum_3 = (dx->way * slip_friction + x->way * d_slip_friction) * normal
+        + way_times_slip_friction * d_normal;
     const real d_tangential_force = -sum_3;
     const real way_times_slip_friction_times_normal = way_times_slip_friction * normal;
     const real d_sine = cosine * dx->slope;
-    const real d_x = -(sum_3 * cosine - way_times_slip_friction_times_normal * sine_times_slope) -
-                     (d_normal * sine + normal * d_sine);
-    const real d_y = d_normal * cosine - normal * sine_times_slope -
-                     (sum_3 * sine + way_times_slip_friction_times_normal * d_sine);
+    const real d_x = -(sum_3 * cosine - way_times_slip_friction_times_normal * sine_times_slope)
+        - (d_normal * sine + normal * d_sine);
+    const real d_y = d_normal * cosine - normal * sine_times_slope - (sum_3 * sine
+        + way_times_slip_friction_times_normal * d_sine);
     const real sum_4 = dx->foot_x * cosine - x->foot_x * sine_times_slope;
     const real sum_5 = dx->x_ * cosine - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine);
     const real d_body_x = sum_4 + sum_5;
@@ -7261,19 +7025,18 @@ static void vary_outputs_slip_falling(const real *parameters, const real *states
     const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
     const real vy = x->foot_vx * sine;
     const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
-                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy =
-        0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy) +
-                            p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
+    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
+        + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy)
+        + p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
-    const real d_potential_energy =
-        dp->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_foot_x_times_sine) +
-        p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
-                      (dp->foot_mass * height_plus_foot_x_times_sine + p->foot_mass * height_plus_sum));
-    const real d_elastic_energy =
-        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_potential_energy = dp->gravity * (p->body_mass * body_y
+        + p->foot_mass * height_plus_foot_x_times_sine) + p->gravity * (dp->body_mass * body_y
+        + p->body_mass * d_body_y + (dp->foot_mass * height_plus_foot_x_times_sine
+        + p->foot_mass * height_plus_sum));
+    const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
+        + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
     outputs[OUTPUT_pending] = 0.0;
     outputs[OUTPUT_torque] = d_stance_torque;
@@ -7308,8 +7071,8 @@ static real time_scale_slip_falling(const real *parameters, const real *states) 
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real friction_along = is_own * own + (1.0 - is_own) * x->friction;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -7343,8 +7106,8 @@ static void world_rates_slip_falling(const real *parameters, const real *states,
     const real sine = real_sin(x->slope);
     const real vy = x->foot_vx * sine;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real x__times_vx = x->x_ * x->vx;
@@ -7368,28 +7131,25 @@ static void world_rates_slip_falling(const real *parameters, const real *states,
     const real sum_2 = 2.0 * x__times_vx + 2.0 * y__times_vy;
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
-    const real sum_minus_acceleration =
-        (along + (x->external_fx * cosine + x->external_fy * sine)) / p->body_mass - p->gravity * sine -
-        acceleration;
-    const real sum_3 =
-        (off + (x->external_fy * cosine - x->external_fx * sine)) / p->body_mass - p->gravity * cosine;
+    const real sum_minus_acceleration = (along + (x->external_fx * cosine
+        + x->external_fy * sine)) / p->body_mass - p->gravity * sine - acceleration;
+    const real sum_3 = (off + (x->external_fy * cosine - x->external_fx * sine)) / p->body_mass
+        - p->gravity * cosine;
     y->seen_x = vx;
     y->seen_y = vy;
     y->seen_vx = acceleration * cosine;
     y->seen_vy = acceleration * sine;
     y->length = 0.5 * sum_2 / length;
     y->angle = angle_rate;
-    y->length_rate = (x->vx * x->vx + x->x_ * sum_minus_acceleration + (x->vy * x->vy + x->y_ * sum_3) -
-                      length_rate * (0.5 * sum_2 / length)) /
-                     length;
-    y->angle_rate = (x->vx * x->vy + x->x_ * sum_3 - (x->vy * x->vx + x->y_ * sum_minus_acceleration) -
-                     angle_rate * sum_2) /
-                    square;
+    y->length_rate = (x->vx * x->vx + x->x_ * sum_minus_acceleration + (x->vy * x->vy + x->y_ * sum_3)
+        - length_rate * (0.5 * sum_2 / length)) / length;
+    y->angle_rate = (x->vx * x->vy + x->x_ * sum_3 - (x->vy * x->vx + x->y_ * sum_minus_acceleration)
+        - angle_rate * sum_2) / square;
 }
 
 /* First variation of world_rates_slip_falling. */
 static void vary_world_rates_slip_falling(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states, real *after) {
+    const real *d_parameters, const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -7408,9 +7168,8 @@ static void vary_world_rates_slip_falling(const real *parameters, const real *st
     const real length = real_sqrt(square);
     const real rest_length_minus_length = rest_length - length;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real x__times_vx = x->x_ * x->vx;
@@ -7418,17 +7177,16 @@ static void vary_world_rates_slip_falling(const real *parameters, const real *st
     const real length_rate = (x__times_vx + y__times_vy) / length;
     const real x__times_vx_plus_x__times_vx = dx->x_ * x->vx + x->x_ * dx->vx;
     const real y__times_vy_plus_y__times_vy = dx->y_ * x->vy + x->y_ * dx->vy;
-    const real d_length_rate =
-        (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy - length_rate * d_length) / length;
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - d_length) -
-                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_length_rate = (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy
+        - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
     const real spring = p->stiffness * rest_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
     const real drive_torque_plus_more_torque = p->drive_torque + p->more_torque;
-    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
-                                                        drive_torque_plus_more_torque * dx->driving);
+    const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving
+        + drive_torque_plus_more_torque * dx->driving);
     const real stance_torque = x->external_torque - drive_torque_plus_more_torque * x->driving;
     const real turning = stance_torque / square;
     const real d_turning = (d_stance_torque - turning * d_square) / square;
@@ -7446,26 +7204,21 @@ static void vary_world_rates_slip_falling(const real *parameters, const real *st
     const real slip_friction = friction_along * sum_3;
     const real d_own = select(x->way > 0.0, dx->friction_ahead, dx->friction_behind);
     const real d_friction_along = is_own * d_own + by_1_minus_is_own * dx->friction;
-    const real d_slip_friction =
-        d_friction_along * sum_3 +
-        friction_along *
-            (dp->static_ratio * fading -
-             static_ratio_minus_by_1 *
-                 (fading * ((dx->way * x->foot_vx + x->way * dx->foot_vx - ratio * dp->stribeck_velocity) /
-                            p->stribeck_velocity)));
+    const real d_slip_friction = d_friction_along * sum_3 + friction_along * (dp->static_ratio * fading
+        - static_ratio_minus_by_1 * (fading * ((dx->way * x->foot_vx + x->way * dx->foot_vx
+        - ratio * dp->stribeck_velocity) / p->stribeck_velocity)));
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + foot_mass_times_gravity * cosine;
     const real way_times_slip_friction = x->way * slip_friction;
     const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
     const real d_normal = d_off + (sum_2 * cosine - foot_mass_times_gravity * sine_times_slope);
-    const real d_friction_force =
-        (dx->way * slip_friction + x->way * d_slip_friction) * normal + way_times_slip_friction * d_normal;
+    const real d_friction_force = (dx->way * slip_friction + x->way * d_slip_friction) * normal
+        + way_times_slip_friction * d_normal;
     const real along = axial * x->x_ - turning * x->y_;
     const real friction_force = way_times_slip_friction * normal;
     const real acceleration = (-(along + foot_mass_times_gravity * sine) - friction_force) / p->foot_mass;
-    const real d_acceleration = (-(d_along + (sum_2 * sine + foot_mass_times_gravity * d_sine)) -
-                                 d_friction_force - acceleration * dp->foot_mass) /
-                                p->foot_mass;
+    const real d_acceleration = (-(d_along + (sum_2 * sine + foot_mass_times_gravity * d_sine))
+        - d_friction_force - acceleration * dp->foot_mass) / p->foot_mass;
     const real sum_4 = 2.0 * x__times_vx_plus_x__times_vx + 2.0 * y__times_vy_plus_y__times_vy;
     const real sum_5 = 2.0 * x__times_vx + 2.0 * y__times_vy;
     const real by_0_5_times_sum_over_length = 0.5 * sum_5 / length;
@@ -7473,48 +7226,37 @@ static void vary_world_rates_slip_falling(const real *parameters, const real *st
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
     const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real along_plus_sum_over_body_mass =
-        (along + (x->external_fx * cosine + x->external_fy * sine)) / p->body_mass;
+    const real along_plus_sum_over_body_mass = (along + (x->external_fx * cosine
+        + x->external_fy * sine)) / p->body_mass;
     const real sum_minus_acceleration = along_plus_sum_over_body_mass - p->gravity * sine - acceleration;
-    const real ratio_minus_sum_minus_d_acceleration =
-        (d_along +
-         (dx->external_fx * cosine - x->external_fx * sine_times_slope +
-          (dx->external_fy * sine + x->external_fy * d_sine)) -
-         along_plus_sum_over_body_mass * dp->body_mass) /
-            p->body_mass -
-        (dp->gravity * sine + p->gravity * d_sine) - d_acceleration;
-    const real off_plus_sum_over_body_mass =
-        (off + (x->external_fy * cosine - x->external_fx * sine)) / p->body_mass;
+    const real ratio_minus_sum_minus_d_acceleration = (d_along + (dx->external_fx * cosine
+        - x->external_fx * sine_times_slope + (dx->external_fy * sine + x->external_fy * d_sine))
+        - along_plus_sum_over_body_mass * dp->body_mass) / p->body_mass - (dp->gravity * sine
+        + p->gravity * d_sine) - d_acceleration;
+    const real off_plus_sum_over_body_mass = (off + (x->external_fy * cosine
+        - x->external_fx * sine)) / p->body_mass;
     const real sum_6 = off_plus_sum_over_body_mass - p->gravity * cosine;
-    const real ratio_minus_sum = (d_off +
-                                  (dx->external_fy * cosine - x->external_fy * sine_times_slope -
-                                   (dx->external_fx * sine + x->external_fx * d_sine)) -
-                                  off_plus_sum_over_body_mass * dp->body_mass) /
-                                     p->body_mass -
-                                 (dp->gravity * cosine - p->gravity * sine_times_slope);
+    const real ratio_minus_sum = (d_off + (dx->external_fy * cosine - x->external_fy * sine_times_slope
+        - (dx->external_fx * sine + x->external_fx * d_sine))
+        - off_plus_sum_over_body_mass * dp->body_mass) / p->body_mass - (dp->gravity * cosine
+        - p->gravity * sine_times_slope);
     y->seen_x = d_vx;
     y->seen_y = d_vy;
     y->seen_vx = d_acceleration * cosine - acceleration * sine_times_slope;
     y->seen_vy = d_acceleration * sine + acceleration * d_sine;
     y->length = (0.5 * sum_4 - by_0_5_times_sum_over_length * d_length) / length;
     y->angle = d_angle_rate;
-    y->length_rate = (2.0 * (x->vx * dx->vx) +
-                      (dx->x_ * sum_minus_acceleration + x->x_ * ratio_minus_sum_minus_d_acceleration) +
-                      (2.0 * (x->vy * dx->vy) + (dx->y_ * sum_6 + x->y_ * ratio_minus_sum)) -
-                      (d_length_rate * by_0_5_times_sum_over_length +
-                       length_rate * ((0.5 * sum_4 - by_0_5_times_sum_over_length * d_length) / length)) -
-                      (x->vx * x->vx + x->x_ * sum_minus_acceleration + (x->vy * x->vy + x->y_ * sum_6) -
-                       length_rate * by_0_5_times_sum_over_length) /
-                          length * d_length) /
-                     length;
-    y->angle_rate = (dx->vx * x->vy + x->vx * dx->vy + (dx->x_ * sum_6 + x->x_ * ratio_minus_sum) -
-                     (dx->vy * x->vx + x->vy * dx->vx +
-                      (dx->y_ * sum_minus_acceleration + x->y_ * ratio_minus_sum_minus_d_acceleration)) -
-                     (d_angle_rate * sum_5 + angle_rate * sum_4) -
-                     (x->vx * x->vy + x->x_ * sum_6 - (x->vy * x->vx + x->y_ * sum_minus_acceleration) -
-                      angle_rate * sum_5) /
-                         square * d_square) /
-                    square;
+    y->length_rate = (2.0 * (x->vx * dx->vx) + (dx->x_ * sum_minus_acceleration
+        + x->x_ * ratio_minus_sum_minus_d_acceleration) + (2.0 * (x->vy * dx->vy) + (dx->y_ * sum_6
+        + x->y_ * ratio_minus_sum)) - (d_length_rate * by_0_5_times_sum_over_length
+        + length_rate * ((0.5 * sum_4 - by_0_5_times_sum_over_length * d_length) / length)) - (x->vx * x->vx
+        + x->x_ * sum_minus_acceleration + (x->vy * x->vy + x->y_ * sum_6)
+        - length_rate * by_0_5_times_sum_over_length) / length * d_length) / length;
+    y->angle_rate = (dx->vx * x->vy + x->vx * dx->vy + (dx->x_ * sum_6 + x->x_ * ratio_minus_sum)
+        - (dx->vy * x->vx + x->vy * dx->vx + (dx->y_ * sum_minus_acceleration
+        + x->y_ * ratio_minus_sum_minus_d_acceleration)) - (d_angle_rate * sum_5 + angle_rate * sum_4)
+        - (x->vx * x->vy + x->x_ * sum_6 - (x->vy * x->vx + x->y_ * sum_minus_acceleration)
+        - angle_rate * sum_5) / square * d_square) / square;
 }
 
 /* Constants of flight_place_pushed. */
@@ -7522,10 +7264,12 @@ static void open_flight_place_pushed(const real *parameters, const real *states,
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     flight_place_pushed_constants *c = (void *)constants;
-    const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real mobility = inverse_body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real total_mass = p->body_mass + p->foot_mass;
+    const real inverse_total_mass = 1.0 / total_mass;
     const real touchdown_angle_plus_more_angle = p->touchdown_angle + p->more_angle;
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
     const real share = p->body_mass / total_mass;
@@ -7536,13 +7280,13 @@ static void open_flight_place_pushed(const real *parameters, const real *states,
     const real sin_of_set_slope = real_sin(set_slope);
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
-    c->body_mass = p->body_mass;
+    c->inverse_body_mass = inverse_body_mass;
     c->mobility = mobility;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->thrusting_times_longer_or_by_0 = thrusting_times_longer_or_by_0;
     c->damping = p->damping;
-    c->total_mass = total_mass;
+    c->inverse_total_mass = inverse_total_mass;
     c->gravity = p->gravity;
     c->kp = p->kp;
     c->touchdown_angle_plus_more_angle = touchdown_angle_plus_more_angle;
@@ -7571,23 +7315,26 @@ static void open_flight_place_pushed(const real *parameters, const real *states,
 
 /* First variation of open_flight_place_pushed. */
 static void vary_open_flight_place_pushed(const real *parameters, const real *states,
-                                          const real *d_parameters, const real *d_states, real *constants) {
+    const real *d_parameters, const real *d_states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     flight_place_pushed_constants *c = (void *)constants;
-    const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass) -
-                            1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
+    const real d_mobility = d_inverse_body_mass - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
-    const real d_total_mass = dp->body_mass + dp->foot_mass;
-    const real d_touchdown_angle_plus_more_angle = dp->touchdown_angle + dp->more_angle;
-    const real d_stiffness_times_extension_rate =
-        x->extension_rate * dp->stiffness + p->stiffness * dx->extension_rate;
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
+        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real total_mass = p->body_mass + p->foot_mass;
+    const real inverse_total_mass = 1.0 / total_mass;
+    const real d_total_mass = dp->body_mass + dp->foot_mass;
+    const real d_inverse_total_mass = -(inverse_total_mass * d_total_mass / total_mass);
+    const real d_touchdown_angle_plus_more_angle = dp->touchdown_angle + dp->more_angle;
+    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
+        + p->stiffness * dx->extension_rate;
     const real share = p->body_mass / total_mass;
     const real d_share = (dp->body_mass - share * d_total_mass) / total_mass;
     const real d_by_1_minus_share = -d_share;
@@ -7602,13 +7349,13 @@ static void vary_open_flight_place_pushed(const real *parameters, const real *st
     const real d_cos_of_slope = -(sin_of_slope * dx->slope);
     const real cos_of_slope = real_cos(x->slope);
     const real d_sin_of_slope = cos_of_slope * dx->slope;
-    c->body_mass = dp->body_mass;
+    c->inverse_body_mass = d_inverse_body_mass;
     c->mobility = d_mobility;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->thrusting_times_longer_or_by_0 = d_thrusting_times_longer_or_by_0;
     c->damping = dp->damping;
-    c->total_mass = d_total_mass;
+    c->inverse_total_mass = d_inverse_total_mass;
     c->gravity = dp->gravity;
     c->kp = dp->kp;
     c->touchdown_angle_plus_more_angle = d_touchdown_angle_plus_more_angle;
@@ -7650,27 +7397,25 @@ static void world_rates_flight_place_pushed(const real *parameters, const real *
     const real sine_times_rate = sine * rate;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
     const real axial = x->external_fy * cosine - x->external_fx * sine;
-    const real sum_plus_axial_over_body_mass =
-        x->length * (rate * rate) + mobility * spring + axial / p->body_mass;
+    const real sum_plus_axial_over_body_mass = x->length * (rate * rate) + mobility * spring
+        + axial / p->body_mass;
     const real target = p->touchdown_angle + p->more_angle - p->retraction_rate * x->placing;
     const real servo = -(p->kp * (x->angle - target)) - p->kd * (rate + p->retraction_rate);
     const real swing_torque = x->external_torque + servo;
-    const real sum_2 = mobility * swing_torque -
-                       x->length * (x->external_fx * cosine + x->external_fy * sine) / p->body_mass;
+    const real sum_2 = mobility * swing_torque - x->length * (x->external_fx * cosine
+        + x->external_fy * sine) / p->body_mass;
     const real turn = x->momentum / x->length;
     const real ratio = (sum_2 - turn * x->length_rate) / x->length;
     y->seen_x = x->com_vx + share * (x->length_rate * sine + x->length * cosine_times_rate);
     y->seen_y = x->com_vy - share * (x->length_rate * cosine - x->length * sine_times_rate);
-    y->seen_vx = x->external_fx / total_mass -
-                 share * (-(sum_plus_axial_over_body_mass * sine + x->length_rate * cosine_times_rate) -
-                          (ratio * cosine - turn * sine_times_rate));
-    y->seen_vy = x->external_fy / total_mass - p->gravity -
-                 share * (sum_plus_axial_over_body_mass * cosine - x->length_rate * sine_times_rate -
-                          (ratio * sine + turn * cosine_times_rate));
+    y->seen_vx = x->external_fx / total_mass - share * (-(sum_plus_axial_over_body_mass * sine
+        + x->length_rate * cosine_times_rate) - (ratio * cosine - turn * sine_times_rate));
+    y->seen_vy = x->external_fy / total_mass - p->gravity - share * (sum_plus_axial_over_body_mass * cosine
+        - x->length_rate * sine_times_rate - (ratio * sine + turn * cosine_times_rate));
     y->length = x->length_rate;
     y->angle = rate;
     y->length_rate = sum_plus_axial_over_body_mass;
@@ -7679,8 +7424,7 @@ static void world_rates_flight_place_pushed(const real *parameters, const real *
 
 /* First variation of world_rates_flight_place_pushed. */
 static void vary_world_rates_flight_place_pushed(const real *parameters, const real *states,
-                                                 const real *d_parameters, const real *d_states,
-                                                 real *after) {
+    const real *d_parameters, const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -7703,9 +7447,9 @@ static void vary_world_rates_flight_place_pushed(const real *parameters, const r
     const real sine_times_rate = sine * rate;
     const real sum_3 = d_sine * rate + sine * d_rate;
     const real rate_times_rate = rate * rate;
-    const real by_1_over_body_mass = 1.0 / p->body_mass;
-    const real by_1_over_foot_mass = 1.0 / p->foot_mass;
-    const real mobility = by_1_over_body_mass + by_1_over_foot_mass;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real mobility = inverse_body_mass + inverse_foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
@@ -7713,8 +7457,8 @@ static void vary_world_rates_flight_place_pushed(const real *parameters, const r
     const real spring = p->stiffness * rest_length_minus_length - p->damping * x->length_rate;
     const real axial = x->external_fy * cosine - x->external_fx * sine;
     const real axial_over_body_mass = axial / p->body_mass;
-    const real sum_plus_axial_over_body_mass =
-        x->length * rate_times_rate + mobility * spring + axial_over_body_mass;
+    const real sum_plus_axial_over_body_mass = x->length * rate_times_rate + mobility * spring
+        + axial_over_body_mass;
     const real target = p->touchdown_angle + p->more_angle - p->retraction_rate * x->placing;
     const real angle_minus_target = x->angle - target;
     const real rate_plus_retraction_rate = rate + p->retraction_rate;
@@ -7725,64 +7469,56 @@ static void vary_world_rates_flight_place_pushed(const real *parameters, const r
     const real sum_5 = mobility * swing_torque - length_times_sum_over_body_mass;
     const real turn = x->momentum / x->length;
     const real ratio = (sum_5 - turn * x->length_rate) / x->length;
-    const real d_mobility = -(by_1_over_body_mass * dp->body_mass / p->body_mass) -
-                            by_1_over_foot_mass * dp->foot_mass / p->foot_mass;
+    const real d_mobility = -(inverse_body_mass * dp->body_mass / p->body_mass)
+        - inverse_foot_mass * dp->foot_mass / p->foot_mass;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - dx->length) -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real d_axial = dx->external_fy * cosine - x->external_fy * sine_times_angle -
-                         (dx->external_fx * sine + x->external_fx * d_sine);
-    const real sum_plus_sum_plus_sum_over_body_mass =
-        dx->length * rate_times_rate + x->length * (2.0 * (rate * d_rate)) +
-        (d_mobility * spring + mobility * d_spring) +
-        (d_axial - axial_over_body_mass * dp->body_mass) / p->body_mass;
-    const real d_target = dp->touchdown_angle + dp->more_angle -
-                          (dp->retraction_rate * x->placing + p->retraction_rate * dx->placing);
-    const real d_servo = -(dp->kp * angle_minus_target + p->kp * (dx->angle - d_target)) -
-                         (dp->kd * rate_plus_retraction_rate + p->kd * (d_rate + dp->retraction_rate));
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - dx->length) - (dp->damping * x->length_rate + p->damping * dx->length_rate);
+    const real d_axial = dx->external_fy * cosine - x->external_fy * sine_times_angle
+        - (dx->external_fx * sine + x->external_fx * d_sine);
+    const real sum_plus_sum_plus_sum_over_body_mass = dx->length * rate_times_rate
+        + x->length * (2.0 * (rate * d_rate)) + (d_mobility * spring + mobility * d_spring) + (d_axial
+        - axial_over_body_mass * dp->body_mass) / p->body_mass;
+    const real d_target = dp->touchdown_angle + dp->more_angle - (dp->retraction_rate * x->placing
+        + p->retraction_rate * dx->placing);
+    const real d_servo = -(dp->kp * angle_minus_target + p->kp * (dx->angle - d_target))
+        - (dp->kd * rate_plus_retraction_rate + p->kd * (d_rate + dp->retraction_rate));
     const real d_swing_torque = dx->external_torque + d_servo;
-    const real sum_6 = d_mobility * swing_torque + mobility * d_swing_torque -
-                       (dx->length * sum_4 +
-                        x->length * (dx->external_fx * cosine - x->external_fx * sine_times_angle +
-                                     (dx->external_fy * sine + x->external_fy * d_sine)) -
-                        length_times_sum_over_body_mass * dp->body_mass) /
-                           p->body_mass;
+    const real sum_6 = d_mobility * swing_torque + mobility * d_swing_torque - (dx->length * sum_4
+        + x->length * (dx->external_fx * cosine - x->external_fx * sine_times_angle
+        + (dx->external_fy * sine + x->external_fy * d_sine))
+        - length_times_sum_over_body_mass * dp->body_mass) / p->body_mass;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real ratio_2 =
-        (sum_6 - (d_turn * x->length_rate + turn * dx->length_rate) - ratio * dx->length) / x->length;
+    const real ratio_2 = (sum_6 - (d_turn * x->length_rate + turn * dx->length_rate)
+        - ratio * dx->length) / x->length;
     const real by_2_times_length_times_length_rate = 2.0 * (x->length * x->length_rate);
-    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate) +
-                              share * (dx->length_rate * sine + x->length_rate * d_sine +
-                                       (dx->length * cosine_times_rate + x->length * sum_2)));
-    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate) +
-                              share * (dx->length_rate * cosine - x->length_rate * sine_times_angle -
-                                       (dx->length * sine_times_rate + x->length * sum_3)));
-    y->seen_vx =
-        (dx->external_fx - x->external_fx / total_mass * d_total_mass) / total_mass -
-        (d_share * (-(sum_plus_axial_over_body_mass * sine + x->length_rate * cosine_times_rate) -
-                    (ratio * cosine - turn * sine_times_rate)) +
-         share * (-(sum_plus_sum_plus_sum_over_body_mass * sine + sum_plus_axial_over_body_mass * d_sine +
-                    (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)) -
-                  (ratio_2 * cosine - ratio * sine_times_angle - (d_turn * sine_times_rate + turn * sum_3))));
-    y->seen_vy = (dx->external_fy - x->external_fy / total_mass * d_total_mass) / total_mass - dp->gravity -
-                 (d_share * (sum_plus_axial_over_body_mass * cosine - x->length_rate * sine_times_rate -
-                             (ratio * sine + turn * cosine_times_rate)) +
-                  share * (sum_plus_sum_plus_sum_over_body_mass * cosine -
-                           sum_plus_axial_over_body_mass * sine_times_angle -
-                           (dx->length_rate * sine_times_rate + x->length_rate * sum_3) -
-                           (ratio_2 * sine + ratio * d_sine + (d_turn * cosine_times_rate + turn * sum_2))));
+    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate)
+        + share * (dx->length_rate * sine + x->length_rate * d_sine + (dx->length * cosine_times_rate
+        + x->length * sum_2)));
+    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate)
+        + share * (dx->length_rate * cosine - x->length_rate * sine_times_angle
+        - (dx->length * sine_times_rate + x->length * sum_3)));
+    y->seen_vx = (dx->external_fx - x->external_fx / total_mass * d_total_mass) / total_mass
+        - (d_share * (-(sum_plus_axial_over_body_mass * sine + x->length_rate * cosine_times_rate)
+        - (ratio * cosine - turn * sine_times_rate))
+        + share * (-(sum_plus_sum_plus_sum_over_body_mass * sine + sum_plus_axial_over_body_mass * d_sine
+        + (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)) - (ratio_2 * cosine
+        - ratio * sine_times_angle - (d_turn * sine_times_rate + turn * sum_3))));
+    y->seen_vy = (dx->external_fy - x->external_fy / total_mass * d_total_mass) / total_mass - dp->gravity
+        - (d_share * (sum_plus_axial_over_body_mass * cosine - x->length_rate * sine_times_rate
+        - (ratio * sine + turn * cosine_times_rate))
+        + share * (sum_plus_sum_plus_sum_over_body_mass * cosine
+        - sum_plus_axial_over_body_mass * sine_times_angle - (dx->length_rate * sine_times_rate
+        + x->length_rate * sum_3) - (ratio_2 * sine + ratio * d_sine + (d_turn * cosine_times_rate
+        + turn * sum_2))));
     y->length = dx->length_rate;
     y->angle = d_rate;
     y->length_rate = sum_plus_sum_plus_sum_over_body_mass;
-    y->angle_rate = (sum_6 -
-                     (d_rate * by_2_times_length_times_length_rate +
-                      rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate))) -
-                     (sum_5 - rate * by_2_times_length_times_length_rate) / square * d_square) /
-                    square;
+    y->angle_rate = (sum_6 - (d_rate * by_2_times_length_times_length_rate
+        + rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate))) - (sum_5
+        - rate * by_2_times_length_times_length_rate) / square * d_square) / square;
 }
 
 /* Constants of flight_rest_pushed. */
@@ -7790,10 +7526,12 @@ static void open_flight_rest_pushed(const real *parameters, const real *states, 
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     flight_rest_pushed_constants *c = (void *)constants;
-    const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real mobility = inverse_body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real total_mass = p->body_mass + p->foot_mass;
+    const real inverse_total_mass = 1.0 / total_mass;
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
     const real share = p->body_mass / total_mass;
     const real by_1_minus_share = 1.0 - share;
@@ -7804,13 +7542,13 @@ static void open_flight_rest_pushed(const real *parameters, const real *states, 
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
     const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
-    c->body_mass = p->body_mass;
+    c->inverse_body_mass = inverse_body_mass;
     c->mobility = mobility;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->thrusting_times_longer_or_by_0 = thrusting_times_longer_or_by_0;
     c->damping = p->damping;
-    c->total_mass = total_mass;
+    c->inverse_total_mass = inverse_total_mass;
     c->gravity = p->gravity;
     c->extension_rate = x->extension_rate;
     c->stiffness_times_extension_rate = stiffness_times_extension_rate;
@@ -7838,22 +7576,25 @@ static void open_flight_rest_pushed(const real *parameters, const real *states, 
 
 /* First variation of open_flight_rest_pushed. */
 static void vary_open_flight_rest_pushed(const real *parameters, const real *states, const real *d_parameters,
-                                         const real *d_states, real *constants) {
+    const real *d_states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     flight_rest_pushed_constants *c = (void *)constants;
-    const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass) -
-                            1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
+    const real d_mobility = d_inverse_body_mass - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
-    const real d_total_mass = dp->body_mass + dp->foot_mass;
-    const real d_stiffness_times_extension_rate =
-        x->extension_rate * dp->stiffness + p->stiffness * dx->extension_rate;
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
+        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real total_mass = p->body_mass + p->foot_mass;
+    const real inverse_total_mass = 1.0 / total_mass;
+    const real d_total_mass = dp->body_mass + dp->foot_mass;
+    const real d_inverse_total_mass = -(inverse_total_mass * d_total_mass / total_mass);
+    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
+        + p->stiffness * dx->extension_rate;
     const real share = p->body_mass / total_mass;
     const real d_share = (dp->body_mass - share * d_total_mass) / total_mass;
     const real d_by_1_minus_share = -d_share;
@@ -7868,15 +7609,15 @@ static void vary_open_flight_rest_pushed(const real *parameters, const real *sta
     const real d_cos_of_slope = -(sin_of_slope * dx->slope);
     const real cos_of_slope = real_cos(x->slope);
     const real d_sin_of_slope = cos_of_slope * dx->slope;
-    const real d_liftoff_factor_times_liftoff_angle =
-        x->liftoff_angle * dp->liftoff_factor + p->liftoff_factor * dx->liftoff_angle;
-    c->body_mass = dp->body_mass;
+    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
+        + p->liftoff_factor * dx->liftoff_angle;
+    c->inverse_body_mass = d_inverse_body_mass;
     c->mobility = d_mobility;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->thrusting_times_longer_or_by_0 = d_thrusting_times_longer_or_by_0;
     c->damping = dp->damping;
-    c->total_mass = d_total_mass;
+    c->inverse_total_mass = d_inverse_total_mass;
     c->gravity = dp->gravity;
     c->extension_rate = dx->extension_rate;
     c->stiffness_times_extension_rate = d_stiffness_times_extension_rate;
@@ -7917,24 +7658,22 @@ static void world_rates_flight_rest_pushed(const real *parameters, const real *s
     const real sine_times_rate = sine * rate;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
     const real axial = x->external_fy * cosine - x->external_fx * sine;
-    const real sum_plus_axial_over_body_mass =
-        x->length * (rate * rate) + mobility * spring + axial / p->body_mass;
-    const real sum_2 = mobility * x->external_torque -
-                       x->length * (x->external_fx * cosine + x->external_fy * sine) / p->body_mass;
+    const real sum_plus_axial_over_body_mass = x->length * (rate * rate) + mobility * spring
+        + axial / p->body_mass;
+    const real sum_2 = mobility * x->external_torque - x->length * (x->external_fx * cosine
+        + x->external_fy * sine) / p->body_mass;
     const real turn = x->momentum / x->length;
     const real ratio = (sum_2 - turn * x->length_rate) / x->length;
     y->seen_x = x->com_vx + share * (x->length_rate * sine + x->length * cosine_times_rate);
     y->seen_y = x->com_vy - share * (x->length_rate * cosine - x->length * sine_times_rate);
-    y->seen_vx = x->external_fx / total_mass -
-                 share * (-(sum_plus_axial_over_body_mass * sine + x->length_rate * cosine_times_rate) -
-                          (ratio * cosine - turn * sine_times_rate));
-    y->seen_vy = x->external_fy / total_mass - p->gravity -
-                 share * (sum_plus_axial_over_body_mass * cosine - x->length_rate * sine_times_rate -
-                          (ratio * sine + turn * cosine_times_rate));
+    y->seen_vx = x->external_fx / total_mass - share * (-(sum_plus_axial_over_body_mass * sine
+        + x->length_rate * cosine_times_rate) - (ratio * cosine - turn * sine_times_rate));
+    y->seen_vy = x->external_fy / total_mass - p->gravity - share * (sum_plus_axial_over_body_mass * cosine
+        - x->length_rate * sine_times_rate - (ratio * sine + turn * cosine_times_rate));
     y->length = x->length_rate;
     y->angle = rate;
     y->length_rate = sum_plus_axial_over_body_mass;
@@ -7943,7 +7682,7 @@ static void world_rates_flight_rest_pushed(const real *parameters, const real *s
 
 /* First variation of world_rates_flight_rest_pushed. */
 static void vary_world_rates_flight_rest_pushed(const real *parameters, const real *states,
-                                                const real *d_parameters, const real *d_states, real *after) {
+    const real *d_parameters, const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -7966,9 +7705,9 @@ static void vary_world_rates_flight_rest_pushed(const real *parameters, const re
     const real sine_times_rate = sine * rate;
     const real sum_3 = d_sine * rate + sine * d_rate;
     const real rate_times_rate = rate * rate;
-    const real by_1_over_body_mass = 1.0 / p->body_mass;
-    const real by_1_over_foot_mass = 1.0 / p->foot_mass;
-    const real mobility = by_1_over_body_mass + by_1_over_foot_mass;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real mobility = inverse_body_mass + inverse_foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
@@ -7976,66 +7715,58 @@ static void vary_world_rates_flight_rest_pushed(const real *parameters, const re
     const real spring = p->stiffness * rest_length_minus_length - p->damping * x->length_rate;
     const real axial = x->external_fy * cosine - x->external_fx * sine;
     const real axial_over_body_mass = axial / p->body_mass;
-    const real sum_plus_axial_over_body_mass =
-        x->length * rate_times_rate + mobility * spring + axial_over_body_mass;
+    const real sum_plus_axial_over_body_mass = x->length * rate_times_rate + mobility * spring
+        + axial_over_body_mass;
     const real sum_4 = x->external_fx * cosine + x->external_fy * sine;
     const real length_times_sum_over_body_mass = x->length * sum_4 / p->body_mass;
     const real sum_5 = mobility * x->external_torque - length_times_sum_over_body_mass;
     const real turn = x->momentum / x->length;
     const real ratio = (sum_5 - turn * x->length_rate) / x->length;
-    const real d_mobility = -(by_1_over_body_mass * dp->body_mass / p->body_mass) -
-                            by_1_over_foot_mass * dp->foot_mass / p->foot_mass;
+    const real d_mobility = -(inverse_body_mass * dp->body_mass / p->body_mass)
+        - inverse_foot_mass * dp->foot_mass / p->foot_mass;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - dx->length) -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real d_axial = dx->external_fy * cosine - x->external_fy * sine_times_angle -
-                         (dx->external_fx * sine + x->external_fx * d_sine);
-    const real sum_plus_sum_plus_sum_over_body_mass =
-        dx->length * rate_times_rate + x->length * (2.0 * (rate * d_rate)) +
-        (d_mobility * spring + mobility * d_spring) +
-        (d_axial - axial_over_body_mass * dp->body_mass) / p->body_mass;
-    const real sum_6 = d_mobility * x->external_torque + mobility * dx->external_torque -
-                       (dx->length * sum_4 +
-                        x->length * (dx->external_fx * cosine - x->external_fx * sine_times_angle +
-                                     (dx->external_fy * sine + x->external_fy * d_sine)) -
-                        length_times_sum_over_body_mass * dp->body_mass) /
-                           p->body_mass;
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - dx->length) - (dp->damping * x->length_rate + p->damping * dx->length_rate);
+    const real d_axial = dx->external_fy * cosine - x->external_fy * sine_times_angle
+        - (dx->external_fx * sine + x->external_fx * d_sine);
+    const real sum_plus_sum_plus_sum_over_body_mass = dx->length * rate_times_rate
+        + x->length * (2.0 * (rate * d_rate)) + (d_mobility * spring + mobility * d_spring) + (d_axial
+        - axial_over_body_mass * dp->body_mass) / p->body_mass;
+    const real sum_6 = d_mobility * x->external_torque + mobility * dx->external_torque
+        - (dx->length * sum_4 + x->length * (dx->external_fx * cosine - x->external_fx * sine_times_angle
+        + (dx->external_fy * sine + x->external_fy * d_sine))
+        - length_times_sum_over_body_mass * dp->body_mass) / p->body_mass;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real ratio_2 =
-        (sum_6 - (d_turn * x->length_rate + turn * dx->length_rate) - ratio * dx->length) / x->length;
+    const real ratio_2 = (sum_6 - (d_turn * x->length_rate + turn * dx->length_rate)
+        - ratio * dx->length) / x->length;
     const real by_2_times_length_times_length_rate = 2.0 * (x->length * x->length_rate);
-    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate) +
-                              share * (dx->length_rate * sine + x->length_rate * d_sine +
-                                       (dx->length * cosine_times_rate + x->length * sum_2)));
-    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate) +
-                              share * (dx->length_rate * cosine - x->length_rate * sine_times_angle -
-                                       (dx->length * sine_times_rate + x->length * sum_3)));
-    y->seen_vx =
-        (dx->external_fx - x->external_fx / total_mass * d_total_mass) / total_mass -
-        (d_share * (-(sum_plus_axial_over_body_mass * sine + x->length_rate * cosine_times_rate) -
-                    (ratio * cosine - turn * sine_times_rate)) +
-         share * (-(sum_plus_sum_plus_sum_over_body_mass * sine + sum_plus_axial_over_body_mass * d_sine +
-                    (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)) -
-                  (ratio_2 * cosine - ratio * sine_times_angle - (d_turn * sine_times_rate + turn * sum_3))));
-    y->seen_vy = (dx->external_fy - x->external_fy / total_mass * d_total_mass) / total_mass - dp->gravity -
-                 (d_share * (sum_plus_axial_over_body_mass * cosine - x->length_rate * sine_times_rate -
-                             (ratio * sine + turn * cosine_times_rate)) +
-                  share * (sum_plus_sum_plus_sum_over_body_mass * cosine -
-                           sum_plus_axial_over_body_mass * sine_times_angle -
-                           (dx->length_rate * sine_times_rate + x->length_rate * sum_3) -
-                           (ratio_2 * sine + ratio * d_sine + (d_turn * cosine_times_rate + turn * sum_2))));
+    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate)
+        + share * (dx->length_rate * sine + x->length_rate * d_sine + (dx->length * cosine_times_rate
+        + x->length * sum_2)));
+    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate)
+        + share * (dx->length_rate * cosine - x->length_rate * sine_times_angle
+        - (dx->length * sine_times_rate + x->length * sum_3)));
+    y->seen_vx = (dx->external_fx - x->external_fx / total_mass * d_total_mass) / total_mass
+        - (d_share * (-(sum_plus_axial_over_body_mass * sine + x->length_rate * cosine_times_rate)
+        - (ratio * cosine - turn * sine_times_rate))
+        + share * (-(sum_plus_sum_plus_sum_over_body_mass * sine + sum_plus_axial_over_body_mass * d_sine
+        + (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)) - (ratio_2 * cosine
+        - ratio * sine_times_angle - (d_turn * sine_times_rate + turn * sum_3))));
+    y->seen_vy = (dx->external_fy - x->external_fy / total_mass * d_total_mass) / total_mass - dp->gravity
+        - (d_share * (sum_plus_axial_over_body_mass * cosine - x->length_rate * sine_times_rate
+        - (ratio * sine + turn * cosine_times_rate))
+        + share * (sum_plus_sum_plus_sum_over_body_mass * cosine
+        - sum_plus_axial_over_body_mass * sine_times_angle - (dx->length_rate * sine_times_rate
+        + x->length_rate * sum_3) - (ratio_2 * sine + ratio * d_sine + (d_turn * cosine_times_rate
+        + turn * sum_2))));
     y->length = dx->length_rate;
     y->angle = d_rate;
     y->length_rate = sum_plus_sum_plus_sum_over_body_mass;
-    y->angle_rate = (sum_6 -
-                     (d_rate * by_2_times_length_times_length_rate +
-                      rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate))) -
-                     (sum_5 - rate * by_2_times_length_times_length_rate) / square * d_square) /
-                    square;
+    y->angle_rate = (sum_6 - (d_rate * by_2_times_length_times_length_rate
+        + rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate))) - (sum_5
+        - rate * by_2_times_length_times_length_rate) / square * d_square) / square;
 }
 
 /* Constants of flight_retract_pushed. */
@@ -8043,10 +7774,12 @@ static void open_flight_retract_pushed(const real *parameters, const real *state
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     flight_retract_pushed_constants *c = (void *)constants;
-    const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real mobility = inverse_body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real total_mass = p->body_mass + p->foot_mass;
+    const real inverse_total_mass = 1.0 / total_mass;
     const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
     const real share = p->body_mass / total_mass;
@@ -8057,13 +7790,13 @@ static void open_flight_retract_pushed(const real *parameters, const real *state
     const real sin_of_set_slope = real_sin(set_slope);
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
-    c->body_mass = p->body_mass;
+    c->inverse_body_mass = inverse_body_mass;
     c->mobility = mobility;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->thrusting_times_longer_or_by_0 = thrusting_times_longer_or_by_0;
     c->damping = p->damping;
-    c->total_mass = total_mass;
+    c->inverse_total_mass = inverse_total_mass;
     c->gravity = p->gravity;
     c->kp = p->kp;
     c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
@@ -8091,24 +7824,27 @@ static void open_flight_retract_pushed(const real *parameters, const real *state
 
 /* First variation of open_flight_retract_pushed. */
 static void vary_open_flight_retract_pushed(const real *parameters, const real *states,
-                                            const real *d_parameters, const real *d_states, real *constants) {
+    const real *d_parameters, const real *d_states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     flight_retract_pushed_constants *c = (void *)constants;
-    const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass) -
-                            1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
+    const real d_mobility = d_inverse_body_mass - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
-    const real d_total_mass = dp->body_mass + dp->foot_mass;
-    const real d_liftoff_factor_times_liftoff_angle =
-        x->liftoff_angle * dp->liftoff_factor + p->liftoff_factor * dx->liftoff_angle;
-    const real d_stiffness_times_extension_rate =
-        x->extension_rate * dp->stiffness + p->stiffness * dx->extension_rate;
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
+        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real total_mass = p->body_mass + p->foot_mass;
+    const real inverse_total_mass = 1.0 / total_mass;
+    const real d_total_mass = dp->body_mass + dp->foot_mass;
+    const real d_inverse_total_mass = -(inverse_total_mass * d_total_mass / total_mass);
+    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
+        + p->liftoff_factor * dx->liftoff_angle;
+    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
+        + p->stiffness * dx->extension_rate;
     const real share = p->body_mass / total_mass;
     const real d_share = (dp->body_mass - share * d_total_mass) / total_mass;
     const real d_by_1_minus_share = -d_share;
@@ -8123,13 +7859,13 @@ static void vary_open_flight_retract_pushed(const real *parameters, const real *
     const real d_cos_of_slope = -(sin_of_slope * dx->slope);
     const real cos_of_slope = real_cos(x->slope);
     const real d_sin_of_slope = cos_of_slope * dx->slope;
-    c->body_mass = dp->body_mass;
+    c->inverse_body_mass = d_inverse_body_mass;
     c->mobility = d_mobility;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->thrusting_times_longer_or_by_0 = d_thrusting_times_longer_or_by_0;
     c->damping = dp->damping;
-    c->total_mass = d_total_mass;
+    c->inverse_total_mass = d_inverse_total_mass;
     c->gravity = dp->gravity;
     c->kp = dp->kp;
     c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
@@ -8170,26 +7906,24 @@ static void world_rates_flight_retract_pushed(const real *parameters, const real
     const real sine_times_rate = sine * rate;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length =
-        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
+        0.0) * x->thrusting;
     const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
     const real axial = x->external_fy * cosine - x->external_fx * sine;
-    const real sum_plus_axial_over_body_mass =
-        x->length * (rate * rate) + mobility * spring + axial / p->body_mass;
+    const real sum_plus_axial_over_body_mass = x->length * (rate * rate) + mobility * spring
+        + axial / p->body_mass;
     const real servo = -(p->kp * (x->angle - p->liftoff_factor * x->liftoff_angle)) - p->kd * rate;
     const real swing_torque = x->external_torque + servo;
-    const real sum_2 = mobility * swing_torque -
-                       x->length * (x->external_fx * cosine + x->external_fy * sine) / p->body_mass;
+    const real sum_2 = mobility * swing_torque - x->length * (x->external_fx * cosine
+        + x->external_fy * sine) / p->body_mass;
     const real turn = x->momentum / x->length;
     const real ratio = (sum_2 - turn * x->length_rate) / x->length;
     y->seen_x = x->com_vx + share * (x->length_rate * sine + x->length * cosine_times_rate);
     y->seen_y = x->com_vy - share * (x->length_rate * cosine - x->length * sine_times_rate);
-    y->seen_vx = x->external_fx / total_mass -
-                 share * (-(sum_plus_axial_over_body_mass * sine + x->length_rate * cosine_times_rate) -
-                          (ratio * cosine - turn * sine_times_rate));
-    y->seen_vy = x->external_fy / total_mass - p->gravity -
-                 share * (sum_plus_axial_over_body_mass * cosine - x->length_rate * sine_times_rate -
-                          (ratio * sine + turn * cosine_times_rate));
+    y->seen_vx = x->external_fx / total_mass - share * (-(sum_plus_axial_over_body_mass * sine
+        + x->length_rate * cosine_times_rate) - (ratio * cosine - turn * sine_times_rate));
+    y->seen_vy = x->external_fy / total_mass - p->gravity - share * (sum_plus_axial_over_body_mass * cosine
+        - x->length_rate * sine_times_rate - (ratio * sine + turn * cosine_times_rate));
     y->length = x->length_rate;
     y->angle = rate;
     y->length_rate = sum_plus_axial_over_body_mass;
@@ -8198,8 +7932,7 @@ static void world_rates_flight_retract_pushed(const real *parameters, const real
 
 /* First variation of world_rates_flight_retract_pushed. */
 static void vary_world_rates_flight_retract_pushed(const real *parameters, const real *states,
-                                                   const real *d_parameters, const real *d_states,
-                                                   real *after) {
+    const real *d_parameters, const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -8222,9 +7955,9 @@ static void vary_world_rates_flight_retract_pushed(const real *parameters, const
     const real sine_times_rate = sine * rate;
     const real sum_3 = d_sine * rate + sine * d_rate;
     const real rate_times_rate = rate * rate;
-    const real by_1_over_body_mass = 1.0 / p->body_mass;
-    const real by_1_over_foot_mass = 1.0 / p->foot_mass;
-    const real mobility = by_1_over_body_mass + by_1_over_foot_mass;
+    const real inverse_body_mass = 1.0 / p->body_mass;
+    const real inverse_foot_mass = 1.0 / p->foot_mass;
+    const real mobility = inverse_body_mass + inverse_foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
@@ -8232,8 +7965,8 @@ static void vary_world_rates_flight_retract_pushed(const real *parameters, const
     const real spring = p->stiffness * rest_length_minus_length - p->damping * x->length_rate;
     const real axial = x->external_fy * cosine - x->external_fx * sine;
     const real axial_over_body_mass = axial / p->body_mass;
-    const real sum_plus_axial_over_body_mass =
-        x->length * rate_times_rate + mobility * spring + axial_over_body_mass;
+    const real sum_plus_axial_over_body_mass = x->length * rate_times_rate + mobility * spring
+        + axial_over_body_mass;
     const real sum_4 = x->angle - p->liftoff_factor * x->liftoff_angle;
     const real servo = -(p->kp * sum_4) - p->kd * rate;
     const real swing_torque = x->external_torque + servo;
@@ -8242,63 +7975,54 @@ static void vary_world_rates_flight_retract_pushed(const real *parameters, const
     const real sum_6 = mobility * swing_torque - length_times_sum_over_body_mass;
     const real turn = x->momentum / x->length;
     const real ratio = (sum_6 - turn * x->length_rate) / x->length;
-    const real d_mobility = -(by_1_over_body_mass * dp->body_mass / p->body_mass) -
-                            by_1_over_foot_mass * dp->foot_mass / p->foot_mass;
+    const real d_mobility = -(inverse_body_mass * dp->body_mass / p->body_mass)
+        - inverse_foot_mass * dp->foot_mass / p->foot_mass;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length =
-        dp->free_length + dx->extension +
-        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_spring = dp->stiffness * rest_length_minus_length +
-                          p->stiffness * (d_rest_length - dx->length) -
-                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real d_axial = dx->external_fy * cosine - x->external_fy * sine_times_angle -
-                         (dx->external_fx * sine + x->external_fx * d_sine);
-    const real sum_plus_sum_plus_sum_over_body_mass =
-        dx->length * rate_times_rate + x->length * (2.0 * (rate * d_rate)) +
-        (d_mobility * spring + mobility * d_spring) +
-        (d_axial - axial_over_body_mass * dp->body_mass) / p->body_mass;
-    const real d_servo = -(dp->kp * sum_4 + p->kp * (dx->angle - (dp->liftoff_factor * x->liftoff_angle +
-                                                                  p->liftoff_factor * dx->liftoff_angle))) -
-                         (dp->kd * rate + p->kd * d_rate);
+    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
+        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
+        - dx->length) - (dp->damping * x->length_rate + p->damping * dx->length_rate);
+    const real d_axial = dx->external_fy * cosine - x->external_fy * sine_times_angle
+        - (dx->external_fx * sine + x->external_fx * d_sine);
+    const real sum_plus_sum_plus_sum_over_body_mass = dx->length * rate_times_rate
+        + x->length * (2.0 * (rate * d_rate)) + (d_mobility * spring + mobility * d_spring) + (d_axial
+        - axial_over_body_mass * dp->body_mass) / p->body_mass;
+    const real d_servo = -(dp->kp * sum_4 + p->kp * (dx->angle - (dp->liftoff_factor * x->liftoff_angle
+        + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate + p->kd * d_rate);
     const real d_swing_torque = dx->external_torque + d_servo;
-    const real sum_7 = d_mobility * swing_torque + mobility * d_swing_torque -
-                       (dx->length * sum_5 +
-                        x->length * (dx->external_fx * cosine - x->external_fx * sine_times_angle +
-                                     (dx->external_fy * sine + x->external_fy * d_sine)) -
-                        length_times_sum_over_body_mass * dp->body_mass) /
-                           p->body_mass;
+    const real sum_7 = d_mobility * swing_torque + mobility * d_swing_torque - (dx->length * sum_5
+        + x->length * (dx->external_fx * cosine - x->external_fx * sine_times_angle
+        + (dx->external_fy * sine + x->external_fy * d_sine))
+        - length_times_sum_over_body_mass * dp->body_mass) / p->body_mass;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real ratio_2 =
-        (sum_7 - (d_turn * x->length_rate + turn * dx->length_rate) - ratio * dx->length) / x->length;
+    const real ratio_2 = (sum_7 - (d_turn * x->length_rate + turn * dx->length_rate)
+        - ratio * dx->length) / x->length;
     const real by_2_times_length_times_length_rate = 2.0 * (x->length * x->length_rate);
-    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate) +
-                              share * (dx->length_rate * sine + x->length_rate * d_sine +
-                                       (dx->length * cosine_times_rate + x->length * sum_2)));
-    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate) +
-                              share * (dx->length_rate * cosine - x->length_rate * sine_times_angle -
-                                       (dx->length * sine_times_rate + x->length * sum_3)));
-    y->seen_vx =
-        (dx->external_fx - x->external_fx / total_mass * d_total_mass) / total_mass -
-        (d_share * (-(sum_plus_axial_over_body_mass * sine + x->length_rate * cosine_times_rate) -
-                    (ratio * cosine - turn * sine_times_rate)) +
-         share * (-(sum_plus_sum_plus_sum_over_body_mass * sine + sum_plus_axial_over_body_mass * d_sine +
-                    (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)) -
-                  (ratio_2 * cosine - ratio * sine_times_angle - (d_turn * sine_times_rate + turn * sum_3))));
-    y->seen_vy = (dx->external_fy - x->external_fy / total_mass * d_total_mass) / total_mass - dp->gravity -
-                 (d_share * (sum_plus_axial_over_body_mass * cosine - x->length_rate * sine_times_rate -
-                             (ratio * sine + turn * cosine_times_rate)) +
-                  share * (sum_plus_sum_plus_sum_over_body_mass * cosine -
-                           sum_plus_axial_over_body_mass * sine_times_angle -
-                           (dx->length_rate * sine_times_rate + x->length_rate * sum_3) -
-                           (ratio_2 * sine + ratio * d_sine + (d_turn * cosine_times_rate + turn * sum_2))));
+    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate)
+        + share * (dx->length_rate * sine + x->length_rate * d_sine + (dx->length * cosine_times_rate
+        + x->length * sum_2)));
+    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate)
+        + share * (dx->length_rate * cosine - x->length_rate * sine_times_angle
+        - (dx->length * sine_times_rate + x->length * sum_3)));
+    y->seen_vx = (dx->external_fx - x->external_fx / total_mass * d_total_mass) / total_mass
+        - (d_share * (-(sum_plus_axial_over_body_mass * sine + x->length_rate * cosine_times_rate)
+        - (ratio * cosine - turn * sine_times_rate))
+        + share * (-(sum_plus_sum_plus_sum_over_body_mass * sine + sum_plus_axial_over_body_mass * d_sine
+        + (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)) - (ratio_2 * cosine
+        - ratio * sine_times_angle - (d_turn * sine_times_rate + turn * sum_3))));
+    y->seen_vy = (dx->external_fy - x->external_fy / total_mass * d_total_mass) / total_mass - dp->gravity
+        - (d_share * (sum_plus_axial_over_body_mass * cosine - x->length_rate * sine_times_rate
+        - (ratio * sine + turn * cosine_times_rate))
+        + share * (sum_plus_sum_plus_sum_over_body_mass * cosine
+        - sum_plus_axial_over_body_mass * sine_times_angle - (dx->length_rate * sine_times_rate
+        + x->length_rate * sum_3) - (ratio_2 * sine + ratio * d_sine + (d_turn * cosine_times_rate
+        + turn * sum_2))));
     y->length = dx->length_rate;
     y->angle = d_rate;
     y->length_rate = sum_plus_sum_plus_sum_over_body_mass;
-    y->angle_rate = (sum_7 -
-                     (d_rate * by_2_times_length_times_length_rate +
-                      rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate))) -
-                     (sum_6 - rate * by_2_times_length_times_length_rate) / square * d_square) /
-                    square;
+    y->angle_rate = (sum_7 - (d_rate * by_2_times_length_times_length_rate
+        + rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate))) - (sum_6
+        - rate * by_2_times_length_times_length_rate) / square * d_square) / square;
 }
 
 /* extension is set: Work that a jump of the rest length does on the spring. */
@@ -8340,9 +8064,8 @@ static void set_thrust_start_of_run(const real *parameters, const real *states, 
     const real longer = given + p->more_thrust;
     const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real thrust_plus_more_thrust = p->thrust + p->more_thrust;
-    const real free_length_plus_extension_plus_product =
-        free_length_plus_extension +
-        select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
+    const real free_length_plus_extension_plus_product = free_length_plus_extension
+        + select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real middle = free_length_plus_extension_plus_product + 0.5 * jump - x->length;
     y->leg_work = x->leg_work + p->stiffness * jump * middle;
@@ -8357,9 +8080,8 @@ static void set_thrust_slip_constant(const real *parameters, const real *states,
     const real longer = given + p->more_thrust;
     const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real thrust_plus_more_thrust = p->thrust + p->more_thrust;
-    const real free_length_plus_extension_plus_product =
-        free_length_plus_extension +
-        select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
+    const real free_length_plus_extension_plus_product = free_length_plus_extension
+        + select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -8369,7 +8091,7 @@ static void set_thrust_slip_constant(const real *parameters, const real *states,
 
 /* more_thrust is set: Work that a jump of the rest length does on the spring. */
 static void set_more_thrust_start_of_run(const real *parameters, const real *states, real given,
-                                         real *after) {
+    real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -8377,9 +8099,8 @@ static void set_more_thrust_start_of_run(const real *parameters, const real *sta
     const real longer = p->thrust + given;
     const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real thrust_plus_more_thrust = p->thrust + p->more_thrust;
-    const real free_length_plus_extension_plus_product =
-        free_length_plus_extension +
-        select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
+    const real free_length_plus_extension_plus_product = free_length_plus_extension
+        + select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real middle = free_length_plus_extension_plus_product + 0.5 * jump - x->length;
     y->leg_work = x->leg_work + p->stiffness * jump * middle;
@@ -8387,7 +8108,7 @@ static void set_more_thrust_start_of_run(const real *parameters, const real *sta
 
 /* more_thrust is set: Work that a jump of the rest length does on the spring. */
 static void set_more_thrust_slip_constant(const real *parameters, const real *states, real given,
-                                          real *after) {
+    real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -8395,9 +8116,8 @@ static void set_more_thrust_slip_constant(const real *parameters, const real *st
     const real longer = p->thrust + given;
     const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real thrust_plus_more_thrust = p->thrust + p->more_thrust;
-    const real free_length_plus_extension_plus_product =
-        free_length_plus_extension +
-        select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
+    const real free_length_plus_extension_plus_product = free_length_plus_extension
+        + select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -8436,7 +8156,7 @@ static void enter_at_apex(const real *parameters, const real *states, const real
 
 /* First variation of enter_at_apex. */
 static void vary_enter_at_apex(const real *parameters, const real *states, const real *d_parameters,
-                               const real *d_states, const real *at, const real *d_at, real *after) {
+    const real *d_states, const real *at, const real *d_at, real *after) {
     const runner_parameters *p = (const void *)parameters;
     (void)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -8465,13 +8185,13 @@ static void vary_enter_at_apex(const real *parameters, const real *states, const
     const real turn = at_apex_length * at_apex_angle_rate;
     const real vx = -(at_apex_length_rate * sine) - turn * cosine;
     const real d_turn = d_at_apex_length * at_apex_angle_rate + at_apex_length * d_at_apex_angle_rate;
-    const real d_vx = -(d_at_apex_length_rate * sine + at_apex_length_rate * d_sine) -
-                      (d_turn * cosine - turn * sine_times_d_at_apex_angle);
+    const real d_vx = -(d_at_apex_length_rate * sine + at_apex_length_rate * d_sine) - (d_turn * cosine
+        - turn * sine_times_d_at_apex_angle);
     const real vy = at_apex_length_rate * cosine - turn * sine;
-    const real d_vy = d_at_apex_length_rate * cosine - at_apex_length_rate * sine_times_d_at_apex_angle -
-                      (d_turn * sine + turn * d_sine);
-    y->seen_x =
-        d_share * (at_apex_length * sine) + share * (d_at_apex_length * sine + at_apex_length * d_sine);
+    const real d_vy = d_at_apex_length_rate * cosine - at_apex_length_rate * sine_times_d_at_apex_angle
+        - (d_turn * sine + turn * d_sine);
+    y->seen_x = d_share * (at_apex_length * sine) + share * (d_at_apex_length * sine
+        + at_apex_length * d_sine);
     y->seen_y = d_set_height + d_at_apex_com_height - (d_share * y_2 + share * d_y);
     y->length = d_at_apex_length;
     y->angle = d_at_apex_angle;
@@ -8611,91 +8331,50 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
 }
 
 static const tdmf_guard_kind guards_start_of_run[] = {
-    {.event = EVENT_passes_end,
-     .is_counted = false,
-     .react = react_start_of_run_passes_end,
-     .vary_react = vary_react_start_of_run_passes_end,
-     .vary_guard = vary_guard_start_of_run_passes_end,
-     .next = {MODE_start_of_run}},
-    {.event = EVENT_passes_begin,
-     .is_counted = false,
-     .react = react_start_of_run_passes_begin,
-     .vary_react = vary_react_start_of_run_passes_begin,
-     .vary_guard = vary_guard_start_of_run_passes_begin,
-     .next = {MODE_start_of_run}},
-    {.event = EVENT_begins,
-     .is_counted = false,
-     .react = react_start_of_run_begins,
-     .vary_react = vary_react_start_of_run_begins,
-     .vary_guard = vary_guard_start_of_run_begins,
-     .next = {MODE_slip_constant, MODE_stick, MODE_flight_place_calm, MODE_flight_rest_calm,
-              MODE_flight_retract_calm}},
+    {.event = EVENT_passes_end, .react = react_start_of_run_passes_end,
+        .vary_react = vary_react_start_of_run_passes_end, .vary_guard = vary_guard_start_of_run_passes_end,
+        .next = {MODE_start_of_run}},
+    {.event = EVENT_passes_begin, .react = react_start_of_run_passes_begin,
+        .vary_react = vary_react_start_of_run_passes_begin,
+        .vary_guard = vary_guard_start_of_run_passes_begin, .next = {MODE_start_of_run}},
+    {.event = EVENT_begins, .react = react_start_of_run_begins, .vary_react = vary_react_start_of_run_begins,
+        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_slip_constant, MODE_stick,
+        MODE_flight_place_calm, MODE_flight_rest_calm, MODE_flight_retract_calm}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_start_of_run[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_slip_constant[] = {
-    {.event = EVENT_ramp_ends,
-     .is_counted = false,
-     .react = react_slip_constant_ramp_ends,
-     .vary_react = vary_react_slip_constant_ramp_ends,
-     .is_watched = watches_slip_constant_ramp_ends,
-     .vary_guard = vary_guard_slip_constant_ramp_ends,
-     .next = {MODE_slip_constant}},
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_greatest_compression,
-     .is_counted = false,
-     .react = react_slip_constant_greatest_compression,
-     .vary_react = vary_react_slip_constant_greatest_compression,
-     .is_watched = watches_slip_constant_greatest_compression,
-     .vary_guard = vary_guard_slip_constant_greatest_compression,
-     .next = {MODE_slip_constant}},
-    {.event = EVENT_mid_stance,
-     .is_counted = true,
-     .react = react_slip_constant_mid_stance,
-     .vary_react = vary_react_slip_constant_mid_stance,
-     .is_watched = watches_slip_constant_mid_stance,
-     .vary_guard = vary_guard_slip_constant_mid_stance,
-     .next = {MODE_slip_constant}},
-    {.event = EVENT_lift_off,
-     .is_counted = true,
-     .react = react_slip_constant_lift_off,
-     .vary_react = vary_react_slip_constant_lift_off,
-     .vary_guard = vary_guard_slip_constant_lift_off,
-     .next = {MODE_graze_place, MODE_flight_place_calm, MODE_graze_rest, MODE_flight_rest_calm,
-              MODE_graze_retract, MODE_flight_retract_calm}},
-    {.event = EVENT_enters_layer,
-     .is_counted = false,
-     .react = react_slip_constant_enters_layer,
-     .vary_react = vary_react_slip_constant_enters_layer,
-     .is_watched = watches_slip_constant_enters_layer,
-     .vary_guard = vary_guard_slip_constant_enters_layer,
-     .next = {MODE_slip_falling}},
-    {.event = EVENT_comes_to_rest,
-     .is_counted = true,
-     .react = react_slip_constant_comes_to_rest,
-     .vary_react = vary_react_slip_constant_comes_to_rest,
-     .vary_guard = vary_guard_slip_constant_comes_to_rest,
-     .next = {MODE_stick, MODE_slip_constant}},
-    {.event = EVENT_crosses_border,
-     .is_counted = true,
-     .react = react_slip_constant_crosses_border,
-     .vary_react = vary_react_slip_constant_crosses_border,
-     .is_watched = watches_slip_constant_crosses_border,
-     .vary_guard = vary_guard_slip_constant_crosses_border,
-     .next = {MODE_slip_constant}},
+    {.event = EVENT_ramp_ends, .react = react_slip_constant_ramp_ends,
+        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
+        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_slip_constant}},
+    {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
+        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
+        .next = {MODE_fallen}},
+    {.event = EVENT_greatest_compression, .react = react_slip_constant_greatest_compression,
+        .vary_react = vary_react_slip_constant_greatest_compression,
+        .is_watched = watches_slip_constant_greatest_compression,
+        .vary_guard = vary_guard_slip_constant_greatest_compression, .next = {MODE_slip_constant}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_slip_constant_mid_stance,
+        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_constant}},
+    {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
+        .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
+        .next = {MODE_graze_place, MODE_flight_place_calm, MODE_graze_rest, MODE_flight_rest_calm,
+        MODE_graze_retract, MODE_flight_retract_calm}},
+    {.event = EVENT_enters_layer, .react = react_slip_constant_enters_layer,
+        .vary_react = vary_react_slip_constant_enters_layer, .is_watched = watches_slip_constant_enters_layer,
+        .vary_guard = vary_guard_slip_constant_enters_layer, .next = {MODE_slip_falling}},
+    {.event = EVENT_comes_to_rest, .is_counted = true, .react = react_slip_constant_comes_to_rest,
+        .vary_react = vary_react_slip_constant_comes_to_rest,
+        .vary_guard = vary_guard_slip_constant_comes_to_rest, .next = {MODE_stick, MODE_slip_constant}},
+    {.event = EVENT_crosses_border, .is_counted = true, .react = react_slip_constant_crosses_border,
+        .vary_react = vary_react_slip_constant_crosses_border,
+        .is_watched = watches_slip_constant_crosses_border,
+        .vary_guard = vary_guard_slip_constant_crosses_border, .next = {MODE_slip_constant}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_slip_constant[] = {
@@ -8705,58 +8384,31 @@ static const tdmf_watch_kind watches_slip_constant[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_stick[] = {
-    {.event = EVENT_ramp_ends,
-     .is_counted = false,
-     .react = react_stick_ramp_ends,
-     .vary_react = vary_react_slip_constant_ramp_ends,
-     .is_watched = watches_slip_constant_ramp_ends,
-     .vary_guard = vary_guard_slip_constant_ramp_ends,
-     .next = {MODE_stick}},
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_greatest_compression,
-     .is_counted = false,
-     .react = react_stick_greatest_compression,
-     .vary_react = vary_react_slip_constant_greatest_compression,
-     .is_watched = watches_slip_constant_greatest_compression,
-     .vary_guard = vary_guard_slip_constant_greatest_compression,
-     .next = {MODE_stick}},
-    {.event = EVENT_mid_stance,
-     .is_counted = true,
-     .react = react_stick_mid_stance,
-     .vary_react = vary_react_slip_constant_mid_stance,
-     .is_watched = watches_slip_constant_mid_stance,
-     .vary_guard = vary_guard_slip_constant_mid_stance,
-     .next = {MODE_stick}},
-    {.event = EVENT_lift_off,
-     .is_counted = true,
-     .react = react_slip_constant_lift_off,
-     .vary_react = vary_react_slip_constant_lift_off,
-     .vary_guard = vary_guard_slip_constant_lift_off,
-     .next = {MODE_graze_place, MODE_flight_place_calm, MODE_graze_rest, MODE_flight_rest_calm,
-              MODE_graze_retract, MODE_flight_retract_calm}},
-    {.event = EVENT_slips_forward,
-     .is_counted = true,
-     .react = react_stick_slips_forward,
-     .vary_react = vary_react_stick_slips_forward,
-     .vary_guard = vary_guard_stick_slips_forward,
-     .next = {MODE_slip_constant}},
-    {.event = EVENT_slips_backward,
-     .is_counted = true,
-     .react = react_stick_slips_backward,
-     .vary_react = vary_react_stick_slips_backward,
-     .vary_guard = vary_guard_stick_slips_backward,
-     .next = {MODE_slip_constant}},
+    {.event = EVENT_ramp_ends, .react = react_stick_ramp_ends,
+        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
+        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_stick}},
+    {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
+        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
+        .next = {MODE_fallen}},
+    {.event = EVENT_greatest_compression, .react = react_stick_greatest_compression,
+        .vary_react = vary_react_slip_constant_greatest_compression,
+        .is_watched = watches_slip_constant_greatest_compression,
+        .vary_guard = vary_guard_slip_constant_greatest_compression, .next = {MODE_stick}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_stick_mid_stance,
+        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_stick}},
+    {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
+        .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
+        .next = {MODE_graze_place, MODE_flight_place_calm, MODE_graze_rest, MODE_flight_rest_calm,
+        MODE_graze_retract, MODE_flight_retract_calm}},
+    {.event = EVENT_slips_forward, .is_counted = true, .react = react_stick_slips_forward,
+        .vary_react = vary_react_stick_slips_forward, .vary_guard = vary_guard_stick_slips_forward,
+        .next = {MODE_slip_constant}},
+    {.event = EVENT_slips_backward, .is_counted = true, .react = react_stick_slips_backward,
+        .vary_react = vary_react_stick_slips_backward, .vary_guard = vary_guard_stick_slips_backward,
+        .next = {MODE_slip_constant}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_stick[] = {
@@ -8766,74 +8418,41 @@ static const tdmf_watch_kind watches_stick[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_place_calm[] = {
-    {.event = EVENT_passes_end,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_end,
-     .vary_react = vary_react_start_of_run_passes_end,
-     .is_watched = watches_flight_place_calm_passes_end,
-     .vary_guard = vary_guard_flight_place_calm_passes_end,
-     .next = {MODE_flight_place_calm}},
-    {.event = EVENT_passes_begin,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_begin,
-     .vary_react = vary_react_start_of_run_passes_begin,
-     .is_watched = watches_flight_place_calm_passes_begin,
-     .vary_guard = vary_guard_flight_place_calm_passes_begin,
-     .next = {MODE_flight_place_calm}},
-    {.event = EVENT_next_segment_comes,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_end,
-     .vary_react = vary_react_start_of_run_passes_end,
-     .is_watched = watches_flight_place_calm_next_segment_comes,
-     .vary_guard = vary_guard_start_of_run_begins,
-     .next = {MODE_flight_place_calm}},
-    {.event = EVENT_ramp_ends,
-     .is_counted = false,
-     .react = react_flight_place_calm_ramp_ends,
-     .vary_react = vary_react_slip_constant_ramp_ends,
-     .is_watched = watches_slip_constant_ramp_ends,
-     .vary_guard = vary_guard_slip_constant_ramp_ends,
-     .next = {MODE_flight_place_calm}},
-    {.event = EVENT_wind_rises,
-     .is_counted = false,
-     .react = react_flight_place_calm_wind_rises,
-     .vary_react = vary_react_slip_constant_enters_layer,
-     .is_watched = watches_flight_place_calm_wind_rises,
-     .vary_guard = vary_guard_start_of_run_begins,
-     .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_new_ground,
-     .is_counted = true,
-     .react = react_flight_place_calm_new_ground,
-     .vary_react = vary_react_flight_place_calm_new_ground,
-     .is_watched = watches_flight_place_calm_new_ground,
-     .vary_guard = vary_guard_flight_place_calm_new_ground,
-     .next = {MODE_flight_place_calm}},
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_apex,
-     .is_counted = true,
-     .react = react_flight_place_calm_apex,
-     .vary_react = vary_react_flight_place_calm_apex,
-     .is_watched = watches_flight_place_calm_apex,
-     .is_crossing = true,
-     .vary_guard = vary_guard_flight_place_calm_apex,
-     .next = {MODE_flight_place_calm}},
-    {.event = EVENT_touchdown,
-     .is_counted = true,
-     .react = react_flight_place_calm_touchdown,
-     .vary_react = vary_react_flight_place_calm_touchdown,
-     .vary_guard = vary_guard_flight_place_calm_touchdown,
-     .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
+        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_place_calm}},
+    {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
+        .vary_react = vary_react_start_of_run_passes_begin,
+        .is_watched = watches_flight_place_calm_passes_begin,
+        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_place_calm}},
+    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_passes_end,
+        .vary_react = vary_react_start_of_run_passes_end,
+        .is_watched = watches_flight_place_calm_next_segment_comes,
+        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_place_calm}},
+    {.event = EVENT_ramp_ends, .react = react_flight_place_calm_ramp_ends,
+        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
+        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_place_calm}},
+    {.event = EVENT_wind_rises, .react = react_flight_place_calm_wind_rises,
+        .vary_react = vary_react_slip_constant_enters_layer,
+        .is_watched = watches_flight_place_calm_wind_rises, .vary_guard = vary_guard_start_of_run_begins,
+        .next = {MODE_flight_place_pushed}},
+    {.event = EVENT_new_ground, .is_counted = true, .react = react_flight_place_calm_new_ground,
+        .vary_react = vary_react_flight_place_calm_new_ground,
+        .is_watched = watches_flight_place_calm_new_ground,
+        .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_place_calm}},
+    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
+        .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
+        .vary_react = vary_react_flight_place_calm_apex, .is_watched = watches_flight_place_calm_apex,
+        .is_crossing = true, .vary_guard = vary_guard_flight_place_calm_apex,
+        .next = {MODE_flight_place_calm}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_place_calm_touchdown,
+        .vary_react = vary_react_flight_place_calm_touchdown,
+        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_place_calm[] = {
@@ -8841,78 +8460,43 @@ static const tdmf_watch_kind watches_flight_place_calm[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_rest_calm[] = {
-    {.event = EVENT_passes_end,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_end,
-     .vary_react = vary_react_start_of_run_passes_end,
-     .is_watched = watches_flight_place_calm_passes_end,
-     .vary_guard = vary_guard_flight_place_calm_passes_end,
-     .next = {MODE_flight_rest_calm}},
-    {.event = EVENT_passes_begin,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_begin,
-     .vary_react = vary_react_start_of_run_passes_begin,
-     .is_watched = watches_flight_place_calm_passes_begin,
-     .vary_guard = vary_guard_flight_place_calm_passes_begin,
-     .next = {MODE_flight_rest_calm}},
-    {.event = EVENT_next_segment_comes,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_end,
-     .vary_react = vary_react_start_of_run_passes_end,
-     .is_watched = watches_flight_place_calm_next_segment_comes,
-     .vary_guard = vary_guard_start_of_run_begins,
-     .next = {MODE_flight_rest_calm}},
-    {.event = EVENT_ramp_ends,
-     .is_counted = false,
-     .react = react_flight_place_calm_ramp_ends,
-     .vary_react = vary_react_slip_constant_ramp_ends,
-     .is_watched = watches_slip_constant_ramp_ends,
-     .vary_guard = vary_guard_slip_constant_ramp_ends,
-     .next = {MODE_flight_rest_calm}},
-    {.event = EVENT_wind_rises,
-     .is_counted = false,
-     .react = react_flight_place_calm_wind_rises,
-     .vary_react = vary_react_slip_constant_enters_layer,
-     .is_watched = watches_flight_place_calm_wind_rises,
-     .vary_guard = vary_guard_start_of_run_begins,
-     .next = {MODE_flight_rest_pushed}},
-    {.event = EVENT_new_ground,
-     .is_counted = true,
-     .react = react_flight_place_calm_new_ground,
-     .vary_react = vary_react_flight_place_calm_new_ground,
-     .is_watched = watches_flight_place_calm_new_ground,
-     .vary_guard = vary_guard_flight_place_calm_new_ground,
-     .next = {MODE_flight_rest_calm}},
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_apex,
-     .is_counted = true,
-     .react = react_flight_place_calm_apex,
-     .vary_react = vary_react_flight_place_calm_apex,
-     .vary_guard = vary_guard_flight_place_calm_apex,
-     .next = {MODE_flight_place_calm}},
-    {.event = EVENT_touchdown,
-     .is_counted = true,
-     .react = react_flight_rest_calm_touchdown,
-     .vary_react = vary_react_flight_place_calm_touchdown,
-     .vary_guard = vary_guard_flight_place_calm_touchdown,
-     .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_release,
-     .is_counted = false,
-     .react = react_flight_place_calm_wind_rises,
-     .vary_react = vary_react_slip_constant_enters_layer,
-     .vary_guard = vary_guard_flight_rest_calm_release,
-     .next = {MODE_flight_retract_calm}},
+    {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
+        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_rest_calm}},
+    {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
+        .vary_react = vary_react_start_of_run_passes_begin,
+        .is_watched = watches_flight_place_calm_passes_begin,
+        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_rest_calm}},
+    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_passes_end,
+        .vary_react = vary_react_start_of_run_passes_end,
+        .is_watched = watches_flight_place_calm_next_segment_comes,
+        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_rest_calm}},
+    {.event = EVENT_ramp_ends, .react = react_flight_place_calm_ramp_ends,
+        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
+        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_rest_calm}},
+    {.event = EVENT_wind_rises, .react = react_flight_place_calm_wind_rises,
+        .vary_react = vary_react_slip_constant_enters_layer,
+        .is_watched = watches_flight_place_calm_wind_rises, .vary_guard = vary_guard_start_of_run_begins,
+        .next = {MODE_flight_rest_pushed}},
+    {.event = EVENT_new_ground, .is_counted = true, .react = react_flight_place_calm_new_ground,
+        .vary_react = vary_react_flight_place_calm_new_ground,
+        .is_watched = watches_flight_place_calm_new_ground,
+        .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_rest_calm}},
+    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
+        .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
+        .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
+        .next = {MODE_flight_place_calm}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_rest_calm_touchdown,
+        .vary_react = vary_react_flight_place_calm_touchdown,
+        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_release, .react = react_flight_place_calm_wind_rises,
+        .vary_react = vary_react_slip_constant_enters_layer,
+        .vary_guard = vary_guard_flight_rest_calm_release, .next = {MODE_flight_retract_calm}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_rest_calm[] = {
@@ -8920,79 +8504,43 @@ static const tdmf_watch_kind watches_flight_rest_calm[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_retract_calm[] = {
-    {.event = EVENT_passes_end,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_end,
-     .vary_react = vary_react_start_of_run_passes_end,
-     .is_watched = watches_flight_place_calm_passes_end,
-     .vary_guard = vary_guard_flight_place_calm_passes_end,
-     .next = {MODE_flight_retract_calm}},
-    {.event = EVENT_passes_begin,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_begin,
-     .vary_react = vary_react_start_of_run_passes_begin,
-     .is_watched = watches_flight_place_calm_passes_begin,
-     .vary_guard = vary_guard_flight_place_calm_passes_begin,
-     .next = {MODE_flight_retract_calm}},
-    {.event = EVENT_next_segment_comes,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_end,
-     .vary_react = vary_react_start_of_run_passes_end,
-     .is_watched = watches_flight_place_calm_next_segment_comes,
-     .vary_guard = vary_guard_start_of_run_begins,
-     .next = {MODE_flight_retract_calm}},
-    {.event = EVENT_ramp_ends,
-     .is_counted = false,
-     .react = react_flight_place_calm_ramp_ends,
-     .vary_react = vary_react_slip_constant_ramp_ends,
-     .is_watched = watches_slip_constant_ramp_ends,
-     .vary_guard = vary_guard_slip_constant_ramp_ends,
-     .next = {MODE_flight_retract_calm}},
-    {.event = EVENT_wind_rises,
-     .is_counted = false,
-     .react = react_flight_place_calm_wind_rises,
-     .vary_react = vary_react_slip_constant_enters_layer,
-     .is_watched = watches_flight_place_calm_wind_rises,
-     .vary_guard = vary_guard_start_of_run_begins,
-     .next = {MODE_flight_retract_pushed}},
-    {.event = EVENT_new_ground,
-     .is_counted = true,
-     .react = react_flight_place_calm_new_ground,
-     .vary_react = vary_react_flight_place_calm_new_ground,
-     .is_watched = watches_flight_place_calm_new_ground,
-     .vary_guard = vary_guard_flight_place_calm_new_ground,
-     .next = {MODE_flight_retract_calm}},
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_apex,
-     .is_counted = true,
-     .react = react_flight_place_calm_apex,
-     .vary_react = vary_react_flight_place_calm_apex,
-     .vary_guard = vary_guard_flight_place_calm_apex,
-     .next = {MODE_flight_place_calm}},
-    {.event = EVENT_touchdown,
-     .is_counted = true,
-     .react = react_flight_rest_calm_touchdown,
-     .vary_react = vary_react_flight_place_calm_touchdown,
-     .vary_guard = vary_guard_flight_place_calm_touchdown,
-     .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_clamp,
-     .is_counted = false,
-     .react = react_flight_place_calm_wind_rises,
-     .vary_react = vary_react_slip_constant_enters_layer,
-     .is_watched = watches_flight_retract_calm_clamp,
-     .vary_guard = vary_guard_flight_retract_calm_clamp,
-     .next = {MODE_flight_rest_calm}},
+    {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
+        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_retract_calm}},
+    {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
+        .vary_react = vary_react_start_of_run_passes_begin,
+        .is_watched = watches_flight_place_calm_passes_begin,
+        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_retract_calm}},
+    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_passes_end,
+        .vary_react = vary_react_start_of_run_passes_end,
+        .is_watched = watches_flight_place_calm_next_segment_comes,
+        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_retract_calm}},
+    {.event = EVENT_ramp_ends, .react = react_flight_place_calm_ramp_ends,
+        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
+        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_retract_calm}},
+    {.event = EVENT_wind_rises, .react = react_flight_place_calm_wind_rises,
+        .vary_react = vary_react_slip_constant_enters_layer,
+        .is_watched = watches_flight_place_calm_wind_rises, .vary_guard = vary_guard_start_of_run_begins,
+        .next = {MODE_flight_retract_pushed}},
+    {.event = EVENT_new_ground, .is_counted = true, .react = react_flight_place_calm_new_ground,
+        .vary_react = vary_react_flight_place_calm_new_ground,
+        .is_watched = watches_flight_place_calm_new_ground,
+        .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_retract_calm}},
+    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
+        .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
+        .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
+        .next = {MODE_flight_place_calm}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_rest_calm_touchdown,
+        .vary_react = vary_react_flight_place_calm_touchdown,
+        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_clamp, .react = react_flight_place_calm_wind_rises,
+        .vary_react = vary_react_slip_constant_enters_layer, .is_watched = watches_flight_retract_calm_clamp,
+        .vary_guard = vary_guard_flight_retract_calm_clamp, .next = {MODE_flight_rest_calm}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_retract_calm[] = {
@@ -9006,58 +8554,30 @@ static const tdmf_watch_kind watches_fallen[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_graze_place[] = {
-    {.event = EVENT_passes_end,
-     .is_counted = false,
-     .react = react_graze_place_passes_end,
-     .vary_react = vary_react_start_of_run_passes_end,
-     .is_watched = watches_flight_place_calm_passes_end,
-     .vary_guard = vary_guard_graze_place_passes_end,
-     .next = {MODE_graze_place}},
-    {.event = EVENT_passes_begin,
-     .is_counted = false,
-     .react = react_graze_place_passes_begin,
-     .vary_react = vary_react_start_of_run_passes_begin,
-     .is_watched = watches_flight_place_calm_passes_begin,
-     .vary_guard = vary_guard_graze_place_passes_begin,
-     .next = {MODE_graze_place}},
-    {.event = EVENT_ramp_ends,
-     .is_counted = false,
-     .react = react_graze_place_ramp_ends,
-     .vary_react = vary_react_slip_constant_ramp_ends,
-     .is_watched = watches_slip_constant_ramp_ends,
-     .vary_guard = vary_guard_slip_constant_ramp_ends,
-     .next = {MODE_graze_place}},
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_mid_stance,
-     .is_counted = true,
-     .react = react_graze_place_mid_stance,
-     .vary_react = vary_react_slip_constant_mid_stance,
-     .is_watched = watches_slip_constant_mid_stance,
-     .vary_guard = vary_guard_slip_constant_mid_stance,
-     .next = {MODE_graze_place}},
-    {.event = EVENT_graze_to_contact,
-     .is_counted = true,
-     .react = react_graze_place_graze_to_contact,
-     .vary_react = vary_react_graze_place_graze_to_contact,
-     .vary_guard = vary_guard_graze_place_graze_to_contact,
-     .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_graze_to_flight,
-     .is_counted = true,
-     .react = react_graze_place_graze_to_flight,
-     .vary_react = vary_react_graze_place_graze_to_flight,
-     .vary_guard = vary_guard_graze_place_graze_to_flight,
-     .next = {MODE_flight_place_calm}},
+    {.event = EVENT_passes_end, .react = react_graze_place_passes_end,
+        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_graze_place_passes_end, .next = {MODE_graze_place}},
+    {.event = EVENT_passes_begin, .react = react_graze_place_passes_begin,
+        .vary_react = vary_react_start_of_run_passes_begin,
+        .is_watched = watches_flight_place_calm_passes_begin,
+        .vary_guard = vary_guard_graze_place_passes_begin, .next = {MODE_graze_place}},
+    {.event = EVENT_ramp_ends, .react = react_graze_place_ramp_ends,
+        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
+        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_graze_place}},
+    {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
+        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
+        .next = {MODE_fallen}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_graze_place_mid_stance,
+        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_graze_place}},
+    {.event = EVENT_graze_to_contact, .is_counted = true, .react = react_graze_place_graze_to_contact,
+        .vary_react = vary_react_graze_place_graze_to_contact,
+        .vary_guard = vary_guard_graze_place_graze_to_contact, .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_graze_to_flight, .is_counted = true, .react = react_graze_place_graze_to_flight,
+        .vary_react = vary_react_graze_place_graze_to_flight,
+        .vary_guard = vary_guard_graze_place_graze_to_flight, .next = {MODE_flight_place_calm}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_graze_place[] = {
@@ -9065,70 +8585,36 @@ static const tdmf_watch_kind watches_graze_place[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_graze_rest[] = {
-    {.event = EVENT_passes_end,
-     .is_counted = false,
-     .react = react_graze_place_passes_end,
-     .vary_react = vary_react_start_of_run_passes_end,
-     .is_watched = watches_flight_place_calm_passes_end,
-     .vary_guard = vary_guard_graze_place_passes_end,
-     .next = {MODE_graze_rest}},
-    {.event = EVENT_passes_begin,
-     .is_counted = false,
-     .react = react_graze_place_passes_begin,
-     .vary_react = vary_react_start_of_run_passes_begin,
-     .is_watched = watches_flight_place_calm_passes_begin,
-     .vary_guard = vary_guard_graze_place_passes_begin,
-     .next = {MODE_graze_rest}},
-    {.event = EVENT_ramp_ends,
-     .is_counted = false,
-     .react = react_graze_place_ramp_ends,
-     .vary_react = vary_react_slip_constant_ramp_ends,
-     .is_watched = watches_slip_constant_ramp_ends,
-     .vary_guard = vary_guard_slip_constant_ramp_ends,
-     .next = {MODE_graze_rest}},
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_apex_in_graze,
-     .is_counted = true,
-     .react = react_graze_rest_apex_in_graze,
-     .vary_react = vary_react_graze_rest_apex_in_graze,
-     .vary_guard = vary_guard_graze_rest_apex_in_graze,
-     .next = {MODE_graze_place}},
-    {.event = EVENT_release,
-     .is_counted = false,
-     .react = react_graze_rest_release,
-     .vary_react = vary_react_slip_constant_enters_layer,
-     .vary_guard = vary_guard_graze_rest_release,
-     .next = {MODE_graze_retract}},
-    {.event = EVENT_mid_stance,
-     .is_counted = true,
-     .react = react_graze_place_mid_stance,
-     .vary_react = vary_react_slip_constant_mid_stance,
-     .is_watched = watches_slip_constant_mid_stance,
-     .vary_guard = vary_guard_slip_constant_mid_stance,
-     .next = {MODE_graze_rest}},
-    {.event = EVENT_graze_to_contact,
-     .is_counted = true,
-     .react = react_graze_place_graze_to_contact,
-     .vary_react = vary_react_graze_place_graze_to_contact,
-     .vary_guard = vary_guard_graze_place_graze_to_contact,
-     .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_graze_to_flight,
-     .is_counted = true,
-     .react = react_graze_place_graze_to_flight,
-     .vary_react = vary_react_graze_place_graze_to_flight,
-     .vary_guard = vary_guard_graze_rest_graze_to_flight,
-     .next = {MODE_flight_rest_calm}},
+    {.event = EVENT_passes_end, .react = react_graze_place_passes_end,
+        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_graze_place_passes_end, .next = {MODE_graze_rest}},
+    {.event = EVENT_passes_begin, .react = react_graze_place_passes_begin,
+        .vary_react = vary_react_start_of_run_passes_begin,
+        .is_watched = watches_flight_place_calm_passes_begin,
+        .vary_guard = vary_guard_graze_place_passes_begin, .next = {MODE_graze_rest}},
+    {.event = EVENT_ramp_ends, .react = react_graze_place_ramp_ends,
+        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
+        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_graze_rest}},
+    {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
+        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
+        .next = {MODE_fallen}},
+    {.event = EVENT_apex_in_graze, .is_counted = true, .react = react_graze_rest_apex_in_graze,
+        .vary_react = vary_react_graze_rest_apex_in_graze, .vary_guard = vary_guard_graze_rest_apex_in_graze,
+        .next = {MODE_graze_place}},
+    {.event = EVENT_release, .react = react_graze_rest_release,
+        .vary_react = vary_react_slip_constant_enters_layer, .vary_guard = vary_guard_graze_rest_release,
+        .next = {MODE_graze_retract}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_graze_place_mid_stance,
+        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_graze_rest}},
+    {.event = EVENT_graze_to_contact, .is_counted = true, .react = react_graze_place_graze_to_contact,
+        .vary_react = vary_react_graze_place_graze_to_contact,
+        .vary_guard = vary_guard_graze_place_graze_to_contact, .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_graze_to_flight, .is_counted = true, .react = react_graze_place_graze_to_flight,
+        .vary_react = vary_react_graze_place_graze_to_flight,
+        .vary_guard = vary_guard_graze_rest_graze_to_flight, .next = {MODE_flight_rest_calm}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_graze_rest[] = {
@@ -9136,71 +8622,36 @@ static const tdmf_watch_kind watches_graze_rest[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_graze_retract[] = {
-    {.event = EVENT_passes_end,
-     .is_counted = false,
-     .react = react_graze_place_passes_end,
-     .vary_react = vary_react_start_of_run_passes_end,
-     .is_watched = watches_flight_place_calm_passes_end,
-     .vary_guard = vary_guard_graze_place_passes_end,
-     .next = {MODE_graze_retract}},
-    {.event = EVENT_passes_begin,
-     .is_counted = false,
-     .react = react_graze_place_passes_begin,
-     .vary_react = vary_react_start_of_run_passes_begin,
-     .is_watched = watches_flight_place_calm_passes_begin,
-     .vary_guard = vary_guard_graze_place_passes_begin,
-     .next = {MODE_graze_retract}},
-    {.event = EVENT_ramp_ends,
-     .is_counted = false,
-     .react = react_graze_place_ramp_ends,
-     .vary_react = vary_react_slip_constant_ramp_ends,
-     .is_watched = watches_slip_constant_ramp_ends,
-     .vary_guard = vary_guard_slip_constant_ramp_ends,
-     .next = {MODE_graze_retract}},
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_apex_in_graze,
-     .is_counted = true,
-     .react = react_graze_rest_apex_in_graze,
-     .vary_react = vary_react_graze_rest_apex_in_graze,
-     .vary_guard = vary_guard_graze_rest_apex_in_graze,
-     .next = {MODE_graze_place}},
-    {.event = EVENT_clamp,
-     .is_counted = false,
-     .react = react_graze_rest_release,
-     .vary_react = vary_react_slip_constant_enters_layer,
-     .is_watched = watches_flight_retract_calm_clamp,
-     .vary_guard = vary_guard_graze_retract_clamp,
-     .next = {MODE_graze_rest}},
-    {.event = EVENT_mid_stance,
-     .is_counted = true,
-     .react = react_graze_place_mid_stance,
-     .vary_react = vary_react_slip_constant_mid_stance,
-     .is_watched = watches_slip_constant_mid_stance,
-     .vary_guard = vary_guard_slip_constant_mid_stance,
-     .next = {MODE_graze_retract}},
-    {.event = EVENT_graze_to_contact,
-     .is_counted = true,
-     .react = react_graze_place_graze_to_contact,
-     .vary_react = vary_react_graze_place_graze_to_contact,
-     .vary_guard = vary_guard_graze_place_graze_to_contact,
-     .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_graze_to_flight,
-     .is_counted = true,
-     .react = react_graze_place_graze_to_flight,
-     .vary_react = vary_react_graze_place_graze_to_flight,
-     .vary_guard = vary_guard_graze_retract_graze_to_flight,
-     .next = {MODE_flight_retract_calm}},
+    {.event = EVENT_passes_end, .react = react_graze_place_passes_end,
+        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_graze_place_passes_end, .next = {MODE_graze_retract}},
+    {.event = EVENT_passes_begin, .react = react_graze_place_passes_begin,
+        .vary_react = vary_react_start_of_run_passes_begin,
+        .is_watched = watches_flight_place_calm_passes_begin,
+        .vary_guard = vary_guard_graze_place_passes_begin, .next = {MODE_graze_retract}},
+    {.event = EVENT_ramp_ends, .react = react_graze_place_ramp_ends,
+        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
+        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_graze_retract}},
+    {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
+        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
+        .next = {MODE_fallen}},
+    {.event = EVENT_apex_in_graze, .is_counted = true, .react = react_graze_rest_apex_in_graze,
+        .vary_react = vary_react_graze_rest_apex_in_graze, .vary_guard = vary_guard_graze_rest_apex_in_graze,
+        .next = {MODE_graze_place}},
+    {.event = EVENT_clamp, .react = react_graze_rest_release,
+        .vary_react = vary_react_slip_constant_enters_layer, .is_watched = watches_flight_retract_calm_clamp,
+        .vary_guard = vary_guard_graze_retract_clamp, .next = {MODE_graze_rest}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_graze_place_mid_stance,
+        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_graze_retract}},
+    {.event = EVENT_graze_to_contact, .is_counted = true, .react = react_graze_place_graze_to_contact,
+        .vary_react = vary_react_graze_place_graze_to_contact,
+        .vary_guard = vary_guard_graze_place_graze_to_contact, .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_graze_to_flight, .is_counted = true, .react = react_graze_place_graze_to_flight,
+        .vary_react = vary_react_graze_place_graze_to_flight,
+        .vary_guard = vary_guard_graze_retract_graze_to_flight, .next = {MODE_flight_retract_calm}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_graze_retract[] = {
@@ -9208,65 +8659,35 @@ static const tdmf_watch_kind watches_graze_retract[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_slip_falling[] = {
-    {.event = EVENT_ramp_ends,
-     .is_counted = false,
-     .react = react_slip_constant_ramp_ends,
-     .vary_react = vary_react_slip_constant_ramp_ends,
-     .is_watched = watches_slip_constant_ramp_ends,
-     .vary_guard = vary_guard_slip_constant_ramp_ends,
-     .next = {MODE_slip_falling}},
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_slip_constant_falls,
-     .vary_react = vary_react_slip_constant_falls,
-     .vary_guard = vary_guard_slip_constant_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_greatest_compression,
-     .is_counted = false,
-     .react = react_slip_constant_greatest_compression,
-     .vary_react = vary_react_slip_constant_greatest_compression,
-     .is_watched = watches_slip_constant_greatest_compression,
-     .vary_guard = vary_guard_slip_constant_greatest_compression,
-     .next = {MODE_slip_falling}},
-    {.event = EVENT_mid_stance,
-     .is_counted = true,
-     .react = react_slip_constant_mid_stance,
-     .vary_react = vary_react_slip_constant_mid_stance,
-     .is_watched = watches_slip_constant_mid_stance,
-     .vary_guard = vary_guard_slip_constant_mid_stance,
-     .next = {MODE_slip_falling}},
-    {.event = EVENT_lift_off,
-     .is_counted = true,
-     .react = react_slip_constant_lift_off,
-     .vary_react = vary_react_slip_constant_lift_off,
-     .vary_guard = vary_guard_slip_constant_lift_off,
-     .next = {MODE_graze_place, MODE_flight_place_calm, MODE_graze_rest, MODE_flight_rest_calm,
-              MODE_graze_retract, MODE_flight_retract_calm}},
-    {.event = EVENT_leaves_layer,
-     .is_counted = false,
-     .react = react_slip_constant_enters_layer,
-     .vary_react = vary_react_slip_constant_enters_layer,
-     .vary_guard = vary_guard_slip_falling_leaves_layer,
-     .next = {MODE_slip_constant}},
-    {.event = EVENT_comes_to_rest,
-     .is_counted = true,
-     .react = react_slip_constant_comes_to_rest,
-     .vary_react = vary_react_slip_constant_comes_to_rest,
-     .vary_guard = vary_guard_slip_constant_comes_to_rest,
-     .next = {MODE_stick, MODE_slip_constant}},
-    {.event = EVENT_crosses_border,
-     .is_counted = true,
-     .react = react_slip_constant_crosses_border,
-     .vary_react = vary_react_slip_constant_crosses_border,
-     .is_watched = watches_slip_constant_crosses_border,
-     .vary_guard = vary_guard_slip_constant_crosses_border,
-     .next = {MODE_slip_falling}},
+    {.event = EVENT_ramp_ends, .react = react_slip_constant_ramp_ends,
+        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
+        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_slip_falling}},
+    {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
+        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_slip_constant_falls,
+        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
+        .next = {MODE_fallen}},
+    {.event = EVENT_greatest_compression, .react = react_slip_constant_greatest_compression,
+        .vary_react = vary_react_slip_constant_greatest_compression,
+        .is_watched = watches_slip_constant_greatest_compression,
+        .vary_guard = vary_guard_slip_constant_greatest_compression, .next = {MODE_slip_falling}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_slip_constant_mid_stance,
+        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_falling}},
+    {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
+        .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
+        .next = {MODE_graze_place, MODE_flight_place_calm, MODE_graze_rest, MODE_flight_rest_calm,
+        MODE_graze_retract, MODE_flight_retract_calm}},
+    {.event = EVENT_leaves_layer, .react = react_slip_constant_enters_layer,
+        .vary_react = vary_react_slip_constant_enters_layer,
+        .vary_guard = vary_guard_slip_falling_leaves_layer, .next = {MODE_slip_constant}},
+    {.event = EVENT_comes_to_rest, .is_counted = true, .react = react_slip_constant_comes_to_rest,
+        .vary_react = vary_react_slip_constant_comes_to_rest,
+        .vary_guard = vary_guard_slip_constant_comes_to_rest, .next = {MODE_stick, MODE_slip_constant}},
+    {.event = EVENT_crosses_border, .is_counted = true, .react = react_slip_constant_crosses_border,
+        .vary_react = vary_react_slip_constant_crosses_border,
+        .is_watched = watches_slip_constant_crosses_border,
+        .vary_guard = vary_guard_slip_constant_crosses_border, .next = {MODE_slip_falling}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_slip_falling[] = {
@@ -9276,66 +8697,36 @@ static const tdmf_watch_kind watches_slip_falling[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_place_pushed[] = {
-    {.event = EVENT_passes_end,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_end,
-     .vary_react = vary_react_start_of_run_passes_end,
-     .is_watched = watches_flight_place_calm_passes_end,
-     .vary_guard = vary_guard_flight_place_calm_passes_end,
-     .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_passes_begin,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_begin,
-     .vary_react = vary_react_start_of_run_passes_begin,
-     .is_watched = watches_flight_place_calm_passes_begin,
-     .vary_guard = vary_guard_flight_place_calm_passes_begin,
-     .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_next_segment_comes,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_end,
-     .vary_react = vary_react_start_of_run_passes_end,
-     .is_watched = watches_flight_place_calm_next_segment_comes,
-     .vary_guard = vary_guard_start_of_run_begins,
-     .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_ramp_ends,
-     .is_counted = false,
-     .react = react_flight_place_calm_ramp_ends,
-     .vary_react = vary_react_slip_constant_ramp_ends,
-     .is_watched = watches_slip_constant_ramp_ends,
-     .vary_guard = vary_guard_slip_constant_ramp_ends,
-     .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_new_ground,
-     .is_counted = true,
-     .react = react_flight_place_calm_new_ground,
-     .vary_react = vary_react_flight_place_calm_new_ground,
-     .is_watched = watches_flight_place_calm_new_ground,
-     .vary_guard = vary_guard_flight_place_calm_new_ground,
-     .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_apex,
-     .is_counted = true,
-     .react = react_flight_place_calm_apex,
-     .vary_react = vary_react_flight_place_calm_apex,
-     .is_crossing = true,
-     .vary_guard = vary_guard_flight_place_calm_apex,
-     .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_touchdown,
-     .is_counted = true,
-     .react = react_flight_place_calm_touchdown,
-     .vary_react = vary_react_flight_place_calm_touchdown,
-     .vary_guard = vary_guard_flight_place_calm_touchdown,
-     .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
+        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_place_pushed}},
+    {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
+        .vary_react = vary_react_start_of_run_passes_begin,
+        .is_watched = watches_flight_place_calm_passes_begin,
+        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_place_pushed}},
+    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_passes_end,
+        .vary_react = vary_react_start_of_run_passes_end,
+        .is_watched = watches_flight_place_calm_next_segment_comes,
+        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_place_pushed}},
+    {.event = EVENT_ramp_ends, .react = react_flight_place_calm_ramp_ends,
+        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
+        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_place_pushed}},
+    {.event = EVENT_new_ground, .is_counted = true, .react = react_flight_place_calm_new_ground,
+        .vary_react = vary_react_flight_place_calm_new_ground,
+        .is_watched = watches_flight_place_calm_new_ground,
+        .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_place_pushed}},
+    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
+        .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
+        .vary_react = vary_react_flight_place_calm_apex, .is_crossing = true,
+        .vary_guard = vary_guard_flight_place_calm_apex, .next = {MODE_flight_place_pushed}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_place_calm_touchdown,
+        .vary_react = vary_react_flight_place_calm_touchdown,
+        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_place_pushed[] = {
@@ -9343,71 +8734,39 @@ static const tdmf_watch_kind watches_flight_place_pushed[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_rest_pushed[] = {
-    {.event = EVENT_passes_end,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_end,
-     .vary_react = vary_react_start_of_run_passes_end,
-     .is_watched = watches_flight_place_calm_passes_end,
-     .vary_guard = vary_guard_flight_place_calm_passes_end,
-     .next = {MODE_flight_rest_pushed}},
-    {.event = EVENT_passes_begin,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_begin,
-     .vary_react = vary_react_start_of_run_passes_begin,
-     .is_watched = watches_flight_place_calm_passes_begin,
-     .vary_guard = vary_guard_flight_place_calm_passes_begin,
-     .next = {MODE_flight_rest_pushed}},
-    {.event = EVENT_next_segment_comes,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_end,
-     .vary_react = vary_react_start_of_run_passes_end,
-     .is_watched = watches_flight_place_calm_next_segment_comes,
-     .vary_guard = vary_guard_start_of_run_begins,
-     .next = {MODE_flight_rest_pushed}},
-    {.event = EVENT_ramp_ends,
-     .is_counted = false,
-     .react = react_flight_place_calm_ramp_ends,
-     .vary_react = vary_react_slip_constant_ramp_ends,
-     .is_watched = watches_slip_constant_ramp_ends,
-     .vary_guard = vary_guard_slip_constant_ramp_ends,
-     .next = {MODE_flight_rest_pushed}},
-    {.event = EVENT_new_ground,
-     .is_counted = true,
-     .react = react_flight_place_calm_new_ground,
-     .vary_react = vary_react_flight_place_calm_new_ground,
-     .is_watched = watches_flight_place_calm_new_ground,
-     .vary_guard = vary_guard_flight_place_calm_new_ground,
-     .next = {MODE_flight_rest_pushed}},
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_apex,
-     .is_counted = true,
-     .react = react_flight_place_calm_apex,
-     .vary_react = vary_react_flight_place_calm_apex,
-     .vary_guard = vary_guard_flight_place_calm_apex,
-     .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_touchdown,
-     .is_counted = true,
-     .react = react_flight_rest_calm_touchdown,
-     .vary_react = vary_react_flight_place_calm_touchdown,
-     .vary_guard = vary_guard_flight_place_calm_touchdown,
-     .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_release,
-     .is_counted = false,
-     .react = react_flight_place_calm_wind_rises,
-     .vary_react = vary_react_slip_constant_enters_layer,
-     .vary_guard = vary_guard_flight_rest_calm_release,
-     .next = {MODE_flight_retract_pushed}},
+    {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
+        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_rest_pushed}},
+    {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
+        .vary_react = vary_react_start_of_run_passes_begin,
+        .is_watched = watches_flight_place_calm_passes_begin,
+        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_rest_pushed}},
+    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_passes_end,
+        .vary_react = vary_react_start_of_run_passes_end,
+        .is_watched = watches_flight_place_calm_next_segment_comes,
+        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_rest_pushed}},
+    {.event = EVENT_ramp_ends, .react = react_flight_place_calm_ramp_ends,
+        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
+        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_rest_pushed}},
+    {.event = EVENT_new_ground, .is_counted = true, .react = react_flight_place_calm_new_ground,
+        .vary_react = vary_react_flight_place_calm_new_ground,
+        .is_watched = watches_flight_place_calm_new_ground,
+        .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_rest_pushed}},
+    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
+        .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
+        .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
+        .next = {MODE_flight_place_pushed}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_rest_calm_touchdown,
+        .vary_react = vary_react_flight_place_calm_touchdown,
+        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_release, .react = react_flight_place_calm_wind_rises,
+        .vary_react = vary_react_slip_constant_enters_layer,
+        .vary_guard = vary_guard_flight_rest_calm_release, .next = {MODE_flight_retract_pushed}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_rest_pushed[] = {
@@ -9415,339 +8774,167 @@ static const tdmf_watch_kind watches_flight_rest_pushed[] = {
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_retract_pushed[] = {
-    {.event = EVENT_passes_end,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_end,
-     .vary_react = vary_react_start_of_run_passes_end,
-     .is_watched = watches_flight_place_calm_passes_end,
-     .vary_guard = vary_guard_flight_place_calm_passes_end,
-     .next = {MODE_flight_retract_pushed}},
-    {.event = EVENT_passes_begin,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_begin,
-     .vary_react = vary_react_start_of_run_passes_begin,
-     .is_watched = watches_flight_place_calm_passes_begin,
-     .vary_guard = vary_guard_flight_place_calm_passes_begin,
-     .next = {MODE_flight_retract_pushed}},
-    {.event = EVENT_next_segment_comes,
-     .is_counted = false,
-     .react = react_flight_place_calm_passes_end,
-     .vary_react = vary_react_start_of_run_passes_end,
-     .is_watched = watches_flight_place_calm_next_segment_comes,
-     .vary_guard = vary_guard_start_of_run_begins,
-     .next = {MODE_flight_retract_pushed}},
-    {.event = EVENT_ramp_ends,
-     .is_counted = false,
-     .react = react_flight_place_calm_ramp_ends,
-     .vary_react = vary_react_slip_constant_ramp_ends,
-     .is_watched = watches_slip_constant_ramp_ends,
-     .vary_guard = vary_guard_slip_constant_ramp_ends,
-     .next = {MODE_flight_retract_pushed}},
-    {.event = EVENT_new_ground,
-     .is_counted = true,
-     .react = react_flight_place_calm_new_ground,
-     .vary_react = vary_react_flight_place_calm_new_ground,
-     .is_watched = watches_flight_place_calm_new_ground,
-     .vary_guard = vary_guard_flight_place_calm_new_ground,
-     .next = {MODE_flight_retract_pushed}},
-    {.event = EVENT_falls,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_falls,
-     .next = {MODE_fallen}},
-    {.event = EVENT_collapses,
-     .is_counted = false,
-     .react = react_flight_place_calm_falls,
-     .vary_react = vary_react_flight_place_calm_falls,
-     .vary_guard = vary_guard_flight_place_calm_collapses,
-     .next = {MODE_fallen}},
-    {.event = EVENT_apex,
-     .is_counted = true,
-     .react = react_flight_place_calm_apex,
-     .vary_react = vary_react_flight_place_calm_apex,
-     .vary_guard = vary_guard_flight_place_calm_apex,
-     .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_touchdown,
-     .is_counted = true,
-     .react = react_flight_rest_calm_touchdown,
-     .vary_react = vary_react_flight_place_calm_touchdown,
-     .vary_guard = vary_guard_flight_place_calm_touchdown,
-     .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_clamp,
-     .is_counted = false,
-     .react = react_flight_place_calm_wind_rises,
-     .vary_react = vary_react_slip_constant_enters_layer,
-     .is_watched = watches_flight_retract_calm_clamp,
-     .vary_guard = vary_guard_flight_retract_calm_clamp,
-     .next = {MODE_flight_rest_pushed}},
+    {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
+        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_retract_pushed}},
+    {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
+        .vary_react = vary_react_start_of_run_passes_begin,
+        .is_watched = watches_flight_place_calm_passes_begin,
+        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_retract_pushed}},
+    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_passes_end,
+        .vary_react = vary_react_start_of_run_passes_end,
+        .is_watched = watches_flight_place_calm_next_segment_comes,
+        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_retract_pushed}},
+    {.event = EVENT_ramp_ends, .react = react_flight_place_calm_ramp_ends,
+        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
+        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_retract_pushed}},
+    {.event = EVENT_new_ground, .is_counted = true, .react = react_flight_place_calm_new_ground,
+        .vary_react = vary_react_flight_place_calm_new_ground,
+        .is_watched = watches_flight_place_calm_new_ground,
+        .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_retract_pushed}},
+    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
+        .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
+        .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
+        .next = {MODE_flight_place_pushed}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_rest_calm_touchdown,
+        .vary_react = vary_react_flight_place_calm_touchdown,
+        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_clamp, .react = react_flight_place_calm_wind_rises,
+        .vary_react = vary_react_slip_constant_enters_layer, .is_watched = watches_flight_retract_calm_clamp,
+        .vary_guard = vary_guard_flight_retract_calm_clamp, .next = {MODE_flight_rest_pushed}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_retract_pushed[] = {
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 6},
     {.into = -1},
 };
-static const tdmf_set set_extension[] = {
-    set_extension_start_of_run,  set_extension_slip_constant, set_extension_slip_constant,
-    set_extension_start_of_run,  set_extension_start_of_run,  set_extension_start_of_run,
-    set_extension_start_of_run,  set_extension_slip_constant, set_extension_slip_constant,
-    set_extension_slip_constant, set_extension_slip_constant, set_extension_start_of_run,
-    set_extension_start_of_run,  set_extension_start_of_run};
-static const tdmf_set set_thrust[] = {
-    set_thrust_start_of_run,  set_thrust_slip_constant, set_thrust_slip_constant, set_thrust_start_of_run,
-    set_thrust_start_of_run,  set_thrust_start_of_run,  set_thrust_start_of_run,  set_thrust_slip_constant,
-    set_thrust_slip_constant, set_thrust_slip_constant, set_thrust_slip_constant, set_thrust_start_of_run,
-    set_thrust_start_of_run,  set_thrust_start_of_run};
-static const tdmf_set set_more_thrust[] = {
-    set_more_thrust_start_of_run,  set_more_thrust_slip_constant, set_more_thrust_slip_constant,
-    set_more_thrust_start_of_run,  set_more_thrust_start_of_run,  set_more_thrust_start_of_run,
-    set_more_thrust_start_of_run,  set_more_thrust_slip_constant, set_more_thrust_slip_constant,
-    set_more_thrust_slip_constant, set_more_thrust_slip_constant, set_more_thrust_start_of_run,
-    set_more_thrust_start_of_run,  set_more_thrust_start_of_run};
+static const tdmf_set set_extension[] = {set_extension_start_of_run, set_extension_slip_constant,
+    set_extension_slip_constant, set_extension_start_of_run, set_extension_start_of_run,
+    set_extension_start_of_run, set_extension_start_of_run, set_extension_slip_constant,
+    set_extension_slip_constant, set_extension_slip_constant, set_extension_slip_constant,
+    set_extension_start_of_run, set_extension_start_of_run, set_extension_start_of_run};
+static const tdmf_set set_thrust[] = {set_thrust_start_of_run, set_thrust_slip_constant,
+    set_thrust_slip_constant, set_thrust_start_of_run, set_thrust_start_of_run, set_thrust_start_of_run,
+    set_thrust_start_of_run, set_thrust_slip_constant, set_thrust_slip_constant, set_thrust_slip_constant,
+    set_thrust_slip_constant, set_thrust_start_of_run, set_thrust_start_of_run, set_thrust_start_of_run};
+static const tdmf_set set_more_thrust[] = {set_more_thrust_start_of_run, set_more_thrust_slip_constant,
+    set_more_thrust_slip_constant, set_more_thrust_start_of_run, set_more_thrust_start_of_run,
+    set_more_thrust_start_of_run, set_more_thrust_start_of_run, set_more_thrust_slip_constant,
+    set_more_thrust_slip_constant, set_more_thrust_slip_constant, set_more_thrust_slip_constant,
+    set_more_thrust_start_of_run, set_more_thrust_start_of_run, set_more_thrust_start_of_run};
 static const int coordinates_at_apex[] = {38, 39, 40, 41, 42, 43};
 
 static const tdmf_mode_kind modes[] = {
-    {.motion = &tdmf_runner_motions[MODE_start_of_run],
-     .ends = false,
-     .open = open_start_of_run,
-     .vary_open = vary_open_start_of_run,
-     .guard_count = 3,
-     .guards = guards_start_of_run,
-     .watch_count = 0,
-     .watches = watches_start_of_run,
-     .outputs = outputs_start_of_run,
-     .vary_outputs = vary_outputs_start_of_run,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_runner_motions[MODE_slip_constant],
-     .ends = false,
-     .open = open_slip_constant,
-     .vary_open = vary_open_slip_constant,
-     .guard_count = 9,
-     .guards = guards_slip_constant,
-     .watch_count = 3,
-     .watches = watches_slip_constant,
-     .outputs = outputs_slip_constant,
-     .vary_outputs = vary_outputs_slip_constant,
-     .leave = leave_slip_constant,
-     .vary_leave = vary_leave_slip_constant,
-     .from_world = from_world_slip_constant,
-     .vary_from_world = vary_from_world_slip_constant,
-     .to_world = to_world_slip_constant,
-     .vary_to_world = vary_to_world_slip_constant,
-     .world_rates = world_rates_slip_constant,
-     .vary_world_rates = vary_world_rates_slip_constant},
-    {.motion = &tdmf_runner_motions[MODE_stick],
-     .ends = false,
-     .open = open_stick,
-     .vary_open = vary_open_stick,
-     .guard_count = 8,
-     .guards = guards_stick,
-     .watch_count = 3,
-     .watches = watches_stick,
-     .outputs = outputs_stick,
-     .vary_outputs = vary_outputs_stick,
-     .leave = leave_stick,
-     .vary_leave = vary_leave_stick,
-     .from_world = from_world_slip_constant,
-     .vary_from_world = vary_from_world_slip_constant,
-     .to_world = to_world_slip_constant,
-     .vary_to_world = vary_to_world_slip_constant,
-     .world_rates = world_rates_stick,
-     .vary_world_rates = vary_world_rates_stick},
-    {.motion = &tdmf_runner_motions[MODE_flight_place_calm],
-     .ends = false,
-     .open = open_flight_place_calm,
-     .vary_open = vary_open_flight_place_calm,
-     .guard_count = 10,
-     .guards = guards_flight_place_calm,
-     .watch_count = 1,
-     .watches = watches_flight_place_calm,
-     .outputs = outputs_flight_place_calm,
-     .vary_outputs = vary_outputs_flight_place_calm,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run,
-     .from_world = from_world_flight_place_calm,
-     .vary_from_world = vary_from_world_flight_place_calm,
-     .to_world = to_world_flight_place_calm,
-     .vary_to_world = vary_to_world_flight_place_calm,
-     .world_rates = world_rates_flight_place_calm,
-     .vary_world_rates = vary_world_rates_flight_place_calm},
-    {.motion = &tdmf_runner_motions[MODE_flight_rest_calm],
-     .ends = false,
-     .open = open_flight_rest_calm,
-     .vary_open = vary_open_flight_rest_calm,
-     .guard_count = 11,
-     .guards = guards_flight_rest_calm,
-     .watch_count = 1,
-     .watches = watches_flight_rest_calm,
-     .outputs = outputs_flight_rest_calm,
-     .vary_outputs = vary_outputs_flight_rest_calm,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run,
-     .from_world = from_world_flight_place_calm,
-     .vary_from_world = vary_from_world_flight_place_calm,
-     .to_world = to_world_flight_place_calm,
-     .vary_to_world = vary_to_world_flight_place_calm,
-     .world_rates = world_rates_flight_rest_calm,
-     .vary_world_rates = vary_world_rates_flight_rest_calm},
-    {.motion = &tdmf_runner_motions[MODE_flight_retract_calm],
-     .ends = false,
-     .open = open_flight_retract_calm,
-     .vary_open = vary_open_flight_retract_calm,
-     .guard_count = 11,
-     .guards = guards_flight_retract_calm,
-     .watch_count = 1,
-     .watches = watches_flight_retract_calm,
-     .outputs = outputs_flight_retract_calm,
-     .vary_outputs = vary_outputs_flight_retract_calm,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run,
-     .from_world = from_world_flight_place_calm,
-     .vary_from_world = vary_from_world_flight_place_calm,
-     .to_world = to_world_flight_place_calm,
-     .vary_to_world = vary_to_world_flight_place_calm,
-     .world_rates = world_rates_flight_retract_calm,
-     .vary_world_rates = vary_world_rates_flight_retract_calm},
-    {.motion = &tdmf_runner_motions[MODE_fallen],
-     .ends = true,
-     .open = open_fallen,
-     .vary_open = vary_open_fallen,
-     .guard_count = 0,
-     .guards = guards_fallen,
-     .watch_count = 0,
-     .watches = watches_fallen,
-     .outputs = outputs_fallen,
-     .vary_outputs = vary_outputs_start_of_run,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_runner_motions[MODE_graze_place],
-     .ends = false,
-     .open = open_graze_place,
-     .vary_open = vary_open_graze_place,
-     .guard_count = 8,
-     .guards = guards_graze_place,
-     .watch_count = 1,
-     .watches = watches_graze_place,
-     .outputs = outputs_graze_place,
-     .vary_outputs = vary_outputs_graze_place,
-     .leave = leave_graze_place,
-     .vary_leave = vary_leave_graze_place,
-     .from_world = from_world_slip_constant,
-     .vary_from_world = vary_from_world_slip_constant,
-     .to_world = to_world_slip_constant,
-     .vary_to_world = vary_to_world_slip_constant,
-     .world_rates = world_rates_graze_place,
-     .vary_world_rates = vary_world_rates_graze_place},
-    {.motion = &tdmf_runner_motions[MODE_graze_rest],
-     .ends = false,
-     .open = open_graze_rest,
-     .vary_open = vary_open_graze_rest,
-     .guard_count = 10,
-     .guards = guards_graze_rest,
-     .watch_count = 1,
-     .watches = watches_graze_rest,
-     .outputs = outputs_graze_rest,
-     .vary_outputs = vary_outputs_graze_place,
-     .leave = leave_graze_place,
-     .vary_leave = vary_leave_graze_place,
-     .from_world = from_world_slip_constant,
-     .vary_from_world = vary_from_world_slip_constant,
-     .to_world = to_world_slip_constant,
-     .vary_to_world = vary_to_world_slip_constant,
-     .world_rates = world_rates_graze_place,
-     .vary_world_rates = vary_world_rates_graze_place},
-    {.motion = &tdmf_runner_motions[MODE_graze_retract],
-     .ends = false,
-     .open = open_graze_retract,
-     .vary_open = vary_open_graze_retract,
-     .guard_count = 10,
-     .guards = guards_graze_retract,
-     .watch_count = 1,
-     .watches = watches_graze_retract,
-     .outputs = outputs_graze_rest,
-     .vary_outputs = vary_outputs_graze_place,
-     .leave = leave_graze_place,
-     .vary_leave = vary_leave_graze_place,
-     .from_world = from_world_slip_constant,
-     .vary_from_world = vary_from_world_slip_constant,
-     .to_world = to_world_slip_constant,
-     .vary_to_world = vary_to_world_slip_constant,
-     .world_rates = world_rates_graze_place,
-     .vary_world_rates = vary_world_rates_graze_place},
-    {.motion = &tdmf_runner_motions[MODE_slip_falling],
-     .ends = false,
-     .open = open_slip_falling,
-     .vary_open = vary_open_slip_falling,
-     .guard_count = 9,
-     .guards = guards_slip_falling,
-     .watch_count = 3,
-     .watches = watches_slip_falling,
-     .outputs = outputs_slip_falling,
-     .vary_outputs = vary_outputs_slip_falling,
-     .time_scale = time_scale_slip_falling,
-     .leave = leave_slip_constant,
-     .vary_leave = vary_leave_slip_constant,
-     .from_world = from_world_slip_constant,
-     .vary_from_world = vary_from_world_slip_constant,
-     .to_world = to_world_slip_constant,
-     .vary_to_world = vary_to_world_slip_constant,
-     .world_rates = world_rates_slip_falling,
-     .vary_world_rates = vary_world_rates_slip_falling},
-    {.motion = &tdmf_runner_motions[MODE_flight_place_pushed],
-     .ends = false,
-     .open = open_flight_place_pushed,
-     .vary_open = vary_open_flight_place_pushed,
-     .guard_count = 9,
-     .guards = guards_flight_place_pushed,
-     .watch_count = 1,
-     .watches = watches_flight_place_pushed,
-     .outputs = outputs_flight_place_calm,
-     .vary_outputs = vary_outputs_flight_place_calm,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run,
-     .from_world = from_world_flight_place_calm,
-     .vary_from_world = vary_from_world_flight_place_calm,
-     .to_world = to_world_flight_place_calm,
-     .vary_to_world = vary_to_world_flight_place_calm,
-     .world_rates = world_rates_flight_place_pushed,
-     .vary_world_rates = vary_world_rates_flight_place_pushed},
-    {.motion = &tdmf_runner_motions[MODE_flight_rest_pushed],
-     .ends = false,
-     .open = open_flight_rest_pushed,
-     .vary_open = vary_open_flight_rest_pushed,
-     .guard_count = 10,
-     .guards = guards_flight_rest_pushed,
-     .watch_count = 1,
-     .watches = watches_flight_rest_pushed,
-     .outputs = outputs_flight_rest_calm,
-     .vary_outputs = vary_outputs_flight_rest_calm,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run,
-     .from_world = from_world_flight_place_calm,
-     .vary_from_world = vary_from_world_flight_place_calm,
-     .to_world = to_world_flight_place_calm,
-     .vary_to_world = vary_to_world_flight_place_calm,
-     .world_rates = world_rates_flight_rest_pushed,
-     .vary_world_rates = vary_world_rates_flight_rest_pushed},
-    {.motion = &tdmf_runner_motions[MODE_flight_retract_pushed],
-     .ends = false,
-     .open = open_flight_retract_pushed,
-     .vary_open = vary_open_flight_retract_pushed,
-     .guard_count = 10,
-     .guards = guards_flight_retract_pushed,
-     .watch_count = 1,
-     .watches = watches_flight_retract_pushed,
-     .outputs = outputs_flight_retract_calm,
-     .vary_outputs = vary_outputs_flight_retract_calm,
-     .leave = leave_start_of_run,
-     .vary_leave = vary_leave_start_of_run,
-     .from_world = from_world_flight_place_calm,
-     .vary_from_world = vary_from_world_flight_place_calm,
-     .to_world = to_world_flight_place_calm,
-     .vary_to_world = vary_to_world_flight_place_calm,
-     .world_rates = world_rates_flight_retract_pushed,
-     .vary_world_rates = vary_world_rates_flight_retract_pushed},
+    {.motion = &tdmf_runner_motions[MODE_start_of_run], .open = open_start_of_run,
+        .vary_open = vary_open_start_of_run, .guard_count = 3, .guards = guards_start_of_run,
+        .watch_count = 0, .watches = watches_start_of_run, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_runner_motions[MODE_slip_constant], .open = open_slip_constant,
+        .vary_open = vary_open_slip_constant, .guard_count = 9, .guards = guards_slip_constant,
+        .watch_count = 3, .watches = watches_slip_constant, .outputs = outputs_slip_constant,
+        .vary_outputs = vary_outputs_slip_constant, .leave = leave_slip_constant,
+        .vary_leave = vary_leave_slip_constant, .from_world = from_world_slip_constant,
+        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
+        .vary_to_world = vary_to_world_slip_constant, .world_rates = world_rates_slip_constant,
+        .vary_world_rates = vary_world_rates_slip_constant},
+    {.motion = &tdmf_runner_motions[MODE_stick], .open = open_stick, .vary_open = vary_open_stick,
+        .guard_count = 8, .guards = guards_stick, .watch_count = 3, .watches = watches_stick,
+        .outputs = outputs_stick, .vary_outputs = vary_outputs_stick, .leave = leave_stick,
+        .vary_leave = vary_leave_stick, .from_world = from_world_slip_constant,
+        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
+        .vary_to_world = vary_to_world_slip_constant, .world_rates = world_rates_stick,
+        .vary_world_rates = vary_world_rates_stick},
+    {.motion = &tdmf_runner_motions[MODE_flight_place_calm], .open = open_flight_place_calm,
+        .vary_open = vary_open_flight_place_calm, .guard_count = 10, .guards = guards_flight_place_calm,
+        .watch_count = 1, .watches = watches_flight_place_calm, .outputs = outputs_flight_place_calm,
+        .vary_outputs = vary_outputs_flight_place_calm, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
+        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
+        .vary_to_world = vary_to_world_flight_place_calm, .world_rates = world_rates_flight_place_calm,
+        .vary_world_rates = vary_world_rates_flight_place_calm},
+    {.motion = &tdmf_runner_motions[MODE_flight_rest_calm], .open = open_flight_rest_calm,
+        .vary_open = vary_open_flight_rest_calm, .guard_count = 11, .guards = guards_flight_rest_calm,
+        .watch_count = 1, .watches = watches_flight_rest_calm, .outputs = outputs_flight_rest_calm,
+        .vary_outputs = vary_outputs_flight_rest_calm, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
+        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
+        .vary_to_world = vary_to_world_flight_place_calm, .world_rates = world_rates_flight_rest_calm,
+        .vary_world_rates = vary_world_rates_flight_rest_calm},
+    {.motion = &tdmf_runner_motions[MODE_flight_retract_calm], .open = open_flight_retract_calm,
+        .vary_open = vary_open_flight_retract_calm, .guard_count = 11, .guards = guards_flight_retract_calm,
+        .watch_count = 1, .watches = watches_flight_retract_calm, .outputs = outputs_flight_retract_calm,
+        .vary_outputs = vary_outputs_flight_retract_calm, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
+        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
+        .vary_to_world = vary_to_world_flight_place_calm, .world_rates = world_rates_flight_retract_calm,
+        .vary_world_rates = vary_world_rates_flight_retract_calm},
+    {.motion = &tdmf_runner_motions[MODE_fallen], .ends = true, .open = open_fallen,
+        .vary_open = vary_open_fallen, .guard_count = 0, .guards = guards_fallen, .watch_count = 0,
+        .watches = watches_fallen, .outputs = outputs_fallen, .vary_outputs = vary_outputs_start_of_run,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_runner_motions[MODE_graze_place], .open = open_graze_place,
+        .vary_open = vary_open_graze_place, .guard_count = 8, .guards = guards_graze_place, .watch_count = 1,
+        .watches = watches_graze_place, .outputs = outputs_graze_place,
+        .vary_outputs = vary_outputs_graze_place, .leave = leave_graze_place,
+        .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
+        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
+        .vary_to_world = vary_to_world_slip_constant, .world_rates = world_rates_graze_place,
+        .vary_world_rates = vary_world_rates_graze_place},
+    {.motion = &tdmf_runner_motions[MODE_graze_rest], .open = open_graze_rest,
+        .vary_open = vary_open_graze_rest, .guard_count = 10, .guards = guards_graze_rest, .watch_count = 1,
+        .watches = watches_graze_rest, .outputs = outputs_graze_rest,
+        .vary_outputs = vary_outputs_graze_place, .leave = leave_graze_place,
+        .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
+        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
+        .vary_to_world = vary_to_world_slip_constant, .world_rates = world_rates_graze_place,
+        .vary_world_rates = vary_world_rates_graze_place},
+    {.motion = &tdmf_runner_motions[MODE_graze_retract], .open = open_graze_retract,
+        .vary_open = vary_open_graze_retract, .guard_count = 10, .guards = guards_graze_retract,
+        .watch_count = 1, .watches = watches_graze_retract, .outputs = outputs_graze_rest,
+        .vary_outputs = vary_outputs_graze_place, .leave = leave_graze_place,
+        .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
+        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
+        .vary_to_world = vary_to_world_slip_constant, .world_rates = world_rates_graze_place,
+        .vary_world_rates = vary_world_rates_graze_place},
+    {.motion = &tdmf_runner_motions[MODE_slip_falling], .open = open_slip_falling,
+        .vary_open = vary_open_slip_falling, .guard_count = 9, .guards = guards_slip_falling,
+        .watch_count = 3, .watches = watches_slip_falling, .outputs = outputs_slip_falling,
+        .vary_outputs = vary_outputs_slip_falling, .time_scale = time_scale_slip_falling,
+        .leave = leave_slip_constant, .vary_leave = vary_leave_slip_constant,
+        .from_world = from_world_slip_constant, .vary_from_world = vary_from_world_slip_constant,
+        .to_world = to_world_slip_constant, .vary_to_world = vary_to_world_slip_constant,
+        .world_rates = world_rates_slip_falling, .vary_world_rates = vary_world_rates_slip_falling},
+    {.motion = &tdmf_runner_motions[MODE_flight_place_pushed], .open = open_flight_place_pushed,
+        .vary_open = vary_open_flight_place_pushed, .guard_count = 9, .guards = guards_flight_place_pushed,
+        .watch_count = 1, .watches = watches_flight_place_pushed, .outputs = outputs_flight_place_calm,
+        .vary_outputs = vary_outputs_flight_place_calm, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
+        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
+        .vary_to_world = vary_to_world_flight_place_calm, .world_rates = world_rates_flight_place_pushed,
+        .vary_world_rates = vary_world_rates_flight_place_pushed},
+    {.motion = &tdmf_runner_motions[MODE_flight_rest_pushed], .open = open_flight_rest_pushed,
+        .vary_open = vary_open_flight_rest_pushed, .guard_count = 10, .guards = guards_flight_rest_pushed,
+        .watch_count = 1, .watches = watches_flight_rest_pushed, .outputs = outputs_flight_rest_calm,
+        .vary_outputs = vary_outputs_flight_rest_calm, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
+        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
+        .vary_to_world = vary_to_world_flight_place_calm, .world_rates = world_rates_flight_rest_pushed,
+        .vary_world_rates = vary_world_rates_flight_rest_pushed},
+    {.motion = &tdmf_runner_motions[MODE_flight_retract_pushed], .open = open_flight_retract_pushed,
+        .vary_open = vary_open_flight_retract_pushed, .guard_count = 10,
+        .guards = guards_flight_retract_pushed, .watch_count = 1, .watches = watches_flight_retract_pushed,
+        .outputs = outputs_flight_retract_calm, .vary_outputs = vary_outputs_flight_retract_calm,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
+        .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
+        .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm,
+        .world_rates = world_rates_flight_retract_pushed,
+        .vary_world_rates = vary_world_rates_flight_retract_pushed},
 };
 
 static const tdmf_set_kind sets[] = {
@@ -9757,294 +8944,62 @@ static const tdmf_set_kind sets[] = {
     {.index = -1},
 };
 static const tdmf_section_kind sections[] = {
-    {.enter = enter_at_apex,
-     .vary_enter = vary_enter_at_apex,
-     .event = EVENT_apex,
-     .count = 6,
-     .coordinates = coordinates_at_apex},
+    {.enter = enter_at_apex, .vary_enter = vary_enter_at_apex, .event = EVENT_apex, .count = 6,
+        .coordinates = coordinates_at_apex},
     {.event = -1},
 };
 
-static const char *const mode_names[] = {
-    "start_of_run",       "slip_constant",        "stick",        "flight_place_calm",
-    "flight_rest_calm",   "flight_retract_calm",  "fallen",       "graze_place",
-    "graze_rest",         "graze_retract",        "slip_falling", "flight_place_pushed",
-    "flight_rest_pushed", "flight_retract_pushed"};
-static const char *const state_names[] = {"time",
-                                          "events",
-                                          "last_event",
-                                          "is_open",
-                                          "work_then",
-                                          "leg_work_then",
-                                          "positive_work_so_far",
-                                          "positive_work_then",
-                                          "peak_force_so_far",
-                                          "vertical_so_far",
-                                          "touchdowns_so_far",
-                                          "slip_so_far",
-                                          "slid_from",
-                                          "stance_so_far",
-                                          "word_so_far",
-                                          "last_letter",
-                                          "bar_is_due",
-                                          "mode_began",
-                                          "x_then",
-                                          "y_then",
-                                          "count",
-                                          "word_code",
-                                          "period",
-                                          "distance",
-                                          "rise_of_stride",
-                                          "work_of_stride",
-                                          "hip_work",
-                                          "leg_work_of_stride",
-                                          "positive_work",
-                                          "speed",
-                                          "cost_of_transport",
-                                          "touchdowns",
-                                          "stance_time",
-                                          "duty_factor",
-                                          "slip_distance",
-                                          "peak_force",
-                                          "peak_vertical_force",
-                                          "apex_time",
-                                          "apex_com_height",
-                                          "apex_com_speed",
-                                          "apex_length",
-                                          "apex_angle",
-                                          "apex_length_rate",
-                                          "apex_angle_rate",
-                                          "height",
-                                          "slope",
-                                          "segment",
-                                          "segment_begin",
-                                          "segment_end",
-                                          "segment_height",
-                                          "segment_slope",
-                                          "friction_ahead",
-                                          "friction_behind",
-                                          "extension",
-                                          "external_fx",
-                                          "external_fy",
-                                          "seen_x",
-                                          "seen_y",
-                                          "length",
-                                          "angle",
-                                          "seen_vx",
-                                          "seen_vy",
-                                          "length_rate",
-                                          "angle_rate",
-                                          "com_x",
-                                          "com_y",
-                                          "com_vx",
-                                          "com_vy",
-                                          "momentum",
-                                          "x",
-                                          "y",
-                                          "vx",
-                                          "vy",
-                                          "foot_x",
-                                          "foot_vx",
-                                          "winding",
-                                          "thrusting",
-                                          "leg_work",
-                                          "external_work",
-                                          "damper_loss",
-                                          "extension_rate",
-                                          "external_fx_rate",
-                                          "external_fy_rate",
-                                          "friction",
-                                          "way",
-                                          "friction_loss",
-                                          "impact_loss",
-                                          "friction_rate",
-                                          "external_torque",
-                                          "liftoff_angle",
-                                          "driving",
-                                          "placing",
-                                          "touchdown_time",
-                                          "was_placed",
-                                          "placed_for",
-                                          "rises_again",
-                                          "work",
-                                          "external_torque_rate"};
-static const char *const parameter_names[] = {
-    "ground_height",   "ground_slope",      "patch_begin",     "patch_end",   "patch_friction",
-    "by_stride",       "body_mass",         "foot_mass",       "stiffness",   "damping",
-    "free_length",     "least_length",      "gravity",         "thrust",      "more_thrust",
-    "static_ratio",    "stribeck_velocity", "drive_torque",    "kp",          "kd",
-    "touchdown_angle", "liftoff_factor",    "retraction_rate", "swing_clamp", "more_angle",
+static const char *const mode_names[] = {"start_of_run", "slip_constant", "stick", "flight_place_calm",
+    "flight_rest_calm", "flight_retract_calm", "fallen", "graze_place", "graze_rest", "graze_retract",
+    "slip_falling", "flight_place_pushed", "flight_rest_pushed", "flight_retract_pushed"};
+static const char *const state_names[] = {"time", "events", "last_event", "is_open", "work_then",
+    "leg_work_then", "positive_work_so_far", "positive_work_then", "peak_force_so_far", "vertical_so_far",
+    "touchdowns_so_far", "slip_so_far", "slid_from", "stance_so_far", "word_so_far", "last_letter",
+    "bar_is_due", "mode_began", "x_then", "y_then", "count", "word_code", "period", "distance",
+    "rise_of_stride", "work_of_stride", "hip_work", "leg_work_of_stride", "positive_work", "speed",
+    "cost_of_transport", "touchdowns", "stance_time", "duty_factor", "slip_distance", "peak_force",
+    "peak_vertical_force", "apex_time", "apex_com_height", "apex_com_speed", "apex_length", "apex_angle",
+    "apex_length_rate", "apex_angle_rate", "height", "slope", "segment", "segment_begin", "segment_end",
+    "segment_height", "segment_slope", "friction_ahead", "friction_behind", "extension", "external_fx",
+    "external_fy", "seen_x", "seen_y", "length", "angle", "seen_vx", "seen_vy", "length_rate", "angle_rate",
+    "com_x", "com_y", "com_vx", "com_vy", "momentum", "x", "y", "vx", "vy", "foot_x", "foot_vx", "winding",
+    "thrusting", "leg_work", "external_work", "damper_loss", "extension_rate", "external_fx_rate",
+    "external_fy_rate", "friction", "way", "friction_loss", "impact_loss", "friction_rate", "external_torque",
+    "liftoff_angle", "driving", "placing", "touchdown_time", "was_placed", "placed_for", "rises_again",
+    "work", "external_torque_rate"};
+static const char *const parameter_names[] = {"ground_height", "ground_slope", "patch_begin", "patch_end",
+    "patch_friction", "by_stride", "body_mass", "foot_mass", "stiffness", "damping", "free_length",
+    "least_length", "gravity", "thrust", "more_thrust", "static_ratio", "stribeck_velocity", "drive_torque",
+    "kp", "kd", "touchdown_angle", "liftoff_factor", "retraction_rate", "swing_clamp", "more_angle",
     "more_torque"};
-static const char *const event_names[] = {
-    "passes_end",     "passes_begin",  "next_segment_comes",   "ramp_ends",
-    "begins",         "wind_rises",    "new_ground",           "falls",
-    "collapses",      "apex",          "apex_in_graze",        "touchdown",
-    "clamp",          "release",       "greatest_compression", "mid_stance",
-    "lift_off",       "enters_layer",  "leaves_layer",         "slips_forward",
-    "slips_backward", "comes_to_rest", "crosses_border",       "graze_to_contact",
+static const char *const event_names[] = {"passes_end", "passes_begin", "next_segment_comes", "ramp_ends",
+    "begins", "wind_rises", "new_ground", "falls", "collapses", "apex", "apex_in_graze", "touchdown", "clamp",
+    "release", "greatest_compression", "mid_stance", "lift_off", "enters_layer", "leaves_layer",
+    "slips_forward", "slips_backward", "comes_to_rest", "crosses_border", "graze_to_contact",
     "graze_to_flight"};
-static const char *const output_names[] = {
-    "pending",        "torque",           "normal_force",   "tangential_force", "ground_force_x",
-    "ground_force_y", "force_of_leg",     "body_x",         "body_y",           "body_vx",
-    "body_vy",        "center_x",         "center_y",       "center_vx",        "center_vy",
-    "kinetic_energy", "potential_energy", "elastic_energy", "energy",           "kind_of_contact",
-    "phase_of_hip",   "has_fallen"};
+static const char *const output_names[] = {"pending", "torque", "normal_force", "tangential_force",
+    "ground_force_x", "ground_force_y", "force_of_leg", "body_x", "body_y", "body_vx", "body_vy", "center_x",
+    "center_y", "center_vx", "center_vy", "kinetic_energy", "potential_energy", "elastic_energy", "energy",
+    "kind_of_contact", "phase_of_hip", "has_fallen"};
 static const char *const table_names[] = {"ground_segment"};
 static const char *const section_names[] = {"at_apex"};
-static const double state_defaults[] = {0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        -1.0,
-                                        -1000000000000.0,
-                                        -1000000000000.0,
-                                        0.0,
-                                        0.0,
-                                        -1.0,
-                                        -1.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        -0.4722627765193387,
-                                        0.6417114468531165,
-                                        0.9999993776846997,
-                                        -0.5462532571145313,
-                                        1.062035591761993,
-                                        -1.9951712441925837e-05,
-                                        1.1268102275039307e-06,
-                                        4.039363331769765e-05,
-                                        0.0,
-                                        1.4,
-                                        1.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        1.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.6,
-                                        1.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0,
-                                        0.0};
-static const double parameter_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.1,  0.0,  1.0,
-                                            0.1, 1.0, 0.2, 1.0, 0.05, 0.01, 0.0,
-                                            0.0, 1.0, 0.0, 0.2, 0.1,  0.1,  0.6981317007977318,
-                                            1.2, 0.0, 0.0, 0.0, 0.0};
-static const double parameter_least[] = {-1000000000.0,
-                                         -1.0,
-                                         -1000000000.0,
-                                         -1000000000.0,
-                                         0.0,
-                                         -1.7976931348623157e+308,
-                                         1e-09,
-                                         1e-12,
-                                         1e-09,
-                                         0.0,
-                                         1e-06,
-                                         1e-09,
-                                         1e-09,
-                                         0.0,
-                                         -1000000.0,
-                                         1.0,
-                                         0.0,
-                                         -1e+18,
-                                         0.0,
-                                         0.0,
-                                         -1.5707963267948966,
-                                         0.0,
-                                         -1000000000.0,
-                                         -1.7976931348623157e+308,
-                                         -3.141592653589793,
-                                         -1e+18};
-static const double parameter_most[] = {1000000000.0,
-                                        1.0,
-                                        1000000000.0,
-                                        1000000000.0,
-                                        1000000.0,
-                                        1.7976931348623157e+308,
-                                        1000000000.0,
-                                        1000000000.0,
-                                        1000000000000.0,
-                                        1000000000000.0,
-                                        1000000.0,
-                                        1000000.0,
-                                        1000000.0,
-                                        1000000.0,
-                                        1000000.0,
-                                        1000000.0,
-                                        1000000000.0,
-                                        1e+18,
-                                        1e+18,
-                                        1e+18,
-                                        1.5707963267948966,
-                                        100.0,
-                                        1000000000.0,
-                                        1.7976931348623157e+308,
-                                        3.141592653589793,
-                                        1e+18};
+static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, -1000000000000.0, -1000000000000.0, 0.0, 0.0,
+    -1.0, -1.0, 0.0, 0.0, 0.0, -0.4722627765193387, 0.6417114468531165, 0.9999993776846997,
+    -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05, 1.1268102275039307e-06,
+    4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.6, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+static const double parameter_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01,
+    0.0, 0.0, 1.0, 0.0, 0.2, 0.1, 0.1, 0.6981317007977318, 1.2, 0.0, 0.0, 0.0, 0.0};
+static const double parameter_least[] = {-1000000000.0, -1.0, -1000000000.0, -1000000000.0, 0.0,
+    -1.7976931348623157e+308, 1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09, 0.0, -1000000.0, 1.0, 0.0,
+    -1e+18, 0.0, 0.0, -1.5707963267948966, 0.0, -1000000000.0, -1.7976931348623157e+308, -3.141592653589793,
+    -1e+18};
+static const double parameter_most[] = {1000000000.0, 1.0, 1000000000.0, 1000000000.0, 1000000.0,
+    1.7976931348623157e+308, 1000000000.0, 1000000000.0, 1000000000000.0, 1000000000000.0, 1000000.0,
+    1000000.0, 1000000.0, 1000000.0, 1000000.0, 1000000.0, 1000000000.0, 1e+18, 1e+18, 1e+18,
+    1.5707963267948966, 100.0, 1000000000.0, 1.7976931348623157e+308, 3.141592653589793, 1e+18};
 
 const tdmf_model_kind tdmf_runner_model = {
     .modes = modes,
@@ -10055,7 +9010,7 @@ const tdmf_model_kind tdmf_runner_model = {
     .series_count = 45,
     .constant_count = 31,
     .lanes = {TDMF_TWO_LANES(tdmf_runner_motions_of_2), TDMF_FOUR_LANES(tdmf_runner_motions_of_4),
-              TDMF_EIGHT_LANES(tdmf_runner_motions_of_8)},
+        TDMF_EIGHT_LANES(tdmf_runner_motions_of_8)},
     .seeds = TDMF_FOR_SEEDS(tdmf_runner_seeds),
     .mode_count = 14,
     .mode_names = mode_names,

@@ -13,70 +13,22 @@ typedef struct {
     real time[TERMS];
 } start_of_run_series;
 
-typedef struct {
-    pair none;
-} start_of_run_sums;
-
-typedef struct {
-    real none;
-} start_of_run_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_start_of_run_sums(const start_of_run_series *s, int i, int j, start_of_run_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_start_of_run_sums(const start_of_run_series *s, int i, start_of_run_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_start_of_run(const start_of_run_constants *c, const start_of_run_factors *by, int k,
-                              const start_of_run_sums *sum, int odd, start_of_run_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)s;
-    (void)k;
-    (void)odd;
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_start_of_run(const real *constants, int order, real *series) {
-    const start_of_run_constants copy = *(const start_of_run_constants *)(const void *)constants, *c = &copy;
-    start_of_run_series *s = (void *)series;
-    static const start_of_run_sums none;
-    start_of_run_sums sum = none;
+/* All coefficients. */
+static void expand_start_of_run(const real *constants, int order, real *expanded) {
+    const start_of_run_constants *c = (const void *)constants;
+    (void)order;
+    start_of_run_series *s = (void *)expanded;
     s->extension[1] = c->extension_rate;
     s->external_fx[1] = c->external_fx_rate;
     s->external_fy[1] = c->external_fy_rate;
     s->friction[1] = c->friction_rate;
     s->external_torque[1] = c->external_torque_rate;
     s->time[1] = broadcast(1.0);
-    const start_of_run_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_start_of_run(c, by, 0, &sum, 0, s);
-    begin_start_of_run_sums(s, 0, &sum);
-    step_start_of_run(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_start_of_run_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_start_of_run_sums(s, i, j, &sum);
-        }
-        step_start_of_run(c, by, k, &sum, 0, s);
-        add_start_of_run_sums(s, 1, k, &sum);
-        step_start_of_run(c, by, k + 1, &sum, 1, s);
-    }
 }
 
 /* First variation of the series. */
 static void vary_start_of_run(const real *constants, const real *series, const real *d_constants, int order,
-                              real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     const start_of_run_constants *d = (const void *)d_constants;
@@ -120,7 +72,7 @@ static void guard_start_of_run_begins(const real *constants, const real *series,
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_start_of_run(const real *constants, const real *series, const real *power, int order,
-                                uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const start_of_run_constants *c = (const void *)constants;
     (void)series;
     (void)power;
@@ -207,51 +159,40 @@ KERNEL void add_slip_constant_sums(const slip_constant_series *s, int i, int j, 
     add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
     add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
     add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_products(&sum->axial, s->axial + i - 1, s->length[j]);
-    add_products(&sum->axial, s->length + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_x_, s->axial + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_x_, s->x_ + i - 1, s->axial[j]);
-    add_products(&sum->turning, s->turning + i - 1, s->square[j]);
-    add_products(&sum->turning, s->square + i - 1, s->turning[j]);
-    add_products(&sum->turning_times_y_, s->turning + i - 1, s->y_[j]);
-    add_products(&sum->turning_times_y_, s->y_ + i - 1, s->turning[j]);
-    add_products(&sum->axial_times_y_, s->axial + i - 1, s->y_[j]);
-    add_products(&sum->axial_times_y_, s->y_ + i - 1, s->axial[j]);
-    add_products(&sum->turning_times_x_, s->turning + i - 1, s->x_[j]);
-    add_products(&sum->turning_times_x_, s->x_ + i - 1, s->turning[j]);
+    add_both_products(&sum->axial, s->axial, s->length, i, j);
+    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
+    add_both_products(&sum->turning, s->turning, s->square, i, j);
+    add_both_products(&sum->turning_times_y_, s->turning, s->y_, i, j);
+    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
+    add_both_products(&sum->turning_times_x_, s->turning, s->x_, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->friction_force_times_foot_vx, s->friction_force + i - 1, s->foot_vx[j]);
-    add_products(&sum->friction_force_times_foot_vx, s->foot_vx + i - 1, s->friction_force[j]);
-    add_products(&sum->x__times_vy, s->x_ + i - 1, s->vy[j]);
-    add_products(&sum->x__times_vy, s->vy + i - 1, s->x_[j]);
-    add_products(&sum->y__times_vx, s->y_ + i - 1, s->vx[j]);
-    add_products(&sum->y__times_vx, s->vx + i - 1, s->y_[j]);
-    add_products(&sum->angle_rate, s->angle_rate + i - 1, s->square[j]);
-    add_products(&sum->angle_rate, s->square + i - 1, s->angle_rate[j]);
+    add_both_products(&sum->friction_force_times_foot_vx, s->friction_force, s->foot_vx, i, j);
+    add_both_products(&sum->x__times_vy, s->x_, s->vy, i, j);
+    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
+    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_slip_constant_sums(const slip_constant_series *s, int i, slip_constant_sums *sum) {
-    sum->x__times_x_ = pair_of(s->x_[i] * s->x_[i + 1], 0.5 * (s->x_[i + 1] * s->x_[i + 1]));
-    sum->y__times_y_ = pair_of(s->y_[i] * s->y_[i + 1], 0.5 * (s->y_[i + 1] * s->y_[i + 1]));
-    sum->length = pair_of(s->length[i] * s->length[i + 1], 0.5 * (s->length[i + 1] * s->length[i + 1]));
-    sum->axial = pair_of((s->axial[i] * s->length[i]), broadcast(0.0));
-    sum->axial_times_x_ = pair_of((s->axial[i] * s->x_[i]), broadcast(0.0));
-    sum->turning = pair_of((s->turning[i] * s->square[i]), broadcast(0.0));
-    sum->turning_times_y_ = pair_of((s->turning[i] * s->y_[i]), broadcast(0.0));
-    sum->axial_times_y_ = pair_of((s->axial[i] * s->y_[i]), broadcast(0.0));
-    sum->turning_times_x_ = pair_of((s->turning[i] * s->x_[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->friction_force_times_foot_vx = pair_of((s->friction_force[i] * s->foot_vx[i]), broadcast(0.0));
-    sum->x__times_vy = pair_of((s->x_[i] * s->vy[i]), broadcast(0.0));
-    sum->y__times_vx = pair_of((s->y_[i] * s->vx[i]), broadcast(0.0));
-    sum->angle_rate = pair_of((s->angle_rate[i] * s->square[i]), broadcast(0.0));
+    sum->x__times_x_ = next_middle_of_square(s->x_, i);
+    sum->y__times_y_ = next_middle_of_square(s->y_, i);
+    sum->length = next_middle_of_square(s->length, i);
+    sum->axial = middle_of_product(s->axial, s->length, i);
+    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
+    sum->turning = middle_of_product(s->turning, s->square, i);
+    sum->turning_times_y_ = middle_of_product(s->turning, s->y_, i);
+    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
+    sum->turning_times_x_ = middle_of_product(s->turning, s->x_, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->friction_force_times_foot_vx = middle_of_product(s->friction_force, s->foot_vx, i);
+    sum->x__times_vy = middle_of_product(s->x_, s->vy, i);
+    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
+    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_constant_factors *by, int k,
-                               const slip_constant_sums *sum, int odd, slip_constant_series *s) {
+    const slip_constant_sums *sum, int odd, slip_constant_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
     s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     s->foot_x[k + 1] = s->foot_vx[k] * series_reciprocal[k + 1];
@@ -262,24 +203,20 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
     /* square = x__times_x_ + y__times_y_ */
     s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
     /* length = real_sqrt(square) */
-    s->length[k + 1] =
-        root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length, by->inverse_length);
+    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
+        by->inverse_length);
     /* length_rate = real_rate(length) */
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length + extension + c->thrusting_times_longer_or_by_0 - length) -
      * c->damping * length_rate) / length */
-    s->axial[k] = quotient_of(
-        k, part_of(sum->axial, odd),
-        with_constant(
-            k, c->stiffness * s->extension[k] - c->stiffness * s->length[k] - c->damping * s->length_rate[k],
-            c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)),
-        s->axial, s->length, by->inverse_length);
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, c->stiffness * s->extension[k]
+        - c->stiffness * s->length[k] - c->damping * s->length_rate[k], c->stiffness * (c->free_length
+        + c->thrusting_times_longer_or_by_0)), s->axial, s->length, by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
     /* turning = (external_torque - c->product_2) / square */
-    s->turning[k] =
-        quotient_of(k, part_of(sum->turning, odd), with_constant(k, s->external_torque[k], -c->product_2),
-                    s->turning, s->square, by->inverse_square);
+    s->turning[k] = quotient_of(k, part_of(sum->turning, odd), with_constant(k, s->external_torque[k],
+        -c->product_2), s->turning, s->square, by->inverse_square);
     /* turning_times_y_ = turning * y_ */
     s->turning_times_y_[k] = product_of(k, part_of(sum->turning_times_y_, odd), s->turning, s->y_);
     /* axial_times_y_ = axial * y_ */
@@ -288,67 +225,56 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
     s->turning_times_x_[k] = product_of(k, part_of(sum->turning_times_x_, odd), s->turning, s->x_);
     /* normal = axial_times_y_ + turning_times_x_ + c->foot_mass_times_gravity_times_cosine */
     s->normal[k] = with_constant(k, s->axial_times_y_[k] + s->turning_times_x_[k],
-                                 c->foot_mass_times_gravity_times_cosine);
+        c->foot_mass_times_gravity_times_cosine);
     /* friction_force = c->way * (c->is_own_times_own + c->by_1_minus_is_own * friction) * normal */
-    s->friction_force[k] = drift_times(
-        k, with_constant(0, c->way * c->by_1_minus_is_own * s->friction[0], c->way * c->is_own_times_own),
-        with_constant(1, c->way * c->by_1_minus_is_own * s->friction[1], c->way * c->is_own_times_own),
-        s->normal);
+    s->friction_force[k] = drift_times(k, with_constant(0, c->way * c->by_1_minus_is_own * s->friction[0],
+        c->way * c->is_own_times_own), with_constant(1, c->way * c->by_1_minus_is_own * s->friction[1],
+        c->way * c->is_own_times_own), s->normal);
     /* foot_vx_plus_vx = foot_vx + vx */
     s->foot_vx_plus_vx[k] = s->foot_vx[k] + s->vx[k];
     /* sum_times_foot_vx_plus_vx = (c->cosine * external_fx + c->sine * external_fy) * foot_vx_plus_vx */
-    s->sum_times_foot_vx_plus_vx[k] =
-        drift_times(k, c->cosine * s->external_fx[0] + c->sine * s->external_fy[0],
-                    c->cosine * s->external_fx[1] + c->sine * s->external_fy[1], s->foot_vx_plus_vx);
+    s->sum_times_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
+        + c->sine * s->external_fy[0], c->cosine * s->external_fx[1] + c->sine * s->external_fy[1],
+        s->foot_vx_plus_vx);
     /* sum_times_vy = (c->cosine * external_fy - c->sine * external_fx) * vy */
     s->sum_times_vy[k] = drift_times(k, c->cosine * s->external_fy[0] - c->sine * s->external_fx[0],
-                                     c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], s->vy);
+        c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], s->vy);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* friction_force_times_foot_vx = friction_force * foot_vx */
-    s->friction_force_times_foot_vx[k] =
-        product_of(k, part_of(sum->friction_force_times_foot_vx, odd), s->friction_force, s->foot_vx);
+    s->friction_force_times_foot_vx[k] = product_of(k, part_of(sum->friction_force_times_foot_vx, odd),
+        s->friction_force, s->foot_vx);
     /* x__times_vy = x_ * vy */
     s->x__times_vy[k] = product_of(k, part_of(sum->x__times_vy, odd), s->x_, s->vy);
     /* y__times_vx = y_ * vx */
     s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-                                   s->angle_rate, s->square, by->inverse_square);
+        s->angle_rate, s->square, by->inverse_square);
     /* power_of_hip = (external_torque - c->product_2) * angle_rate */
     s->power_of_hip[k] = drift_times(k, with_constant(0, s->external_torque[0], -c->product_2),
-                                     with_constant(1, s->external_torque[1], -c->product_2), s->angle_rate);
-    s->vx[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(k,
-                       (1.0 / c->body_mass + 1.0 / c->foot_mass) * s->axial_times_x_[k] +
-                           (-(1.0 / c->body_mass) - 1.0 / c->foot_mass) * s->turning_times_y_[k] +
-                           c->cosine / c->body_mass * s->external_fx[k] +
-                           c->sine / c->body_mass * s->external_fy[k] +
-                           1.0 / c->foot_mass * s->friction_force[k],
-                       c->foot_mass_times_gravity_times_sine / c->foot_mass - c->gravity_times_sine));
-    s->vy[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(
-            k,
-            1.0 / c->body_mass * s->axial_times_y_[k] + 1.0 / c->body_mass * s->turning_times_x_[k] +
-                c->cosine / c->body_mass * s->external_fy[k] - c->sine / c->body_mass * s->external_fx[k],
-            -c->gravity_times_cosine));
-    s->foot_vx[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k,
-                                                  1.0 / c->foot_mass * s->turning_times_y_[k] -
-                                                      1.0 / c->foot_mass * s->axial_times_x_[k] -
-                                                      1.0 / c->foot_mass * s->friction_force[k],
-                                                  -(c->foot_mass_times_gravity_times_sine / c->foot_mass)));
-    s->leg_work[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k,
-                                                  c->stiffness_times_extension_rate * s->extension[k] -
-                                                      c->stiffness_times_extension_rate * s->length[k],
-                                                  c->stiffness_times_extension_rate *
-                                                      (c->free_length + c->thrusting_times_longer_or_by_0)));
-    s->external_work[k + 1] =
-        series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k] + s->sum_times_vy[k]);
+        with_constant(1, s->external_torque[1], -c->product_2), s->angle_rate);
+    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (c->inverse_body_mass
+        + c->inverse_foot_mass) * s->axial_times_x_[k] + (-c->inverse_body_mass
+        - c->inverse_foot_mass) * s->turning_times_y_[k]
+        + c->inverse_body_mass * c->cosine * s->external_fx[k]
+        + c->inverse_body_mass * c->sine * s->external_fy[k] + c->inverse_foot_mass * s->friction_force[k],
+        c->inverse_foot_mass * c->foot_mass_times_gravity_times_sine - c->gravity_times_sine));
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
+        + c->inverse_body_mass * s->turning_times_x_[k]
+        + c->inverse_body_mass * c->cosine * s->external_fy[k]
+        - c->inverse_body_mass * c->sine * s->external_fx[k], -c->gravity_times_cosine));
+    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->inverse_foot_mass * s->turning_times_y_[k] - c->inverse_foot_mass * s->axial_times_x_[k]
+        - c->inverse_foot_mass * s->friction_force[k],
+        -(c->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)));
+    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->stiffness_times_extension_rate * s->extension[k]
+        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
+    s->external_work[k + 1] = series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k]
+        + s->sum_times_vy[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->friction_loss[k + 1] = series_reciprocal[k + 1] * (s->friction_force_times_foot_vx[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
@@ -358,7 +284,7 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
 static void expand_slip_constant(const real *constants, int order, real *series) {
     const slip_constant_constants copy = *(const slip_constant_constants *)(const void *)constants,
-                                  *c = &copy;
+        *c = &copy;
     slip_constant_series *s = (void *)series;
     static const slip_constant_sums none;
     slip_constant_sums sum = none;
@@ -390,7 +316,7 @@ static void expand_slip_constant(const real *constants, int order, real *series)
 
 /* First variation of the series. */
 static void vary_slip_constant(const real *constants, const real *series, const real *d_constants, int order,
-                               real *varied) {
+    real *varied) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     const slip_constant_constants *d = (const void *)d_constants;
@@ -451,54 +377,46 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k,
-                                    d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
-                                        c->stiffness * t->extension[k] - c->stiffness * d_length[k] -
-                                        d->damping * s->length_rate[k] - c->damping * d_length_rate[k] -
-                                        axial_times_d_length[k],
-                                    d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                        c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
-                      product_so_far(d_axial, s->length, k)) /
-                     s->length[0];
+        d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
+            + c->stiffness * t->extension[k] - c->stiffness * d_length[k] - d->damping * s->length_rate[k]
+            - c->damping * d_length_rate[k] - axial_times_d_length[k], d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0)) - product_so_far(d_axial, s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
         axial_times_x__2[k] = product(s->axial, t->x_, k);
         d_stance_torque[k] = with_constant(k, t->external_torque[k], -d->product_2);
         turning_times_d_square[k] = product(s->turning, d_square, k);
-        d_turning[k] =
-            (d_stance_torque[k] - turning_times_d_square[k] - product_so_far(d_turning, s->square, k)) /
-            s->square[0];
+        d_turning[k] = (d_stance_torque[k] - turning_times_d_square[k] - product_so_far(d_turning, s->square,
+            k)) / s->square[0];
         d_turning_times_y_[k] = product(d_turning, s->y_, k);
         turning_times_y__2[k] = product(s->turning, t->y_, k);
-        sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k] +
-                          d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
-        sum_2[k] =
-            with_constant(k,
-                          (d->way * c->by_1_minus_is_own + c->way * d->by_1_minus_is_own) * s->friction[k] +
-                              c->way * c->by_1_minus_is_own * t->friction[k],
-                          d->way * c->is_own_times_own + c->way * d->is_own_times_own);
+        sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k]
+            + d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
+        sum_2[k] = with_constant(k, (d->way * c->by_1_minus_is_own
+            + c->way * d->by_1_minus_is_own) * s->friction[k]
+            + c->way * c->by_1_minus_is_own * t->friction[k], d->way * c->is_own_times_own
+            + c->way * d->is_own_times_own);
         sum_times_normal[k] = product(sum_2, s->normal, k);
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         d_turning_times_x_[k] = product(d_turning, s->x_, k);
         turning_times_x__2[k] = product(s->turning, t->x_, k);
-        d_normal[k] = with_constant(
-            k, d_axial_times_y_[k] + axial_times_y__2[k] + d_turning_times_x_[k] + turning_times_x__2[k],
-            d->foot_mass_times_gravity_times_cosine);
-        way_times_friction_along_times_d_normal[k] = drift_times(
-            k, with_constant(0, c->way * c->by_1_minus_is_own * s->friction[0], c->way * c->is_own_times_own),
-            with_constant(1, c->way * c->by_1_minus_is_own * s->friction[1], c->way * c->is_own_times_own),
-            d_normal);
+        d_normal[k] = with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k] + d_turning_times_x_[k]
+            + turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
+        way_times_friction_along_times_d_normal[k] = drift_times(k, with_constant(0,
+            c->way * c->by_1_minus_is_own * s->friction[0], c->way * c->is_own_times_own), with_constant(1,
+            c->way * c->by_1_minus_is_own * s->friction[1], c->way * c->is_own_times_own), d_normal);
         d_friction_force[k] = sum_times_normal[k] + way_times_friction_along_times_d_normal[k];
-        sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k] -
-                           d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
+        sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k]
+            - d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
         sum_plus_sum_times_foot_vx_plus_vx[k] = product(sum_plus_sum, s->foot_vx_plus_vx, k);
         d_foot_vx_plus_vx[k] = t->foot_vx[k] + t->vx[k];
-        sum_times_d_foot_vx_plus_vx[k] =
-            drift_times(k, c->cosine * s->external_fx[0] + c->sine * s->external_fy[0],
-                        c->cosine * s->external_fx[1] + c->sine * s->external_fy[1], d_foot_vx_plus_vx);
+        sum_times_d_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
+            + c->sine * s->external_fy[0], c->cosine * s->external_fx[1] + c->sine * s->external_fy[1],
+            d_foot_vx_plus_vx);
         sum_minus_sum_times_vy[k] = product(sum_minus_sum, s->vy, k);
         sum_times_vy_2[k] = drift_times(k, c->cosine * s->external_fy[0] - c->sine * s->external_fx[0],
-                                        c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], t->vy);
+            c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], t->vy);
         length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
         d_friction_force_times_foot_vx[k] = product(d_friction_force, s->foot_vx, k);
         friction_force_times_foot_vx_2[k] = product(s->friction_force, t->foot_vx, k);
@@ -508,79 +426,51 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k] -
-                           angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) /
-                          s->square[0];
-        stance_torque_times_d_angle_rate[k] =
-            drift_times(k, with_constant(0, s->external_torque[0], -c->product_2),
-                        with_constant(1, s->external_torque[1], -c->product_2), d_angle_rate);
-        t->vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(k,
-                           (1.0 / c->body_mass + 1.0 / c->foot_mass) * d_axial_times_x_[k] +
-                               (1.0 / c->body_mass + 1.0 / c->foot_mass) * axial_times_x__2[k] +
-                               (-(1.0 / c->body_mass) - 1.0 / c->foot_mass) * d_turning_times_y_[k] +
-                               (-(1.0 / c->body_mass) - 1.0 / c->foot_mass) * turning_times_y__2[k] +
-                               1.0 / c->body_mass * sum_plus_sum[k] +
-                               (-(d->body_mass * (1.0 / c->body_mass) / c->body_mass) -
-                                d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                                   s->axial_times_x_[k] +
-                               (d->body_mass * (1.0 / c->body_mass) / c->body_mass +
-                                d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                                   s->turning_times_y_[k] -
-                               d->body_mass * (c->cosine / c->body_mass) / c->body_mass * s->external_fx[k] -
-                               d->body_mass * (c->sine / c->body_mass) / c->body_mass * s->external_fy[k] +
-                               1.0 / c->foot_mass * d_friction_force[k] -
-                               d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->friction_force[k],
-                           -d->gravity_times_sine -
-                               (d->foot_mass * (c->foot_mass_times_gravity_times_sine / c->foot_mass) -
-                                d->foot_mass_times_gravity_times_sine) /
-                                   c->foot_mass));
-        t->vy[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                1.0 / c->body_mass * d_axial_times_y_[k] + 1.0 / c->body_mass * axial_times_y__2[k] +
-                    1.0 / c->body_mass * d_turning_times_x_[k] + 1.0 / c->body_mass * turning_times_x__2[k] +
-                    1.0 / c->body_mass * sum_minus_sum[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->axial_times_y_[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->turning_times_x_[k] -
-                    d->body_mass * (c->cosine / c->body_mass) / c->body_mass * s->external_fy[k] +
-                    d->body_mass * (c->sine / c->body_mass) / c->body_mass * s->external_fx[k],
-                -d->gravity_times_cosine));
-        t->foot_vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                -(1.0 / c->foot_mass * d_axial_times_x_[k]) - 1.0 / c->foot_mass * axial_times_x__2[k] +
-                    1.0 / c->foot_mass * d_turning_times_y_[k] + 1.0 / c->foot_mass * turning_times_y__2[k] -
-                    1.0 / c->foot_mass * d_friction_force[k] +
-                    d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->axial_times_x_[k] -
-                    d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->turning_times_y_[k] +
-                    d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->friction_force[k],
-                (d->foot_mass * (c->foot_mass_times_gravity_times_sine / c->foot_mass) -
-                 d->foot_mass_times_gravity_times_sine) /
-                    c->foot_mass));
-        t->leg_work[k + 1] = series_reciprocal[k + 1] *
-                             (with_constant(k,
-                                            d->stiffness_times_extension_rate * s->extension[k] -
-                                                d->stiffness_times_extension_rate * s->length[k] +
-                                                c->stiffness_times_extension_rate * t->extension[k] -
-                                                c->stiffness_times_extension_rate * d_length[k],
-                                            d->stiffness_times_extension_rate *
-                                                    (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                                c->stiffness_times_extension_rate *
-                                                    (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->external_work[k + 1] = series_reciprocal[k + 1] *
-                                  (sum_plus_sum_times_foot_vx_plus_vx[k] + sum_times_d_foot_vx_plus_vx[k] +
-                                   sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->friction_loss[k + 1] = series_reciprocal[k + 1] *
-                                  (d_friction_force_times_foot_vx[k] + friction_force_times_foot_vx_2[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] *
-                         (d_stance_torque_times_angle_rate[k] + stance_torque_times_d_angle_rate[k]);
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
+        stance_torque_times_d_angle_rate[k] = drift_times(k, with_constant(0, s->external_torque[0],
+            -c->product_2), with_constant(1, s->external_torque[1], -c->product_2), d_angle_rate);
+        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (d->inverse_body_mass
+            + d->inverse_foot_mass) * s->axial_times_x_[k] + (-d->inverse_body_mass
+            - d->inverse_foot_mass) * s->turning_times_y_[k]
+            + d->inverse_body_mass * c->cosine * s->external_fx[k]
+            + d->inverse_body_mass * c->sine * s->external_fy[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * axial_times_x__2[k] + (-c->inverse_body_mass
+            - c->inverse_foot_mass) * d_turning_times_y_[k] + (-c->inverse_body_mass
+            - c->inverse_foot_mass) * turning_times_y__2[k] + c->inverse_body_mass * sum_plus_sum[k]
+            + d->inverse_foot_mass * s->friction_force[k] + c->inverse_foot_mass * d_friction_force[k],
+            -d->gravity_times_sine - (-(d->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)
+            - c->inverse_foot_mass * d->foot_mass_times_gravity_times_sine)));
+        t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
+            + d->inverse_body_mass * c->cosine * s->external_fy[k]
+            - d->inverse_body_mass * c->sine * s->external_fx[k]
+            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
+            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k]
+            + c->inverse_body_mass * sum_minus_sum[k], -d->gravity_times_cosine));
+        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_foot_mass * s->turning_times_y_[k] - d->inverse_foot_mass * s->axial_times_x_[k]
+            - d->inverse_foot_mass * s->friction_force[k] - c->inverse_foot_mass * d_axial_times_x_[k]
+            - c->inverse_foot_mass * axial_times_x__2[k] + c->inverse_foot_mass * d_turning_times_y_[k]
+            + c->inverse_foot_mass * turning_times_y__2[k] - c->inverse_foot_mass * d_friction_force[k],
+            -(d->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)
+            - c->inverse_foot_mass * d->foot_mass_times_gravity_times_sine));
+        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->stiffness_times_extension_rate * s->extension[k]
+            - d->stiffness_times_extension_rate * s->length[k]
+            + c->stiffness_times_extension_rate * t->extension[k]
+            - c->stiffness_times_extension_rate * d_length[k],
+            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
+        t->external_work[k + 1] = series_reciprocal[k + 1] * (sum_plus_sum_times_foot_vx_plus_vx[k]
+            + sum_times_d_foot_vx_plus_vx[k] + sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+        t->friction_loss[k + 1] = series_reciprocal[k + 1] * (d_friction_force_times_foot_vx[k]
+            + friction_force_times_foot_vx_2[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (d_stance_torque_times_angle_rate[k]
+            + stance_torque_times_d_angle_rate[k]);
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
         t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
         t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
@@ -593,8 +483,7 @@ static void vary_slip_constant(const real *constants, const real *series, const 
 
 /* First variation of power_of_hip. */
 static void d_observed_slip_constant_power_of_hip(const real *constants, const real *series,
-                                                  const real *d_constants, const real *d_series, int order,
-                                                  real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -608,8 +497,7 @@ static void d_observed_slip_constant_power_of_hip(const real *constants, const r
 
 /* First variation of vertical_force_on_foot. */
 static void d_observed_slip_constant_vertical_force_on_foot(const real *constants, const real *series,
-                                                            const real *d_constants, const real *d_series,
-                                                            int order, real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     const slip_constant_constants *d = (const void *)d_constants;
@@ -639,52 +527,41 @@ static void d_observed_slip_constant_vertical_force_on_foot(const real *constant
         own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
         own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
         own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
-        own_d_length[k + 1] =
-            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
+            + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] =
-            (with_constant(k,
-                           d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
-                               c->stiffness * t->extension[k] - c->stiffness * own_d_length[k] -
-                               d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k] -
-                               own_axial_times_d_length[k],
-                           d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                               c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
-             product_so_far(own_d_axial, s->length, k)) /
-            s->length[0];
+        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
+            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - own_axial_times_d_length[k], d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
-        own_d_turning[k] =
-            (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k], -d->product_2) -
-             product_so_far(own_d_turning, s->square, k)) /
-            s->square[0];
+        own_d_turning[k] = (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k],
+            -d->product_2) - product_so_far(own_d_turning, s->square, k)) / s->square[0];
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
-        own_d_normal[k] = with_constant(k,
-                                        own_d_axial_times_y_[k] + own_axial_times_y__2[k] +
-                                            own_d_turning_times_x_[k] + own_turning_times_x__2[k],
-                                        d->foot_mass_times_gravity_times_cosine);
-        own_sum_2[k] =
-            with_constant(k,
-                          (d->way * c->by_1_minus_is_own + c->way * d->by_1_minus_is_own) * s->friction[k] +
-                              c->way * c->by_1_minus_is_own * t->friction[k],
-                          d->way * c->is_own_times_own + c->way * d->is_own_times_own);
+        own_d_normal[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
+            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
+        own_sum_2[k] = with_constant(k, (d->way * c->by_1_minus_is_own
+            + c->way * d->by_1_minus_is_own) * s->friction[k]
+            + c->way * c->by_1_minus_is_own * t->friction[k], d->way * c->is_own_times_own
+            + c->way * d->is_own_times_own);
         own_sum_times_normal[k] = product(own_sum_2, s->normal, k);
-        own_way_times_friction_along_times_d_normal[k] = drift_times(
-            k, with_constant(0, c->way * c->by_1_minus_is_own * s->friction[0], c->way * c->is_own_times_own),
-            with_constant(1, c->way * c->by_1_minus_is_own * s->friction[1], c->way * c->is_own_times_own),
-            own_d_normal);
-        dg[k] = d->cosine * s->normal[k] + c->cosine * own_d_normal[k] - d->sine * s->friction_force[k] -
-                c->sine * own_sum_times_normal[k] - c->sine * own_way_times_friction_along_times_d_normal[k];
+        own_way_times_friction_along_times_d_normal[k] = drift_times(k, with_constant(0,
+            c->way * c->by_1_minus_is_own * s->friction[0], c->way * c->is_own_times_own), with_constant(1,
+            c->way * c->by_1_minus_is_own * s->friction[1], c->way * c->is_own_times_own), own_d_normal);
+        dg[k] = d->cosine * s->normal[k] + c->cosine * own_d_normal[k] - d->sine * s->friction_force[k]
+            - c->sine * own_sum_times_normal[k] - c->sine * own_way_times_friction_along_times_d_normal[k];
     }
 }
 
 /* First variation of force_on_foot. */
 static void d_observed_slip_constant_force_on_foot(const real *constants, const real *series,
-                                                   const real *d_constants, const real *d_series, int order,
-                                                   real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     const slip_constant_constants *d = (const void *)d_constants;
@@ -710,33 +587,25 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
         own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
         own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
         own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
-        own_d_length[k + 1] =
-            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
+            + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] =
-            (with_constant(k,
-                           d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
-                               c->stiffness * t->extension[k] - c->stiffness * own_d_length[k] -
-                               d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k] -
-                               own_axial_times_d_length[k],
-                           d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                               c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
-             product_so_far(own_d_axial, s->length, k)) /
-            s->length[0];
+        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
+            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - own_axial_times_d_length[k], d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
-        own_d_turning[k] =
-            (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k], -d->product_2) -
-             product_so_far(own_d_turning, s->square, k)) /
-            s->square[0];
+        own_d_turning[k] = (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k],
+            -d->product_2) - product_so_far(own_d_turning, s->square, k)) / s->square[0];
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
-        dg[k] = with_constant(k,
-                              own_d_axial_times_y_[k] + own_axial_times_y__2[k] + own_d_turning_times_x_[k] +
-                                  own_turning_times_x__2[k],
-                              d->foot_mass_times_gravity_times_cosine);
+        dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
+            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
     }
 }
 
@@ -770,7 +639,7 @@ static void guard_slip_constant_collapses(const real *constants, const real *ser
 /* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
  * counted. */
 static void guard_slip_constant_greatest_compression(const real *constants, const real *series, int order,
-                                                     real *g) {
+    real *g) {
     (void)constants;
     const slip_constant_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
@@ -816,12 +685,12 @@ static void guard_slip_constant_comes_to_rest(const real *constants, const real 
 
 /* crosses_border: The foot slips onto the next segment, whose line waits until the foot lifts off. */
 static void guard_slip_constant_crosses_border(const real *constants, const real *series, int order,
-                                               real *g) {
+    real *g) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] =
-            with_constant(k, -(c->way * c->cosine * s->foot_x[k]), c->way * c->segment_end_or_segment_begin);
+        g[k] = with_constant(k, -(c->way * c->cosine * s->foot_x[k]),
+            c->way * c->segment_end_or_segment_begin);
     }
 }
 
@@ -838,7 +707,7 @@ static void guard_slip_constant_power_of_hip(const real *constants, const real *
 
 /* vertical_force_on_foot: Vertical force of the ground on a sticking or slipping foot. */
 static void guard_slip_constant_vertical_force_on_foot(const real *constants, const real *series, int order,
-                                                       real *g) {
+    real *g) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
@@ -857,7 +726,7 @@ static void guard_slip_constant_force_on_foot(const real *constants, const real 
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_slip_constant(const real *constants, const real *series, const real *power, int order,
-                                 uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -888,8 +757,8 @@ static void bounds_slip_constant(const real *constants, const real *series, cons
         bounds[4] = span_10;
     }
     if (watched >> 6 & 1) {
-        const interval span_8 =
-            interval_at(c->by_60_times_stribeck_velocity, c->by_60_times_stribeck_velocity);
+        const interval span_8 = interval_at(c->by_60_times_stribeck_velocity,
+            c->by_60_times_stribeck_velocity);
         const interval span_9 = interval_difference(span_7, span_8);
         bounds[6] = span_9;
     }
@@ -987,48 +856,38 @@ KERNEL void add_stick_sums(const stick_series *s, int i, int j, stick_sums *sum)
     add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
     add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
     add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_products(&sum->axial, s->axial + i - 1, s->length[j]);
-    add_products(&sum->axial, s->length + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_x_, s->axial + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_x_, s->x_ + i - 1, s->axial[j]);
-    add_products(&sum->turning, s->turning + i - 1, s->square[j]);
-    add_products(&sum->turning, s->square + i - 1, s->turning[j]);
-    add_products(&sum->turning_times_y_, s->turning + i - 1, s->y_[j]);
-    add_products(&sum->turning_times_y_, s->y_ + i - 1, s->turning[j]);
-    add_products(&sum->axial_times_y_, s->axial + i - 1, s->y_[j]);
-    add_products(&sum->axial_times_y_, s->y_ + i - 1, s->axial[j]);
-    add_products(&sum->turning_times_x_, s->turning + i - 1, s->x_[j]);
-    add_products(&sum->turning_times_x_, s->x_ + i - 1, s->turning[j]);
+    add_both_products(&sum->axial, s->axial, s->length, i, j);
+    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
+    add_both_products(&sum->turning, s->turning, s->square, i, j);
+    add_both_products(&sum->turning_times_y_, s->turning, s->y_, i, j);
+    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
+    add_both_products(&sum->turning_times_x_, s->turning, s->x_, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->x__times_vy, s->x_ + i - 1, s->vy[j]);
-    add_products(&sum->x__times_vy, s->vy + i - 1, s->x_[j]);
-    add_products(&sum->y__times_vx, s->y_ + i - 1, s->vx[j]);
-    add_products(&sum->y__times_vx, s->vx + i - 1, s->y_[j]);
-    add_products(&sum->angle_rate, s->angle_rate + i - 1, s->square[j]);
-    add_products(&sum->angle_rate, s->square + i - 1, s->angle_rate[j]);
+    add_both_products(&sum->x__times_vy, s->x_, s->vy, i, j);
+    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
+    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_stick_sums(const stick_series *s, int i, stick_sums *sum) {
-    sum->x__times_x_ = pair_of(s->x_[i] * s->x_[i + 1], 0.5 * (s->x_[i + 1] * s->x_[i + 1]));
-    sum->y__times_y_ = pair_of(s->y_[i] * s->y_[i + 1], 0.5 * (s->y_[i + 1] * s->y_[i + 1]));
-    sum->length = pair_of(s->length[i] * s->length[i + 1], 0.5 * (s->length[i + 1] * s->length[i + 1]));
-    sum->axial = pair_of((s->axial[i] * s->length[i]), broadcast(0.0));
-    sum->axial_times_x_ = pair_of((s->axial[i] * s->x_[i]), broadcast(0.0));
-    sum->turning = pair_of((s->turning[i] * s->square[i]), broadcast(0.0));
-    sum->turning_times_y_ = pair_of((s->turning[i] * s->y_[i]), broadcast(0.0));
-    sum->axial_times_y_ = pair_of((s->axial[i] * s->y_[i]), broadcast(0.0));
-    sum->turning_times_x_ = pair_of((s->turning[i] * s->x_[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->x__times_vy = pair_of((s->x_[i] * s->vy[i]), broadcast(0.0));
-    sum->y__times_vx = pair_of((s->y_[i] * s->vx[i]), broadcast(0.0));
-    sum->angle_rate = pair_of((s->angle_rate[i] * s->square[i]), broadcast(0.0));
+    sum->x__times_x_ = next_middle_of_square(s->x_, i);
+    sum->y__times_y_ = next_middle_of_square(s->y_, i);
+    sum->length = next_middle_of_square(s->length, i);
+    sum->axial = middle_of_product(s->axial, s->length, i);
+    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
+    sum->turning = middle_of_product(s->turning, s->square, i);
+    sum->turning_times_y_ = middle_of_product(s->turning, s->y_, i);
+    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
+    sum->turning_times_x_ = middle_of_product(s->turning, s->x_, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->x__times_vy = middle_of_product(s->x_, s->vy, i);
+    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
+    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k, const stick_sums *sum,
-                       int odd, stick_series *s) {
+    int odd, stick_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
     s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     /* x__times_x_ = x_ * x_ */
@@ -1038,24 +897,20 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
     /* square = x__times_x_ + y__times_y_ */
     s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
     /* length = real_sqrt(square) */
-    s->length[k + 1] =
-        root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length, by->inverse_length);
+    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
+        by->inverse_length);
     /* length_rate = real_rate(length) */
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length + extension + c->thrusting_times_longer_or_by_0 - length) -
      * c->damping * length_rate) / length */
-    s->axial[k] = quotient_of(
-        k, part_of(sum->axial, odd),
-        with_constant(
-            k, c->stiffness * s->extension[k] - c->stiffness * s->length[k] - c->damping * s->length_rate[k],
-            c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)),
-        s->axial, s->length, by->inverse_length);
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, c->stiffness * s->extension[k]
+        - c->stiffness * s->length[k] - c->damping * s->length_rate[k], c->stiffness * (c->free_length
+        + c->thrusting_times_longer_or_by_0)), s->axial, s->length, by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
     /* turning = (external_torque - c->product_2) / square */
-    s->turning[k] =
-        quotient_of(k, part_of(sum->turning, odd), with_constant(k, s->external_torque[k], -c->product_2),
-                    s->turning, s->square, by->inverse_square);
+    s->turning[k] = quotient_of(k, part_of(sum->turning, odd), with_constant(k, s->external_torque[k],
+        -c->product_2), s->turning, s->square, by->inverse_square);
     /* turning_times_y_ = turning * y_ */
     s->turning_times_y_[k] = product_of(k, part_of(sum->turning_times_y_, odd), s->turning, s->y_);
     /* axial_times_y_ = axial * y_ */
@@ -1065,47 +920,39 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
     /* foot_vx_plus_vx = c->foot_vx + vx */
     s->foot_vx_plus_vx[k] = with_constant(k, s->vx[k], c->foot_vx);
     /* sum_times_foot_vx_plus_vx = (c->cosine * external_fx + c->sine * external_fy) * foot_vx_plus_vx */
-    s->sum_times_foot_vx_plus_vx[k] =
-        drift_times(k, c->cosine * s->external_fx[0] + c->sine * s->external_fy[0],
-                    c->cosine * s->external_fx[1] + c->sine * s->external_fy[1], s->foot_vx_plus_vx);
+    s->sum_times_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
+        + c->sine * s->external_fy[0], c->cosine * s->external_fx[1] + c->sine * s->external_fy[1],
+        s->foot_vx_plus_vx);
     /* sum_times_vy = (c->cosine * external_fy - c->sine * external_fx) * vy */
     s->sum_times_vy[k] = drift_times(k, c->cosine * s->external_fy[0] - c->sine * s->external_fx[0],
-                                     c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], s->vy);
+        c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], s->vy);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* x__times_vy = x_ * vy */
     s->x__times_vy[k] = product_of(k, part_of(sum->x__times_vy, odd), s->x_, s->vy);
     /* y__times_vx = y_ * vx */
     s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-                                   s->angle_rate, s->square, by->inverse_square);
+        s->angle_rate, s->square, by->inverse_square);
     /* power_of_hip = (external_torque - c->product_2) * angle_rate */
     s->power_of_hip[k] = drift_times(k, with_constant(0, s->external_torque[0], -c->product_2),
-                                     with_constant(1, s->external_torque[1], -c->product_2), s->angle_rate);
-    s->vx[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(
-            k,
-            1.0 / c->body_mass * s->axial_times_x_[k] - 1.0 / c->body_mass * s->turning_times_y_[k] +
-                c->cosine / c->body_mass * s->external_fx[k] + c->sine / c->body_mass * s->external_fy[k],
-            -c->gravity_times_sine));
-    s->vy[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(
-            k,
-            1.0 / c->body_mass * s->axial_times_y_[k] + 1.0 / c->body_mass * s->turning_times_x_[k] +
-                c->cosine / c->body_mass * s->external_fy[k] - c->sine / c->body_mass * s->external_fx[k],
-            -c->gravity_times_cosine));
-    s->leg_work[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k,
-                                                  c->stiffness_times_extension_rate * s->extension[k] -
-                                                      c->stiffness_times_extension_rate * s->length[k],
-                                                  c->stiffness_times_extension_rate *
-                                                      (c->free_length + c->thrusting_times_longer_or_by_0)));
-    s->external_work[k + 1] =
-        series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k] + s->sum_times_vy[k]);
+        with_constant(1, s->external_torque[1], -c->product_2), s->angle_rate);
+    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_x_[k]
+        - c->inverse_body_mass * s->turning_times_y_[k]
+        + c->inverse_body_mass * c->cosine * s->external_fx[k]
+        + c->inverse_body_mass * c->sine * s->external_fy[k], -c->gravity_times_sine));
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
+        + c->inverse_body_mass * s->turning_times_x_[k]
+        + c->inverse_body_mass * c->cosine * s->external_fy[k]
+        - c->inverse_body_mass * c->sine * s->external_fx[k], -c->gravity_times_cosine));
+    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->stiffness_times_extension_rate * s->extension[k]
+        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
+    s->external_work[k + 1] = series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k]
+        + s->sum_times_vy[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
     s->seen_angle[k + 1] = series_reciprocal[k + 1] * (s->angle_rate[k]);
@@ -1146,7 +993,7 @@ static void expand_stick(const real *constants, int order, real *series) {
 
 /* First variation of the series. */
 static void vary_stick(const real *constants, const real *series, const real *d_constants, int order,
-                       real *varied) {
+    real *varied) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     const stick_constants *d = (const void *)d_constants;
@@ -1199,40 +1046,35 @@ static void vary_stick(const real *constants, const real *series, const real *d_
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k,
-                                    d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
-                                        c->stiffness * t->extension[k] - c->stiffness * d_length[k] -
-                                        d->damping * s->length_rate[k] - c->damping * d_length_rate[k] -
-                                        axial_times_d_length[k],
-                                    d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                        c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
-                      product_so_far(d_axial, s->length, k)) /
-                     s->length[0];
+        d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
+            + c->stiffness * t->extension[k] - c->stiffness * d_length[k] - d->damping * s->length_rate[k]
+            - c->damping * d_length_rate[k] - axial_times_d_length[k], d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0)) - product_so_far(d_axial, s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
         axial_times_x__2[k] = product(s->axial, t->x_, k);
         d_stance_torque[k] = with_constant(k, t->external_torque[k], -d->product_2);
         turning_times_d_square[k] = product(s->turning, d_square, k);
-        d_turning[k] =
-            (d_stance_torque[k] - turning_times_d_square[k] - product_so_far(d_turning, s->square, k)) /
-            s->square[0];
+        d_turning[k] = (d_stance_torque[k] - turning_times_d_square[k] - product_so_far(d_turning, s->square,
+            k)) / s->square[0];
         d_turning_times_y_[k] = product(d_turning, s->y_, k);
         turning_times_y__2[k] = product(s->turning, t->y_, k);
-        sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k] +
-                          d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
+        sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k]
+            + d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         d_turning_times_x_[k] = product(d_turning, s->x_, k);
         turning_times_x__2[k] = product(s->turning, t->x_, k);
-        sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k] -
-                           d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
+        sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k]
+            - d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
         sum_plus_sum_times_foot_vx_plus_vx[k] = product(sum_plus_sum, s->foot_vx_plus_vx, k);
         d_foot_vx_plus_vx[k] = with_constant(k, t->vx[k], d->foot_vx);
-        sum_times_d_foot_vx_plus_vx[k] =
-            drift_times(k, c->cosine * s->external_fx[0] + c->sine * s->external_fy[0],
-                        c->cosine * s->external_fx[1] + c->sine * s->external_fy[1], d_foot_vx_plus_vx);
+        sum_times_d_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
+            + c->sine * s->external_fy[0], c->cosine * s->external_fx[1] + c->sine * s->external_fy[1],
+            d_foot_vx_plus_vx);
         sum_minus_sum_times_vy[k] = product(sum_minus_sum, s->vy, k);
         sum_times_vy_2[k] = drift_times(k, c->cosine * s->external_fy[0] - c->sine * s->external_fx[0],
-                                        c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], t->vy);
+            c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], t->vy);
         length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
         d_stance_torque_times_angle_rate[k] = product(d_stance_torque, s->angle_rate, k);
         x__times_vy_2[k] = product(t->x_, s->vy, k);
@@ -1240,54 +1082,37 @@ static void vary_stick(const real *constants, const real *series, const real *d_
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k] -
-                           angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) /
-                          s->square[0];
-        stance_torque_times_d_angle_rate[k] =
-            drift_times(k, with_constant(0, s->external_torque[0], -c->product_2),
-                        with_constant(1, s->external_torque[1], -c->product_2), d_angle_rate);
-        t->vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                1.0 / c->body_mass * d_axial_times_x_[k] + 1.0 / c->body_mass * axial_times_x__2[k] -
-                    1.0 / c->body_mass * d_turning_times_y_[k] - 1.0 / c->body_mass * turning_times_y__2[k] +
-                    1.0 / c->body_mass * sum_plus_sum[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->axial_times_x_[k] +
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->turning_times_y_[k] -
-                    d->body_mass * (c->cosine / c->body_mass) / c->body_mass * s->external_fx[k] -
-                    d->body_mass * (c->sine / c->body_mass) / c->body_mass * s->external_fy[k],
-                -d->gravity_times_sine));
-        t->vy[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                1.0 / c->body_mass * d_axial_times_y_[k] + 1.0 / c->body_mass * axial_times_y__2[k] +
-                    1.0 / c->body_mass * d_turning_times_x_[k] + 1.0 / c->body_mass * turning_times_x__2[k] +
-                    1.0 / c->body_mass * sum_minus_sum[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->axial_times_y_[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->turning_times_x_[k] -
-                    d->body_mass * (c->cosine / c->body_mass) / c->body_mass * s->external_fy[k] +
-                    d->body_mass * (c->sine / c->body_mass) / c->body_mass * s->external_fx[k],
-                -d->gravity_times_cosine));
-        t->leg_work[k + 1] = series_reciprocal[k + 1] *
-                             (with_constant(k,
-                                            d->stiffness_times_extension_rate * s->extension[k] -
-                                                d->stiffness_times_extension_rate * s->length[k] +
-                                                c->stiffness_times_extension_rate * t->extension[k] -
-                                                c->stiffness_times_extension_rate * d_length[k],
-                                            d->stiffness_times_extension_rate *
-                                                    (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                                c->stiffness_times_extension_rate *
-                                                    (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->external_work[k + 1] = series_reciprocal[k + 1] *
-                                  (sum_plus_sum_times_foot_vx_plus_vx[k] + sum_times_d_foot_vx_plus_vx[k] +
-                                   sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] *
-                         (d_stance_torque_times_angle_rate[k] + stance_torque_times_d_angle_rate[k]);
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
+        stance_torque_times_d_angle_rate[k] = drift_times(k, with_constant(0, s->external_torque[0],
+            -c->product_2), with_constant(1, s->external_torque[1], -c->product_2), d_angle_rate);
+        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_body_mass * s->axial_times_x_[k] - d->inverse_body_mass * s->turning_times_y_[k]
+            + d->inverse_body_mass * c->cosine * s->external_fx[k]
+            + d->inverse_body_mass * c->sine * s->external_fy[k]
+            + c->inverse_body_mass * d_axial_times_x_[k] + c->inverse_body_mass * axial_times_x__2[k]
+            - c->inverse_body_mass * d_turning_times_y_[k] - c->inverse_body_mass * turning_times_y__2[k]
+            + c->inverse_body_mass * sum_plus_sum[k], -d->gravity_times_sine));
+        t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
+            + d->inverse_body_mass * c->cosine * s->external_fy[k]
+            - d->inverse_body_mass * c->sine * s->external_fx[k]
+            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
+            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k]
+            + c->inverse_body_mass * sum_minus_sum[k], -d->gravity_times_cosine));
+        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->stiffness_times_extension_rate * s->extension[k]
+            - d->stiffness_times_extension_rate * s->length[k]
+            + c->stiffness_times_extension_rate * t->extension[k]
+            - c->stiffness_times_extension_rate * d_length[k],
+            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
+        t->external_work[k + 1] = series_reciprocal[k + 1] * (sum_plus_sum_times_foot_vx_plus_vx[k]
+            + sum_times_d_foot_vx_plus_vx[k] + sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (d_stance_torque_times_angle_rate[k]
+            + stance_torque_times_d_angle_rate[k]);
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
         t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
         t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
@@ -1301,7 +1126,7 @@ static void vary_stick(const real *constants, const real *series, const real *d_
 
 /* First variation of power_of_hip. */
 static void d_observed_stick_power_of_hip(const real *constants, const real *series, const real *d_constants,
-                                          const real *d_series, int order, real *dg) {
+    const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -1315,8 +1140,7 @@ static void d_observed_stick_power_of_hip(const real *constants, const real *ser
 
 /* First variation of vertical_force_on_foot. */
 static void d_observed_stick_vertical_force_on_foot(const real *constants, const real *series,
-                                                    const real *d_constants, const real *d_series, int order,
-                                                    real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     const stick_constants *d = (const void *)d_constants;
@@ -1346,51 +1170,43 @@ static void d_observed_stick_vertical_force_on_foot(const real *constants, const
         own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
         own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
         own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
-        own_d_length[k + 1] =
-            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
+            + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] =
-            (with_constant(k,
-                           d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
-                               c->stiffness * t->extension[k] - c->stiffness * own_d_length[k] -
-                               d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k] -
-                               own_axial_times_d_length[k],
-                           d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                               c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
-             product_so_far(own_d_axial, s->length, k)) /
-            s->length[0];
+        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
+            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - own_axial_times_d_length[k], d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_x_[k] = product(own_d_axial, s->x_, k);
         own_axial_times_x__2[k] = product(s->axial, t->x_, k);
         own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
-        own_d_turning[k] =
-            (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k], -d->product_2) -
-             product_so_far(own_d_turning, s->square, k)) /
-            s->square[0];
+        own_d_turning[k] = (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k],
+            -d->product_2) - product_so_far(own_d_turning, s->square, k)) / s->square[0];
         own_d_turning_times_y_[k] = product(own_d_turning, s->y_, k);
         own_turning_times_y__2[k] = product(s->turning, t->y_, k);
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
-        dg[k] =
-            with_constant(k,
-                          d->sine * s->axial_times_x_[k] - d->sine * s->turning_times_y_[k] +
-                              c->sine * own_d_axial_times_x_[k] + c->sine * own_axial_times_x__2[k] -
-                              c->sine * own_d_turning_times_y_[k] - c->sine * own_turning_times_y__2[k] +
-                              d->cosine * s->axial_times_y_[k] + d->cosine * s->turning_times_x_[k] +
-                              c->cosine * own_d_axial_times_y_[k] + c->cosine * own_axial_times_y__2[k] +
-                              c->cosine * own_d_turning_times_x_[k] + c->cosine * own_turning_times_x__2[k],
-                          d->sine * c->foot_mass_times_gravity_times_sine +
-                              c->sine * d->foot_mass_times_gravity_times_sine +
-                              (d->cosine * c->foot_mass_times_gravity_times_cosine +
-                               c->cosine * d->foot_mass_times_gravity_times_cosine));
+        dg[k] = with_constant(k, d->sine * s->axial_times_x_[k] - d->sine * s->turning_times_y_[k]
+            + c->sine * own_d_axial_times_x_[k] + c->sine * own_axial_times_x__2[k]
+            - c->sine * own_d_turning_times_y_[k] - c->sine * own_turning_times_y__2[k]
+            + d->cosine * s->axial_times_y_[k] + d->cosine * s->turning_times_x_[k]
+            + c->cosine * own_d_axial_times_y_[k] + c->cosine * own_axial_times_y__2[k]
+            + c->cosine * own_d_turning_times_x_[k] + c->cosine * own_turning_times_x__2[k],
+            d->sine * c->foot_mass_times_gravity_times_sine
+            + c->sine * d->foot_mass_times_gravity_times_sine
+            + (d->cosine * c->foot_mass_times_gravity_times_cosine
+            + c->cosine * d->foot_mass_times_gravity_times_cosine));
     }
 }
 
 /* First variation of force_on_foot. */
 static void d_observed_stick_force_on_foot(const real *constants, const real *series, const real *d_constants,
-                                           const real *d_series, int order, real *dg) {
+    const real *d_series, int order, real *dg) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     const stick_constants *d = (const void *)d_constants;
@@ -1416,33 +1232,25 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
         own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
         own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
         own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
-        own_d_length[k + 1] =
-            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
+            + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] =
-            (with_constant(k,
-                           d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
-                               c->stiffness * t->extension[k] - c->stiffness * own_d_length[k] -
-                               d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k] -
-                               own_axial_times_d_length[k],
-                           d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                               c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
-             product_so_far(own_d_axial, s->length, k)) /
-            s->length[0];
+        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
+            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - own_axial_times_d_length[k], d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
-        own_d_turning[k] =
-            (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k], -d->product_2) -
-             product_so_far(own_d_turning, s->square, k)) /
-            s->square[0];
+        own_d_turning[k] = (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k],
+            -d->product_2) - product_so_far(own_d_turning, s->square, k)) / s->square[0];
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
-        dg[k] = with_constant(k,
-                              own_d_axial_times_y_[k] + own_axial_times_y__2[k] + own_d_turning_times_x_[k] +
-                                  own_turning_times_x__2[k],
-                              d->foot_mass_times_gravity_times_cosine);
+        dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
+            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
     }
 }
 
@@ -1498,7 +1306,7 @@ static void guard_stick_lift_off(const real *constants, const real *series, int 
     const stick_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, s->axial_times_y_[k] + s->turning_times_x_[k],
-                             c->foot_mass_times_gravity_times_cosine);
+            c->foot_mass_times_gravity_times_cosine);
     }
 }
 
@@ -1510,15 +1318,13 @@ static void guard_stick_slips_forward(const real *constants, const real *series,
     real own_normal[TERMS];
     for (int k = 0; k < order; ++k) {
         own_normal[k] = with_constant(k, s->axial_times_y_[k] + s->turning_times_x_[k],
-                                      c->foot_mass_times_gravity_times_cosine);
-        own_cone[k] = drift_times(k,
-                                  with_constant(0, c->static_ratio * c->by_1_minus_is_own * s->friction[0],
-                                                c->static_ratio * c->is_own_times_friction_ahead),
-                                  with_constant(1, c->static_ratio * c->by_1_minus_is_own * s->friction[1],
-                                                c->static_ratio * c->is_own_times_friction_ahead),
-                                  own_normal);
+            c->foot_mass_times_gravity_times_cosine);
+        own_cone[k] = drift_times(k, with_constant(0, c->static_ratio * c->by_1_minus_is_own * s->friction[0],
+            c->static_ratio * c->is_own_times_friction_ahead), with_constant(1,
+            c->static_ratio * c->by_1_minus_is_own * s->friction[1],
+            c->static_ratio * c->is_own_times_friction_ahead), own_normal);
         g[k] = with_constant(k, own_cone[k] + s->axial_times_x_[k] - s->turning_times_y_[k],
-                             c->foot_mass_times_gravity_times_sine);
+            c->foot_mass_times_gravity_times_sine);
     }
 }
 
@@ -1530,17 +1336,14 @@ static void guard_stick_slips_backward(const real *constants, const real *series
     real own_normal[TERMS];
     for (int k = 0; k < order; ++k) {
         own_normal[k] = with_constant(k, s->axial_times_y_[k] + s->turning_times_x_[k],
-                                      c->foot_mass_times_gravity_times_cosine);
-        own_static_ratio_times_sum_times_normal[k] =
-            drift_times(k,
-                        with_constant(0, c->static_ratio * c->by_1_minus_by_0_or_by_1 * s->friction[0],
-                                      c->static_ratio * c->by_0_or_by_1_times_friction_behind),
-                        with_constant(1, c->static_ratio * c->by_1_minus_by_0_or_by_1 * s->friction[1],
-                                      c->static_ratio * c->by_0_or_by_1_times_friction_behind),
-                        own_normal);
-        g[k] = with_constant(
-            k, own_static_ratio_times_sum_times_normal[k] - s->axial_times_x_[k] + s->turning_times_y_[k],
-            -c->foot_mass_times_gravity_times_sine);
+            c->foot_mass_times_gravity_times_cosine);
+        own_static_ratio_times_sum_times_normal[k] = drift_times(k, with_constant(0,
+            c->static_ratio * c->by_1_minus_by_0_or_by_1 * s->friction[0],
+            c->static_ratio * c->by_0_or_by_1_times_friction_behind), with_constant(1,
+            c->static_ratio * c->by_1_minus_by_0_or_by_1 * s->friction[1],
+            c->static_ratio * c->by_0_or_by_1_times_friction_behind), own_normal);
+        g[k] = with_constant(k, own_static_ratio_times_sum_times_normal[k] - s->axial_times_x_[k]
+            + s->turning_times_y_[k], -c->foot_mass_times_gravity_times_sine);
     }
 }
 
@@ -1557,15 +1360,14 @@ static void guard_stick_power_of_hip(const real *constants, const real *series, 
 
 /* vertical_force_on_foot: Vertical force of the ground on a sticking or slipping foot. */
 static void guard_stick_vertical_force_on_foot(const real *constants, const real *series, int order,
-                                               real *g) {
+    real *g) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k,
-                             c->sine * s->axial_times_x_[k] - c->sine * s->turning_times_y_[k] +
-                                 c->cosine * s->axial_times_y_[k] + c->cosine * s->turning_times_x_[k],
-                             c->sine * c->foot_mass_times_gravity_times_sine +
-                                 c->cosine * c->foot_mass_times_gravity_times_cosine);
+        g[k] = with_constant(k, c->sine * s->axial_times_x_[k] - c->sine * s->turning_times_y_[k]
+            + c->cosine * s->axial_times_y_[k] + c->cosine * s->turning_times_x_[k],
+            c->sine * c->foot_mass_times_gravity_times_sine
+            + c->cosine * c->foot_mass_times_gravity_times_cosine);
     }
 }
 
@@ -1575,13 +1377,13 @@ static void guard_stick_force_on_foot(const real *constants, const real *series,
     const stick_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, s->axial_times_y_[k] + s->turning_times_x_[k],
-                             c->foot_mass_times_gravity_times_cosine);
+            c->foot_mass_times_gravity_times_cosine);
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_stick(const real *constants, const real *series, const real *power, int order,
-                         uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -1593,8 +1395,8 @@ static void bounds_stick(const real *constants, const real *series, const real *
     const interval span_4 = interval_of_series(s->axial_times_y_, power, order);
     const interval span_5 = interval_of_series(s->turning_times_x_, power, order);
     const interval span_6 = interval_sum(span_4, span_5);
-    const interval span_7 =
-        interval_at(c->foot_mass_times_gravity_times_cosine, c->foot_mass_times_gravity_times_cosine);
+    const interval span_7 = interval_at(c->foot_mass_times_gravity_times_cosine,
+        c->foot_mass_times_gravity_times_cosine);
     const interval span_8 = interval_sum(span_6, span_7);
     bounds[5] = span_8;
     const interval span_9 = interval_at(c->static_ratio, c->static_ratio);
@@ -1608,13 +1410,13 @@ static void bounds_stick(const real *constants, const real *series, const real *
     const interval span_17 = interval_of_series(s->axial_times_x_, power, order);
     const interval span_18 = interval_of_series(s->turning_times_y_, power, order);
     const interval span_19 = interval_difference(span_17, span_18);
-    const interval span_20 =
-        interval_at(c->foot_mass_times_gravity_times_sine, c->foot_mass_times_gravity_times_sine);
+    const interval span_20 = interval_at(c->foot_mass_times_gravity_times_sine,
+        c->foot_mass_times_gravity_times_sine);
     const interval span_21 = interval_sum(span_19, span_20);
     const interval span_22 = interval_sum(span_16, span_21);
     bounds[6] = span_22;
-    const interval span_23 =
-        interval_at(c->by_0_or_by_1_times_friction_behind, c->by_0_or_by_1_times_friction_behind);
+    const interval span_23 = interval_at(c->by_0_or_by_1_times_friction_behind,
+        c->by_0_or_by_1_times_friction_behind);
     const interval span_24 = interval_at(c->by_1_minus_by_0_or_by_1, c->by_1_minus_by_0_or_by_1);
     const interval span_25 = interval_product(span_24, span_12);
     const interval span_26 = interval_sum(span_23, span_25);
@@ -1698,73 +1500,61 @@ typedef struct {
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
 KERNEL void add_flight_place_calm_sums(const flight_place_calm_series *s, int i, int j,
-                                       flight_place_calm_sums *sum) {
+    flight_place_calm_sums *sum) {
     add_products(&sum->square, s->length + i - 1, s->length[j]);
-    add_products(&sum->rate, s->rate + i - 1, s->square[j]);
-    add_products(&sum->rate, s->square + i - 1, s->rate[j]);
+    add_both_products(&sum->rate, s->rate, s->square, i, j);
     add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->length + i - 1, s->rate_times_rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->rate_times_rate + i - 1, s->length[j]);
+    add_both_products(&sum->length_times_rate_times_rate, s->length, s->rate_times_rate, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->power_of_hip, s->swing_torque + i - 1, s->rate[j]);
-    add_products(&sum->power_of_hip, s->rate + i - 1, s->swing_torque[j]);
+    add_both_products(&sum->power_of_hip, s->swing_torque, s->rate, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_flight_place_calm_sums(const flight_place_calm_series *s, int i,
-                                         flight_place_calm_sums *sum) {
-    sum->square = pair_of(0.5 * (s->length[i] * s->length[i]), broadcast(0.0));
-    sum->rate = pair_of((s->rate[i] * s->square[i]), broadcast(0.0));
-    sum->rate_times_rate = pair_of(0.5 * (s->rate[i] * s->rate[i]), broadcast(0.0));
-    sum->length_times_rate_times_rate = pair_of((s->length[i] * s->rate_times_rate[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->power_of_hip = pair_of((s->swing_torque[i] * s->rate[i]), broadcast(0.0));
+    flight_place_calm_sums *sum) {
+    sum->square = middle_of_square(s->length, i);
+    sum->rate = middle_of_product(s->rate, s->square, i);
+    sum->rate_times_rate = middle_of_square(s->rate, i);
+    sum->length_times_rate_times_rate = middle_of_product(s->length, s->rate_times_rate, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->power_of_hip = middle_of_product(s->swing_torque, s->rate, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_flight_place_calm(const flight_place_calm_constants *c, const flight_place_calm_factors *by,
-                                   int k, const flight_place_calm_sums *sum, int odd,
-                                   flight_place_calm_series *s) {
+    int k, const flight_place_calm_sums *sum, int odd, flight_place_calm_series *s) {
     s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
     s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
     /* square = length * length */
     s->square[k] = square_of(k, part_of(sum->square, odd), s->length);
     /* rate = momentum / square */
-    s->rate[k] =
-        quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square, by->inverse_square);
+    s->rate[k] = quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square,
+        by->inverse_square);
     /* rate_times_rate = rate * rate */
     s->rate_times_rate[k] = square_of(k, part_of(sum->rate_times_rate, odd), s->rate);
     /* length_times_rate_times_rate = length * rate_times_rate */
-    s->length_times_rate_times_rate[k] =
-        product_of(k, part_of(sum->length_times_rate_times_rate, odd), s->length, s->rate_times_rate);
+    s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
+        s->length, s->rate_times_rate);
     /* swing_torque = external_torque + (-(c->kp * (angle - (c->touchdown_angle_plus_more_angle -
      * c->retraction_rate * placing))) - c->kd * (rate + c->retraction_rate)) */
-    s->swing_torque[k] =
-        with_constant(k,
-                      s->external_torque[k] - c->kp * s->angle[k] -
-                          c->kp * c->retraction_rate * s->placing[k] - c->kd * s->rate[k],
-                      c->kp * c->touchdown_angle_plus_more_angle - c->kd * c->retraction_rate);
+    s->swing_torque[k] = with_constant(k, s->external_torque[k] - c->kp * s->angle[k]
+        - c->kp * c->retraction_rate * s->placing[k] - c->kd * s->rate[k],
+        c->kp * c->touchdown_angle_plus_more_angle - c->kd * c->retraction_rate);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* power_of_hip = swing_torque * rate */
     s->power_of_hip[k] = product_of(k, part_of(sum->power_of_hip, odd), s->swing_torque, s->rate);
     s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
-    s->length_rate[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(k,
-                       s->length_times_rate_times_rate[k] + c->mobility * c->stiffness * s->extension[k] -
-                           c->mobility * c->stiffness * s->length[k] -
-                           c->mobility * c->damping * s->length_rate[k],
-                       c->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0))));
+    s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
+        + c->mobility * c->stiffness * s->extension[k] - c->mobility * c->stiffness * s->length[k]
+        - c->mobility * c->damping * s->length_rate[k], c->mobility * (c->stiffness * (c->free_length
+        + c->thrusting_times_longer_or_by_0))));
     s->momentum[k + 1] = series_reciprocal[k + 1] * (c->mobility * s->swing_torque[k]);
-    s->leg_work[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k,
-                                                  c->stiffness_times_extension_rate * s->extension[k] -
-                                                      c->stiffness_times_extension_rate * s->length[k],
-                                                  c->stiffness_times_extension_rate *
-                                                      (c->free_length + c->thrusting_times_longer_or_by_0)));
+    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->stiffness_times_extension_rate * s->extension[k]
+        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
 }
@@ -1772,7 +1562,7 @@ KERNEL void step_flight_place_calm(const flight_place_calm_constants *c, const f
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
 static void expand_flight_place_calm(const real *constants, int order, real *series) {
     const flight_place_calm_constants copy = *(const flight_place_calm_constants *)(const void *)constants,
-                                      *c = &copy;
+        *c = &copy;
     flight_place_calm_series *s = (void *)series;
     static const flight_place_calm_sums none;
     flight_place_calm_sums sum = none;
@@ -1803,7 +1593,7 @@ static void expand_flight_place_calm(const real *constants, int order, real *ser
 
 /* First variation of the series. */
 static void vary_flight_place_calm(const real *constants, const real *series, const real *d_constants,
-                                   int order, real *varied) {
+    int order, real *varied) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
     const flight_place_calm_constants *d = (const void *)d_constants;
@@ -1826,54 +1616,45 @@ static void vary_flight_place_calm(const real *constants, const real *series, co
         length_times_length[k] = product(s->length, t->length, k);
         d_square[k] = 2.0 * length_times_length[k];
         rate_times_d_square[k] = product(s->rate, d_square, k);
-        d_rate[k] =
-            (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square, k)) / s->square[0];
+        d_rate[k] = (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square,
+            k)) / s->square[0];
         length_times_rate_times_rate_2[k] = product(t->length, s->rate_times_rate, k);
         rate_times_d_rate[k] = product(s->rate, d_rate, k);
         d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
         length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
-        d_swing_torque[k] = with_constant(
-            k,
-            t->external_torque[k] - d->kp * s->angle[k] -
-                (d->kp * c->retraction_rate + c->kp * d->retraction_rate) * s->placing[k] -
-                c->kp * t->angle[k] - c->kp * c->retraction_rate * t->placing[k] - d->kd * s->rate[k] -
-                c->kd * d_rate[k],
-            -(-(d->kp * c->touchdown_angle_plus_more_angle) - c->kp * d->touchdown_angle_plus_more_angle) -
-                (d->kd * c->retraction_rate + c->kd * d->retraction_rate));
+        d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->kp * s->angle[k]
+            - (d->kp * c->retraction_rate + c->kp * d->retraction_rate) * s->placing[k]
+            - c->kp * t->angle[k] - c->kp * c->retraction_rate * t->placing[k] - d->kd * s->rate[k]
+            - c->kd * d_rate[k], -(-(d->kp * c->touchdown_angle_plus_more_angle)
+            - c->kp * d->touchdown_angle_plus_more_angle) - (d->kd * c->retraction_rate
+            + c->kd * d->retraction_rate));
         length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
         d_swing_torque_times_rate[k] = product(d_swing_torque, s->rate, k);
         swing_torque_times_d_rate[k] = product(s->swing_torque, d_rate, k);
         t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
-        t->length_rate[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k] +
-                    (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k] +
-                    (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k] +
-                    (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k] +
-                    c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k] -
-                    c->mobility * c->damping * t->length_rate[k],
-                d->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)) +
-                    c->mobility * (d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                   c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0))));
-        t->momentum[k + 1] =
-            series_reciprocal[k + 1] * (d->mobility * s->swing_torque[k] + c->mobility * d_swing_torque[k]);
-        t->leg_work[k + 1] = series_reciprocal[k + 1] *
-                             (with_constant(k,
-                                            d->stiffness_times_extension_rate * s->extension[k] -
-                                                d->stiffness_times_extension_rate * s->length[k] +
-                                                c->stiffness_times_extension_rate * t->extension[k] -
-                                                c->stiffness_times_extension_rate * t->length[k],
-                                            d->stiffness_times_extension_rate *
-                                                    (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                                c->stiffness_times_extension_rate *
-                                                    (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_length_rate_2[k]);
-        t->work[k + 1] =
-            series_reciprocal[k + 1] * (d_swing_torque_times_rate[k] + swing_torque_times_d_rate[k]);
+        t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
+            + (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k]
+            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
+            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
+            + c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k]
+            - c->mobility * c->damping * t->length_rate[k], d->mobility * (c->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0)) + c->mobility * (d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0))));
+        t->momentum[k + 1] = series_reciprocal[k + 1] * (d->mobility * s->swing_torque[k]
+            + c->mobility * d_swing_torque[k]);
+        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->stiffness_times_extension_rate * s->extension[k]
+            - d->stiffness_times_extension_rate * s->length[k]
+            + c->stiffness_times_extension_rate * t->extension[k]
+            - c->stiffness_times_extension_rate * t->length[k],
+            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (d_swing_torque_times_rate[k]
+            + swing_torque_times_d_rate[k]);
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
         t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
         t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
@@ -1888,8 +1669,7 @@ static void vary_flight_place_calm(const real *constants, const real *series, co
 
 /* First variation of power_of_hip. */
 static void d_observed_flight_place_calm_power_of_hip(const real *constants, const real *series,
-                                                      const real *d_constants, const real *d_series,
-                                                      int order, real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -1903,7 +1683,7 @@ static void d_observed_flight_place_calm_power_of_hip(const real *constants, con
 
 /* passes_end: The foot is above the next segment. */
 static void guard_flight_place_calm_passes_end(const real *constants, const real *series, int order,
-                                               real *g) {
+    real *g) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
     real own_sine[TERMS];
@@ -1918,7 +1698,7 @@ static void guard_flight_place_calm_passes_end(const real *constants, const real
 
 /* passes_begin: The foot is above the segment before. */
 static void guard_flight_place_calm_passes_begin(const real *constants, const real *series, int order,
-                                                 real *g) {
+    real *g) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
     real own_sine[TERMS];
@@ -1933,7 +1713,7 @@ static void guard_flight_place_calm_passes_begin(const real *constants, const re
 
 /* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
 static void guard_flight_place_calm_next_segment_comes(const real *constants, const real *series, int order,
-                                                       real *g) {
+    real *g) {
     (void)constants;
     (void)series;
     for (int k = 0; k < order; ++k) {
@@ -1952,7 +1732,7 @@ static void guard_flight_place_calm_ramp_ends(const real *constants, const real 
 
 /* wind_rises: An external force acts, so flight is no longer ballistic. */
 static void guard_flight_place_calm_wind_rises(const real *constants, const real *series, int order,
-                                               real *g) {
+    real *g) {
     (void)constants;
     (void)series;
     for (int k = 0; k < order; ++k) {
@@ -1962,7 +1742,7 @@ static void guard_flight_place_calm_wind_rises(const real *constants, const real
 
 /* new_ground: The foot is above the pending ground line, which comes into force. */
 static void guard_flight_place_calm_new_ground(const real *constants, const real *series, int order,
-                                               real *g) {
+    real *g) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
     real own_cos_of_angle_minus_set_slope[TERMS];
@@ -1974,11 +1754,10 @@ static void guard_flight_place_calm_new_ground(const real *constants, const real
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
         sine_and_cosine_of(k, own_angle_minus_set_slope, own_sin_of_angle_minus_set_slope,
-                           own_cos_of_angle_minus_set_slope);
+            own_cos_of_angle_minus_set_slope);
         own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_set_slope, k);
-        g[k] = with_constant(
-            k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k] + own_product_2[k],
-            c->cos_of_set_slope * c->set_height);
+        g[k] = with_constant(k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k]
+            + own_product_2[k], c->cos_of_set_slope * c->set_height);
     }
 }
 
@@ -1995,11 +1774,10 @@ static void guard_flight_place_calm_falls(const real *constants, const real *ser
         own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-                           own_cos_of_angle_minus_slope);
+            own_cos_of_angle_minus_slope);
         own_product_2[k] = product(own_by_1_minus_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] =
-            with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k] + own_product_2[k],
-                          -(c->cos_of_slope * c->height));
+        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
+            + own_product_2[k], -(c->cos_of_slope * c->height));
     }
 }
 
@@ -2036,17 +1814,16 @@ static void guard_flight_place_calm_touchdown(const real *constants, const real 
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-                           own_cos_of_angle_minus_slope);
+            own_cos_of_angle_minus_slope);
         own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] =
-            with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k] - own_product_2[k],
-                          -(c->cos_of_slope * c->height));
+        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
+            - own_product_2[k], -(c->cos_of_slope * c->height));
     }
 }
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_place_calm_power_of_hip(const real *constants, const real *series, int order,
-                                                 real *g) {
+    real *g) {
     (void)constants;
     const flight_place_calm_series *s = (const void *)series;
     real own_rate_of_work[TERMS];
@@ -2058,7 +1835,7 @@ static void guard_flight_place_calm_power_of_hip(const real *constants, const re
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_flight_place_calm(const real *constants, const real *series, const real *power, int order,
-                                     uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
@@ -2183,62 +1960,53 @@ typedef struct {
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
 KERNEL void add_flight_rest_calm_sums(const flight_rest_calm_series *s, int i, int j,
-                                      flight_rest_calm_sums *sum) {
+    flight_rest_calm_sums *sum) {
     add_products(&sum->square, s->length + i - 1, s->length[j]);
-    add_products(&sum->rate, s->rate + i - 1, s->square[j]);
-    add_products(&sum->rate, s->square + i - 1, s->rate[j]);
+    add_both_products(&sum->rate, s->rate, s->square, i, j);
     add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->length + i - 1, s->rate_times_rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->rate_times_rate + i - 1, s->length[j]);
+    add_both_products(&sum->length_times_rate_times_rate, s->length, s->rate_times_rate, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_flight_rest_calm_sums(const flight_rest_calm_series *s, int i, flight_rest_calm_sums *sum) {
-    sum->square = pair_of(0.5 * (s->length[i] * s->length[i]), broadcast(0.0));
-    sum->rate = pair_of((s->rate[i] * s->square[i]), broadcast(0.0));
-    sum->rate_times_rate = pair_of(0.5 * (s->rate[i] * s->rate[i]), broadcast(0.0));
-    sum->length_times_rate_times_rate = pair_of((s->length[i] * s->rate_times_rate[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
+    sum->square = middle_of_square(s->length, i);
+    sum->rate = middle_of_product(s->rate, s->square, i);
+    sum->rate_times_rate = middle_of_square(s->rate, i);
+    sum->length_times_rate_times_rate = middle_of_product(s->length, s->rate_times_rate, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_flight_rest_calm(const flight_rest_calm_constants *c, const flight_rest_calm_factors *by,
-                                  int k, const flight_rest_calm_sums *sum, int odd,
-                                  flight_rest_calm_series *s) {
+    int k, const flight_rest_calm_sums *sum, int odd, flight_rest_calm_series *s) {
     s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
     s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
     /* square = length * length */
     s->square[k] = square_of(k, part_of(sum->square, odd), s->length);
     /* rate = momentum / square */
-    s->rate[k] =
-        quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square, by->inverse_square);
+    s->rate[k] = quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square,
+        by->inverse_square);
     /* rate_times_rate = rate * rate */
     s->rate_times_rate[k] = square_of(k, part_of(sum->rate_times_rate, odd), s->rate);
     /* length_times_rate_times_rate = length * rate_times_rate */
-    s->length_times_rate_times_rate[k] =
-        product_of(k, part_of(sum->length_times_rate_times_rate, odd), s->length, s->rate_times_rate);
+    s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
+        s->length, s->rate_times_rate);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* power_of_hip = external_torque * rate */
     s->power_of_hip[k] = drift_times(k, s->external_torque[0], s->external_torque[1], s->rate);
     s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
-    s->length_rate[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(k,
-                       s->length_times_rate_times_rate[k] + c->mobility * c->stiffness * s->extension[k] -
-                           c->mobility * c->stiffness * s->length[k] -
-                           c->mobility * c->damping * s->length_rate[k],
-                       c->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0))));
+    s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
+        + c->mobility * c->stiffness * s->extension[k] - c->mobility * c->stiffness * s->length[k]
+        - c->mobility * c->damping * s->length_rate[k], c->mobility * (c->stiffness * (c->free_length
+        + c->thrusting_times_longer_or_by_0))));
     s->momentum[k + 1] = series_reciprocal[k + 1] * (c->mobility * s->external_torque[k]);
-    s->leg_work[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k,
-                                                  c->stiffness_times_extension_rate * s->extension[k] -
-                                                      c->stiffness_times_extension_rate * s->length[k],
-                                                  c->stiffness_times_extension_rate *
-                                                      (c->free_length + c->thrusting_times_longer_or_by_0)));
+    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->stiffness_times_extension_rate * s->extension[k]
+        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
 }
@@ -2246,7 +2014,7 @@ KERNEL void step_flight_rest_calm(const flight_rest_calm_constants *c, const fli
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
 static void expand_flight_rest_calm(const real *constants, int order, real *series) {
     const flight_rest_calm_constants copy = *(const flight_rest_calm_constants *)(const void *)constants,
-                                     *c = &copy;
+        *c = &copy;
     flight_rest_calm_series *s = (void *)series;
     static const flight_rest_calm_sums none;
     flight_rest_calm_sums sum = none;
@@ -2276,7 +2044,7 @@ static void expand_flight_rest_calm(const real *constants, int order, real *seri
 
 /* First variation of the series. */
 static void vary_flight_rest_calm(const real *constants, const real *series, const real *d_constants,
-                                  int order, real *varied) {
+    int order, real *varied) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
     const flight_rest_calm_constants *d = (const void *)d_constants;
@@ -2298,47 +2066,40 @@ static void vary_flight_rest_calm(const real *constants, const real *series, con
         length_times_length[k] = product(s->length, t->length, k);
         d_square[k] = 2.0 * length_times_length[k];
         rate_times_d_square[k] = product(s->rate, d_square, k);
-        d_rate[k] =
-            (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square, k)) / s->square[0];
+        d_rate[k] = (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square,
+            k)) / s->square[0];
         length_times_rate_times_rate_2[k] = product(t->length, s->rate_times_rate, k);
         rate_times_d_rate[k] = product(s->rate, d_rate, k);
         d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
         length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
         length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
         external_torque_times_rate[k] = product(t->external_torque, s->rate, k);
-        external_torque_times_d_rate[k] =
-            drift_times(k, s->external_torque[0], s->external_torque[1], d_rate);
+        external_torque_times_d_rate[k] = drift_times(k, s->external_torque[0], s->external_torque[1],
+            d_rate);
         t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
-        t->length_rate[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k] +
-                    (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k] +
-                    (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k] +
-                    (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k] +
-                    c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k] -
-                    c->mobility * c->damping * t->length_rate[k],
-                d->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)) +
-                    c->mobility * (d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                   c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0))));
-        t->momentum[k + 1] = series_reciprocal[k + 1] *
-                             (d->mobility * s->external_torque[k] + c->mobility * t->external_torque[k]);
-        t->leg_work[k + 1] = series_reciprocal[k + 1] *
-                             (with_constant(k,
-                                            d->stiffness_times_extension_rate * s->extension[k] -
-                                                d->stiffness_times_extension_rate * s->length[k] +
-                                                c->stiffness_times_extension_rate * t->extension[k] -
-                                                c->stiffness_times_extension_rate * t->length[k],
-                                            d->stiffness_times_extension_rate *
-                                                    (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                                c->stiffness_times_extension_rate *
-                                                    (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_length_rate_2[k]);
-        t->work[k + 1] =
-            series_reciprocal[k + 1] * (external_torque_times_rate[k] + external_torque_times_d_rate[k]);
+        t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
+            + (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k]
+            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
+            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
+            + c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k]
+            - c->mobility * c->damping * t->length_rate[k], d->mobility * (c->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0)) + c->mobility * (d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0))));
+        t->momentum[k + 1] = series_reciprocal[k + 1] * (d->mobility * s->external_torque[k]
+            + c->mobility * t->external_torque[k]);
+        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->stiffness_times_extension_rate * s->extension[k]
+            - d->stiffness_times_extension_rate * s->length[k]
+            + c->stiffness_times_extension_rate * t->extension[k]
+            - c->stiffness_times_extension_rate * t->length[k],
+            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (external_torque_times_rate[k]
+            + external_torque_times_d_rate[k]);
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
         t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
         t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
@@ -2352,8 +2113,7 @@ static void vary_flight_rest_calm(const real *constants, const real *series, con
 
 /* First variation of power_of_hip. */
 static void d_observed_flight_rest_calm_power_of_hip(const real *constants, const real *series,
-                                                     const real *d_constants, const real *d_series, int order,
-                                                     real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -2381,7 +2141,7 @@ static void guard_flight_rest_calm_passes_end(const real *constants, const real 
 
 /* passes_begin: The foot is above the segment before. */
 static void guard_flight_rest_calm_passes_begin(const real *constants, const real *series, int order,
-                                                real *g) {
+    real *g) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
     real own_sine[TERMS];
@@ -2396,7 +2156,7 @@ static void guard_flight_rest_calm_passes_begin(const real *constants, const rea
 
 /* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
 static void guard_flight_rest_calm_next_segment_comes(const real *constants, const real *series, int order,
-                                                      real *g) {
+    real *g) {
     (void)constants;
     (void)series;
     for (int k = 0; k < order; ++k) {
@@ -2435,11 +2195,10 @@ static void guard_flight_rest_calm_new_ground(const real *constants, const real 
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
         sine_and_cosine_of(k, own_angle_minus_set_slope, own_sin_of_angle_minus_set_slope,
-                           own_cos_of_angle_minus_set_slope);
+            own_cos_of_angle_minus_set_slope);
         own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_set_slope, k);
-        g[k] = with_constant(
-            k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k] + own_product_2[k],
-            c->cos_of_set_slope * c->set_height);
+        g[k] = with_constant(k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k]
+            + own_product_2[k], c->cos_of_set_slope * c->set_height);
     }
 }
 
@@ -2456,11 +2215,10 @@ static void guard_flight_rest_calm_falls(const real *constants, const real *seri
         own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-                           own_cos_of_angle_minus_slope);
+            own_cos_of_angle_minus_slope);
         own_product_2[k] = product(own_by_1_minus_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] =
-            with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k] + own_product_2[k],
-                          -(c->cos_of_slope * c->height));
+        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
+            + own_product_2[k], -(c->cos_of_slope * c->height));
     }
 }
 
@@ -2497,11 +2255,10 @@ static void guard_flight_rest_calm_touchdown(const real *constants, const real *
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-                           own_cos_of_angle_minus_slope);
+            own_cos_of_angle_minus_slope);
         own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] =
-            with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k] - own_product_2[k],
-                          -(c->cos_of_slope * c->height));
+        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
+            - own_product_2[k], -(c->cos_of_slope * c->height));
     }
 }
 
@@ -2511,13 +2268,13 @@ static void guard_flight_rest_calm_release(const real *constants, const real *se
     const flight_rest_calm_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, c->kp * s->angle[k] + c->kd * s->rate[k],
-                             -(c->kp * c->liftoff_factor_times_liftoff_angle));
+            -(c->kp * c->liftoff_factor_times_liftoff_angle));
     }
 }
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_rest_calm_power_of_hip(const real *constants, const real *series, int order,
-                                                real *g) {
+    real *g) {
     (void)constants;
     const flight_rest_calm_series *s = (const void *)series;
     real own_rate_of_work[TERMS];
@@ -2529,7 +2286,7 @@ static void guard_flight_rest_calm_power_of_hip(const real *constants, const rea
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_flight_rest_calm(const real *constants, const real *series, const real *power, int order,
-                                    uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
@@ -2560,8 +2317,8 @@ static void bounds_flight_rest_calm(const real *constants, const real *series, c
     bounds[9] = span_21;
     const interval span_22 = interval_at(c->kp, c->kp);
     const interval span_23 = interval_of_series(s->angle, power, order);
-    const interval span_24 =
-        interval_at(c->liftoff_factor_times_liftoff_angle, c->liftoff_factor_times_liftoff_angle);
+    const interval span_24 = interval_at(c->liftoff_factor_times_liftoff_angle,
+        c->liftoff_factor_times_liftoff_angle);
     const interval span_25 = interval_difference(span_23, span_24);
     const interval span_26 = interval_product(span_22, span_25);
     const interval span_27 = interval_at(-span_26.high, -span_26.low);
@@ -2665,80 +2422,69 @@ typedef struct {
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
 KERNEL void add_flight_retract_calm_sums(const flight_retract_calm_series *s, int i, int j,
-                                         flight_retract_calm_sums *sum) {
+    flight_retract_calm_sums *sum) {
     add_products(&sum->square, s->length + i - 1, s->length[j]);
-    add_products(&sum->rate, s->rate + i - 1, s->square[j]);
-    add_products(&sum->rate, s->square + i - 1, s->rate[j]);
+    add_both_products(&sum->rate, s->rate, s->square, i, j);
     add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->length + i - 1, s->rate_times_rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->rate_times_rate + i - 1, s->length[j]);
+    add_both_products(&sum->length_times_rate_times_rate, s->length, s->rate_times_rate, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->power_of_hip, s->swing_torque + i - 1, s->rate[j]);
-    add_products(&sum->power_of_hip, s->rate + i - 1, s->swing_torque[j]);
+    add_both_products(&sum->power_of_hip, s->swing_torque, s->rate, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_flight_retract_calm_sums(const flight_retract_calm_series *s, int i,
-                                           flight_retract_calm_sums *sum) {
-    sum->square = pair_of(0.5 * (s->length[i] * s->length[i]), broadcast(0.0));
-    sum->rate = pair_of((s->rate[i] * s->square[i]), broadcast(0.0));
-    sum->rate_times_rate = pair_of(0.5 * (s->rate[i] * s->rate[i]), broadcast(0.0));
-    sum->length_times_rate_times_rate = pair_of((s->length[i] * s->rate_times_rate[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->power_of_hip = pair_of((s->swing_torque[i] * s->rate[i]), broadcast(0.0));
+    flight_retract_calm_sums *sum) {
+    sum->square = middle_of_square(s->length, i);
+    sum->rate = middle_of_product(s->rate, s->square, i);
+    sum->rate_times_rate = middle_of_square(s->rate, i);
+    sum->length_times_rate_times_rate = middle_of_product(s->length, s->rate_times_rate, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->power_of_hip = middle_of_product(s->swing_torque, s->rate, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_flight_retract_calm(const flight_retract_calm_constants *c,
-                                     const flight_retract_calm_factors *by, int k,
-                                     const flight_retract_calm_sums *sum, int odd,
-                                     flight_retract_calm_series *s) {
+    const flight_retract_calm_factors *by, int k, const flight_retract_calm_sums *sum, int odd,
+    flight_retract_calm_series *s) {
     s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
     s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
     /* square = length * length */
     s->square[k] = square_of(k, part_of(sum->square, odd), s->length);
     /* rate = momentum / square */
-    s->rate[k] =
-        quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square, by->inverse_square);
+    s->rate[k] = quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square,
+        by->inverse_square);
     /* rate_times_rate = rate * rate */
     s->rate_times_rate[k] = square_of(k, part_of(sum->rate_times_rate, odd), s->rate);
     /* length_times_rate_times_rate = length * rate_times_rate */
-    s->length_times_rate_times_rate[k] =
-        product_of(k, part_of(sum->length_times_rate_times_rate, odd), s->length, s->rate_times_rate);
+    s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
+        s->length, s->rate_times_rate);
     /* swing_torque = external_torque + (-(c->kp * (angle - c->liftoff_factor_times_liftoff_angle)) - c->kd *
      * rate) */
     s->swing_torque[k] = with_constant(k, s->external_torque[k] - c->kp * s->angle[k] - c->kd * s->rate[k],
-                                       c->kp * c->liftoff_factor_times_liftoff_angle);
+        c->kp * c->liftoff_factor_times_liftoff_angle);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* power_of_hip = swing_torque * rate */
     s->power_of_hip[k] = product_of(k, part_of(sum->power_of_hip, odd), s->swing_torque, s->rate);
     s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
-    s->length_rate[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(k,
-                       s->length_times_rate_times_rate[k] + c->mobility * c->stiffness * s->extension[k] -
-                           c->mobility * c->stiffness * s->length[k] -
-                           c->mobility * c->damping * s->length_rate[k],
-                       c->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0))));
+    s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
+        + c->mobility * c->stiffness * s->extension[k] - c->mobility * c->stiffness * s->length[k]
+        - c->mobility * c->damping * s->length_rate[k], c->mobility * (c->stiffness * (c->free_length
+        + c->thrusting_times_longer_or_by_0))));
     s->momentum[k + 1] = series_reciprocal[k + 1] * (c->mobility * s->swing_torque[k]);
-    s->leg_work[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k,
-                                                  c->stiffness_times_extension_rate * s->extension[k] -
-                                                      c->stiffness_times_extension_rate * s->length[k],
-                                                  c->stiffness_times_extension_rate *
-                                                      (c->free_length + c->thrusting_times_longer_or_by_0)));
+    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->stiffness_times_extension_rate * s->extension[k]
+        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
 static void expand_flight_retract_calm(const real *constants, int order, real *series) {
-    const flight_retract_calm_constants copy =
-                                            *(const flight_retract_calm_constants *)(const void *)constants,
-                                        *c = &copy;
+    const flight_retract_calm_constants copy = *(const flight_retract_calm_constants *)(const void
+        *)constants, *c = &copy;
     flight_retract_calm_series *s = (void *)series;
     static const flight_retract_calm_sums none;
     flight_retract_calm_sums sum = none;
@@ -2768,7 +2514,7 @@ static void expand_flight_retract_calm(const real *constants, int order, real *s
 
 /* First variation of the series. */
 static void vary_flight_retract_calm(const real *constants, const real *series, const real *d_constants,
-                                     int order, real *varied) {
+    int order, real *varied) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
     const flight_retract_calm_constants *d = (const void *)d_constants;
@@ -2791,51 +2537,43 @@ static void vary_flight_retract_calm(const real *constants, const real *series, 
         length_times_length[k] = product(s->length, t->length, k);
         d_square[k] = 2.0 * length_times_length[k];
         rate_times_d_square[k] = product(s->rate, d_square, k);
-        d_rate[k] =
-            (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square, k)) / s->square[0];
+        d_rate[k] = (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square,
+            k)) / s->square[0];
         length_times_rate_times_rate_2[k] = product(t->length, s->rate_times_rate, k);
         rate_times_d_rate[k] = product(s->rate, d_rate, k);
         d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
         length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
-        d_swing_torque[k] = with_constant(k,
-                                          t->external_torque[k] - d->kp * s->angle[k] - c->kp * t->angle[k] -
-                                              d->kd * s->rate[k] - c->kd * d_rate[k],
-                                          -(-(d->kp * c->liftoff_factor_times_liftoff_angle) -
-                                            c->kp * d->liftoff_factor_times_liftoff_angle));
+        d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->kp * s->angle[k]
+            - c->kp * t->angle[k] - d->kd * s->rate[k] - c->kd * d_rate[k],
+            -(-(d->kp * c->liftoff_factor_times_liftoff_angle)
+            - c->kp * d->liftoff_factor_times_liftoff_angle));
         length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
         d_swing_torque_times_rate[k] = product(d_swing_torque, s->rate, k);
         swing_torque_times_d_rate[k] = product(s->swing_torque, d_rate, k);
         t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
-        t->length_rate[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k] +
-                    (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k] +
-                    (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k] +
-                    (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k] +
-                    c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k] -
-                    c->mobility * c->damping * t->length_rate[k],
-                d->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)) +
-                    c->mobility * (d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                   c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0))));
-        t->momentum[k + 1] =
-            series_reciprocal[k + 1] * (d->mobility * s->swing_torque[k] + c->mobility * d_swing_torque[k]);
-        t->leg_work[k + 1] = series_reciprocal[k + 1] *
-                             (with_constant(k,
-                                            d->stiffness_times_extension_rate * s->extension[k] -
-                                                d->stiffness_times_extension_rate * s->length[k] +
-                                                c->stiffness_times_extension_rate * t->extension[k] -
-                                                c->stiffness_times_extension_rate * t->length[k],
-                                            d->stiffness_times_extension_rate *
-                                                    (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                                c->stiffness_times_extension_rate *
-                                                    (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_length_rate_2[k]);
-        t->work[k + 1] =
-            series_reciprocal[k + 1] * (d_swing_torque_times_rate[k] + swing_torque_times_d_rate[k]);
+        t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
+            + (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k]
+            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
+            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
+            + c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k]
+            - c->mobility * c->damping * t->length_rate[k], d->mobility * (c->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0)) + c->mobility * (d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0))));
+        t->momentum[k + 1] = series_reciprocal[k + 1] * (d->mobility * s->swing_torque[k]
+            + c->mobility * d_swing_torque[k]);
+        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->stiffness_times_extension_rate * s->extension[k]
+            - d->stiffness_times_extension_rate * s->length[k]
+            + c->stiffness_times_extension_rate * t->extension[k]
+            - c->stiffness_times_extension_rate * t->length[k],
+            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (d_swing_torque_times_rate[k]
+            + swing_torque_times_d_rate[k]);
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
         t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
         t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
@@ -2849,8 +2587,7 @@ static void vary_flight_retract_calm(const real *constants, const real *series, 
 
 /* First variation of power_of_hip. */
 static void d_observed_flight_retract_calm_power_of_hip(const real *constants, const real *series,
-                                                        const real *d_constants, const real *d_series,
-                                                        int order, real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -2864,7 +2601,7 @@ static void d_observed_flight_retract_calm_power_of_hip(const real *constants, c
 
 /* passes_end: The foot is above the next segment. */
 static void guard_flight_retract_calm_passes_end(const real *constants, const real *series, int order,
-                                                 real *g) {
+    real *g) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
     real own_sine[TERMS];
@@ -2879,7 +2616,7 @@ static void guard_flight_retract_calm_passes_end(const real *constants, const re
 
 /* passes_begin: The foot is above the segment before. */
 static void guard_flight_retract_calm_passes_begin(const real *constants, const real *series, int order,
-                                                   real *g) {
+    real *g) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
     real own_sine[TERMS];
@@ -2894,7 +2631,7 @@ static void guard_flight_retract_calm_passes_begin(const real *constants, const 
 
 /* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
 static void guard_flight_retract_calm_next_segment_comes(const real *constants, const real *series, int order,
-                                                         real *g) {
+    real *g) {
     (void)constants;
     (void)series;
     for (int k = 0; k < order; ++k) {
@@ -2904,7 +2641,7 @@ static void guard_flight_retract_calm_next_segment_comes(const real *constants, 
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_flight_retract_calm_ramp_ends(const real *constants, const real *series, int order,
-                                                real *g) {
+    real *g) {
     (void)constants;
     const flight_retract_calm_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
@@ -2914,7 +2651,7 @@ static void guard_flight_retract_calm_ramp_ends(const real *constants, const rea
 
 /* wind_rises: An external force acts, so flight is no longer ballistic. */
 static void guard_flight_retract_calm_wind_rises(const real *constants, const real *series, int order,
-                                                 real *g) {
+    real *g) {
     (void)constants;
     (void)series;
     for (int k = 0; k < order; ++k) {
@@ -2924,7 +2661,7 @@ static void guard_flight_retract_calm_wind_rises(const real *constants, const re
 
 /* new_ground: The foot is above the pending ground line, which comes into force. */
 static void guard_flight_retract_calm_new_ground(const real *constants, const real *series, int order,
-                                                 real *g) {
+    real *g) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
     real own_cos_of_angle_minus_set_slope[TERMS];
@@ -2936,11 +2673,10 @@ static void guard_flight_retract_calm_new_ground(const real *constants, const re
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
         sine_and_cosine_of(k, own_angle_minus_set_slope, own_sin_of_angle_minus_set_slope,
-                           own_cos_of_angle_minus_set_slope);
+            own_cos_of_angle_minus_set_slope);
         own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_set_slope, k);
-        g[k] = with_constant(
-            k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k] + own_product_2[k],
-            c->cos_of_set_slope * c->set_height);
+        g[k] = with_constant(k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k]
+            + own_product_2[k], c->cos_of_set_slope * c->set_height);
     }
 }
 
@@ -2957,17 +2693,16 @@ static void guard_flight_retract_calm_falls(const real *constants, const real *s
         own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-                           own_cos_of_angle_minus_slope);
+            own_cos_of_angle_minus_slope);
         own_product_2[k] = product(own_by_1_minus_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] =
-            with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k] + own_product_2[k],
-                          -(c->cos_of_slope * c->height));
+        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
+            + own_product_2[k], -(c->cos_of_slope * c->height));
     }
 }
 
 /* collapses: The leg is shorter than leg.min_length. */
 static void guard_flight_retract_calm_collapses(const real *constants, const real *series, int order,
-                                                real *g) {
+    real *g) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
@@ -2988,7 +2723,7 @@ static void guard_flight_retract_calm_apex(const real *constants, const real *se
 
 /* touchdown: The foot reaches the ground. */
 static void guard_flight_retract_calm_touchdown(const real *constants, const real *series, int order,
-                                                real *g) {
+    real *g) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
     real own_cos_of_angle_minus_slope[TERMS];
@@ -3000,11 +2735,10 @@ static void guard_flight_retract_calm_touchdown(const real *constants, const rea
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-                           own_cos_of_angle_minus_slope);
+            own_cos_of_angle_minus_slope);
         own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] =
-            with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k] - own_product_2[k],
-                          -(c->cos_of_slope * c->height));
+        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
+            - own_product_2[k], -(c->cos_of_slope * c->height));
     }
 }
 
@@ -3014,13 +2748,13 @@ static void guard_flight_retract_calm_clamp(const real *constants, const real *s
     const flight_retract_calm_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, -(c->kp * s->angle[k]) - c->kd * s->rate[k],
-                             c->kp * c->liftoff_factor_times_liftoff_angle);
+            c->kp * c->liftoff_factor_times_liftoff_angle);
     }
 }
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_retract_calm_power_of_hip(const real *constants, const real *series, int order,
-                                                   real *g) {
+    real *g) {
     (void)constants;
     const flight_retract_calm_series *s = (const void *)series;
     real own_rate_of_work[TERMS];
@@ -3032,7 +2766,7 @@ static void guard_flight_retract_calm_power_of_hip(const real *constants, const 
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_flight_retract_calm(const real *constants, const real *series, const real *power,
-                                       int order, uint64_t watched, interval *bounds) {
+    int order, uint64_t watched, interval *bounds) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
@@ -3110,8 +2844,8 @@ static void bounds_flight_retract_calm(const real *constants, const real *series
     if (watched >> 10 & 1) {
         const interval span_22 = interval_at(c->kp, c->kp);
         const interval span_23 = interval_of_series(s->angle, power, order);
-        const interval span_24 =
-            interval_at(c->liftoff_factor_times_liftoff_angle, c->liftoff_factor_times_liftoff_angle);
+        const interval span_24 = interval_at(c->liftoff_factor_times_liftoff_angle,
+            c->liftoff_factor_times_liftoff_angle);
         const interval span_25 = interval_difference(span_23, span_24);
         const interval span_26 = interval_product(span_22, span_25);
         const interval span_27 = interval_at(-span_26.high, -span_26.low);
@@ -3134,70 +2868,21 @@ typedef struct {
     real none[TERMS];
 } fallen_series;
 
-typedef struct {
-    pair none;
-} fallen_sums;
-
-typedef struct {
-    real none;
-} fallen_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_fallen_sums(const fallen_series *s, int i, int j, fallen_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)j;
-    (void)sum;
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_fallen_sums(const fallen_series *s, int i, fallen_sums *sum) {
-    (void)s;
-    (void)i;
-    (void)sum;
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_fallen(const fallen_constants *c, const fallen_factors *by, int k, const fallen_sums *sum,
-                        int odd, fallen_series *s) {
-    (void)c;
-    (void)by;
-    (void)sum;
-    (void)s;
-    (void)k;
-    (void)odd;
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_fallen(const real *constants, int order, real *series) {
-    const fallen_constants copy = *(const fallen_constants *)(const void *)constants, *c = &copy;
-    fallen_series *s = (void *)series;
-    static const fallen_sums none;
-    fallen_sums sum = none;
-    const fallen_factors factors = {broadcast(0.0)}, *by = &factors;
-    step_fallen(c, by, 0, &sum, 0, s);
-    begin_fallen_sums(s, 0, &sum);
-    step_fallen(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_fallen_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_fallen_sums(s, i, j, &sum);
-        }
-        step_fallen(c, by, k, &sum, 0, s);
-        add_fallen_sums(s, 1, k, &sum);
-        step_fallen(c, by, k + 1, &sum, 1, s);
-    }
+/* All coefficients. */
+static void expand_fallen(const real *constants, int order, real *expanded) {
+    (void)constants;
+    (void)order;
+    (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_fallen(const real *constants, const real *series, const real *d_constants, int order,
-                        real *varied) {
+    real *varied) {
     (void)constants;
     (void)series;
     (void)d_constants;
+    (void)order;
     (void)varied;
-    for (int k = 0; k < order; ++k) {
-    }
 }
 
 /* ---- graze_place */
@@ -3271,52 +2956,40 @@ KERNEL void add_graze_place_sums(const graze_place_series *s, int i, int j, graz
     add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
     add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
     add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_products(&sum->axial, s->axial + i - 1, s->length[j]);
-    add_products(&sum->axial, s->length + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_x_, s->axial + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_x_, s->x_ + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_y_, s->axial + i - 1, s->y_[j]);
-    add_products(&sum->axial_times_y_, s->y_ + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_y__plus_off_over_x_, s->axial_times_y__plus_off_over_x_ + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_y__plus_off_over_x_, s->x_ + i - 1, s->axial_times_y__plus_off_over_x_[j]);
-    add_products(&sum->product_2, s->axial_times_y__plus_off_over_x_ + i - 1, s->y_[j]);
-    add_products(&sum->product_2, s->y_ + i - 1, s->axial_times_y__plus_off_over_x_[j]);
+    add_both_products(&sum->axial, s->axial, s->length, i, j);
+    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
+    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
+    add_both_products(&sum->axial_times_y__plus_off_over_x_, s->axial_times_y__plus_off_over_x_, s->x_, i, j);
+    add_both_products(&sum->product_2, s->axial_times_y__plus_off_over_x_, s->y_, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->product_3, s->axial_times_y__plus_off_over_x_ + i - 1, s->square[j]);
-    add_products(&sum->product_3, s->square + i - 1, s->axial_times_y__plus_off_over_x_[j]);
-    add_products(&sum->x__times_vy, s->x_ + i - 1, s->vy[j]);
-    add_products(&sum->x__times_vy, s->vy + i - 1, s->x_[j]);
-    add_products(&sum->y__times_vx, s->y_ + i - 1, s->vx[j]);
-    add_products(&sum->y__times_vx, s->vx + i - 1, s->y_[j]);
-    add_products(&sum->angle_rate, s->angle_rate + i - 1, s->square[j]);
-    add_products(&sum->angle_rate, s->square + i - 1, s->angle_rate[j]);
-    add_products(&sum->product_3_times_angle_rate, s->product_3 + i - 1, s->angle_rate[j]);
-    add_products(&sum->product_3_times_angle_rate, s->angle_rate + i - 1, s->product_3[j]);
+    add_both_products(&sum->product_3, s->axial_times_y__plus_off_over_x_, s->square, i, j);
+    add_both_products(&sum->x__times_vy, s->x_, s->vy, i, j);
+    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
+    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
+    add_both_products(&sum->product_3_times_angle_rate, s->product_3, s->angle_rate, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_graze_place_sums(const graze_place_series *s, int i, graze_place_sums *sum) {
-    sum->x__times_x_ = pair_of(s->x_[i] * s->x_[i + 1], 0.5 * (s->x_[i + 1] * s->x_[i + 1]));
-    sum->y__times_y_ = pair_of(s->y_[i] * s->y_[i + 1], 0.5 * (s->y_[i + 1] * s->y_[i + 1]));
-    sum->length = pair_of(s->length[i] * s->length[i + 1], 0.5 * (s->length[i + 1] * s->length[i + 1]));
-    sum->axial = pair_of((s->axial[i] * s->length[i]), broadcast(0.0));
-    sum->axial_times_x_ = pair_of((s->axial[i] * s->x_[i]), broadcast(0.0));
-    sum->axial_times_y_ = pair_of((s->axial[i] * s->y_[i]), broadcast(0.0));
-    sum->axial_times_y__plus_off_over_x_ =
-        pair_of((s->axial_times_y__plus_off_over_x_[i] * s->x_[i]), broadcast(0.0));
-    sum->product_2 = pair_of((s->axial_times_y__plus_off_over_x_[i] * s->y_[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->product_3 = pair_of((s->axial_times_y__plus_off_over_x_[i] * s->square[i]), broadcast(0.0));
-    sum->x__times_vy = pair_of((s->x_[i] * s->vy[i]), broadcast(0.0));
-    sum->y__times_vx = pair_of((s->y_[i] * s->vx[i]), broadcast(0.0));
-    sum->angle_rate = pair_of((s->angle_rate[i] * s->square[i]), broadcast(0.0));
-    sum->product_3_times_angle_rate = pair_of((s->product_3[i] * s->angle_rate[i]), broadcast(0.0));
+    sum->x__times_x_ = next_middle_of_square(s->x_, i);
+    sum->y__times_y_ = next_middle_of_square(s->y_, i);
+    sum->length = next_middle_of_square(s->length, i);
+    sum->axial = middle_of_product(s->axial, s->length, i);
+    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
+    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
+    sum->axial_times_y__plus_off_over_x_ = middle_of_product(s->axial_times_y__plus_off_over_x_, s->x_, i);
+    sum->product_2 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->y_, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->product_3 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->square, i);
+    sum->x__times_vy = middle_of_product(s->x_, s->vy, i);
+    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
+    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
+    sum->product_3_times_angle_rate = middle_of_product(s->product_3, s->angle_rate, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_graze_place(const graze_place_constants *c, const graze_place_factors *by, int k,
-                             const graze_place_sums *sum, int odd, graze_place_series *s) {
+    const graze_place_sums *sum, int odd, graze_place_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
     s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     s->foot_x[k + 1] = s->foot_vx[k] * series_reciprocal[k + 1];
@@ -3327,77 +3000,68 @@ KERNEL void step_graze_place(const graze_place_constants *c, const graze_place_f
     /* square = x__times_x_ + y__times_y_ */
     s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
     /* length = real_sqrt(square) */
-    s->length[k + 1] =
-        root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length, by->inverse_length);
+    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
+        by->inverse_length);
     /* length_rate = real_rate(length) */
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length + extension + c->thrusting_times_longer_or_by_0 - length) -
      * c->damping * length_rate) / length */
-    s->axial[k] = quotient_of(
-        k, part_of(sum->axial, odd),
-        with_constant(
-            k, c->stiffness * s->extension[k] - c->stiffness * s->length[k] - c->damping * s->length_rate[k],
-            c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)),
-        s->axial, s->length, by->inverse_length);
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, c->stiffness * s->extension[k]
+        - c->stiffness * s->length[k] - c->damping * s->length_rate[k], c->stiffness * (c->free_length
+        + c->thrusting_times_longer_or_by_0)), s->axial, s->length, by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
     /* axial_times_y_ = axial * y_ */
     s->axial_times_y_[k] = product_of(k, part_of(sum->axial_times_y_, odd), s->axial, s->y_);
     /* axial_times_y__plus_off_over_x_ = (axial_times_y_ + c->off) / x_ */
-    s->axial_times_y__plus_off_over_x_[k] = quotient_of(
-        k, part_of(sum->axial_times_y__plus_off_over_x_, odd), with_constant(k, s->axial_times_y_[k], c->off),
-        s->axial_times_y__plus_off_over_x_, s->x_, by->inverse_x_);
+    s->axial_times_y__plus_off_over_x_[k] = quotient_of(k, part_of(sum->axial_times_y__plus_off_over_x_, odd),
+        with_constant(k, s->axial_times_y_[k], c->off), s->axial_times_y__plus_off_over_x_, s->x_,
+        by->inverse_x_);
     /* product_2 = axial_times_y__plus_off_over_x_ * y_ */
     s->product_2[k] = product_of(k, part_of(sum->product_2, odd), s->axial_times_y__plus_off_over_x_, s->y_);
     /* foot_vx_plus_vx = foot_vx + vx */
     s->foot_vx_plus_vx[k] = s->foot_vx[k] + s->vx[k];
     /* sum_times_foot_vx_plus_vx = (c->cosine * external_fx + c->sine * external_fy) * foot_vx_plus_vx */
-    s->sum_times_foot_vx_plus_vx[k] =
-        drift_times(k, c->cosine * s->external_fx[0] + c->sine * s->external_fy[0],
-                    c->cosine * s->external_fx[1] + c->sine * s->external_fy[1], s->foot_vx_plus_vx);
+    s->sum_times_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
+        + c->sine * s->external_fy[0], c->cosine * s->external_fx[1] + c->sine * s->external_fy[1],
+        s->foot_vx_plus_vx);
     /* sum_times_vy = (c->cosine * external_fy - c->sine * external_fx) * vy */
     s->sum_times_vy[k] = drift_times(k, c->cosine * s->external_fy[0] - c->sine * s->external_fx[0],
-                                     c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], s->vy);
+        c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], s->vy);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* product_3 = axial_times_y__plus_off_over_x_ * square */
-    s->product_3[k] =
-        product_of(k, part_of(sum->product_3, odd), s->axial_times_y__plus_off_over_x_, s->square);
+    s->product_3[k] = product_of(k, part_of(sum->product_3, odd), s->axial_times_y__plus_off_over_x_,
+        s->square);
     /* x__times_vy = x_ * vy */
     s->x__times_vy[k] = product_of(k, part_of(sum->x__times_vy, odd), s->x_, s->vy);
     /* y__times_vx = y_ * vx */
     s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-                                   s->angle_rate, s->square, by->inverse_square);
+        s->angle_rate, s->square, by->inverse_square);
     /* product_3_times_angle_rate = product_3 * angle_rate */
-    s->product_3_times_angle_rate[k] =
-        product_of(k, part_of(sum->product_3_times_angle_rate, odd), s->product_3, s->angle_rate);
-    s->vx[k + 1] = series_reciprocal[k + 1] *
-                   (with_constant(k,
-                                  (1.0 / c->body_mass + 1.0 / c->foot_mass) * s->axial_times_x_[k] +
-                                      (1.0 / c->body_mass + 1.0 / c->foot_mass) * s->product_2[k] +
-                                      c->cosine / c->body_mass * s->external_fx[k] +
-                                      c->sine / c->body_mass * s->external_fy[k],
-                                  c->along / c->foot_mass - c->gravity_times_sine));
-    s->vy[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(
-            k, c->cosine / c->body_mass * s->external_fy[k] - c->sine / c->body_mass * s->external_fx[k],
-            -(c->off / c->body_mass) - c->gravity_times_cosine));
-    s->foot_vx[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(k, -(1.0 / c->foot_mass * s->axial_times_x_[k]) - 1.0 / c->foot_mass * s->product_2[k],
-                       -(c->along / c->foot_mass)));
-    s->leg_work[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k,
-                                                  c->stiffness_times_extension_rate * s->extension[k] -
-                                                      c->stiffness_times_extension_rate * s->length[k],
-                                                  c->stiffness_times_extension_rate *
-                                                      (c->free_length + c->thrusting_times_longer_or_by_0)));
-    s->external_work[k + 1] =
-        series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k] + s->sum_times_vy[k]);
+    s->product_3_times_angle_rate[k] = product_of(k, part_of(sum->product_3_times_angle_rate, odd),
+        s->product_3, s->angle_rate);
+    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (c->inverse_body_mass
+        + c->inverse_foot_mass) * s->axial_times_x_[k] + (c->inverse_body_mass
+        + c->inverse_foot_mass) * s->product_2[k] + c->inverse_body_mass * c->cosine * s->external_fx[k]
+        + c->inverse_body_mass * c->sine * s->external_fy[k], c->inverse_foot_mass * c->along
+        - c->gravity_times_sine));
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->inverse_body_mass * c->cosine * s->external_fy[k]
+        - c->inverse_body_mass * c->sine * s->external_fx[k], -(c->inverse_body_mass * c->off)
+        - c->gravity_times_cosine));
+    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        -(c->inverse_foot_mass * s->axial_times_x_[k]) - c->inverse_foot_mass * s->product_2[k],
+        -(c->inverse_foot_mass * c->along)));
+    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->stiffness_times_extension_rate * s->extension[k]
+        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
+    s->external_work[k + 1] = series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k]
+        + s->sum_times_vy[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (-s->product_3_times_angle_rate[k]);
     s->seen_angle[k + 1] = series_reciprocal[k + 1] * (s->angle_rate[k]);
@@ -3422,7 +3086,7 @@ static void expand_graze_place(const real *constants, int order, real *series) {
     s->square[0] = s->x__times_x_[0] + s->y__times_y_[0];
     s->length[0] = real_sqrt(s->square[0]);
     const graze_place_factors factors = {1.0 / s->length[0], 1.0 / s->x_[0], 1.0 / s->square[0]},
-                              *by = &factors;
+        *by = &factors;
     step_graze_place(c, by, 0, &sum, 0, s);
     begin_graze_place_sums(s, 0, &sum);
     step_graze_place(c, by, 1, &sum, 1, s);
@@ -3439,7 +3103,7 @@ static void expand_graze_place(const real *constants, int order, real *series) {
 
 /* First variation of the series. */
 static void vary_graze_place(const real *constants, const real *series, const real *d_constants, int order,
-                             real *varied) {
+    real *varied) {
     const graze_place_constants *c = (const void *)constants;
     const graze_place_series *s = (const void *)series;
     const graze_place_constants *d = (const void *)d_constants;
@@ -3493,38 +3157,32 @@ static void vary_graze_place(const real *constants, const real *series, const re
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k,
-                                    d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
-                                        c->stiffness * t->extension[k] - c->stiffness * d_length[k] -
-                                        d->damping * s->length_rate[k] - c->damping * d_length_rate[k] -
-                                        axial_times_d_length[k],
-                                    d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                        c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
-                      product_so_far(d_axial, s->length, k)) /
-                     s->length[0];
+        d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
+            + c->stiffness * t->extension[k] - c->stiffness * d_length[k] - d->damping * s->length_rate[k]
+            - c->damping * d_length_rate[k] - axial_times_d_length[k], d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0)) - product_so_far(d_axial, s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
         axial_times_x__2[k] = product(s->axial, t->x_, k);
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
-        d_axial_times_y__plus_off_over_x_[k] =
-            (with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k] - product_4[k], d->off) -
-             product_so_far(d_axial_times_y__plus_off_over_x_, s->x_, k)) /
-            s->x_[0];
+        d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k]
+            - product_4[k], d->off) - product_so_far(d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
         product_5[k] = product(d_axial_times_y__plus_off_over_x_, s->y_, k);
         product_6[k] = product(s->axial_times_y__plus_off_over_x_, t->y_, k);
-        sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k] +
-                          d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
-        sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k] -
-                           d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
+        sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k]
+            + d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
+        sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k]
+            - d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
         sum_plus_sum_times_foot_vx_plus_vx[k] = product(sum_plus_sum, s->foot_vx_plus_vx, k);
         d_foot_vx_plus_vx[k] = t->foot_vx[k] + t->vx[k];
-        sum_times_d_foot_vx_plus_vx[k] =
-            drift_times(k, c->cosine * s->external_fx[0] + c->sine * s->external_fy[0],
-                        c->cosine * s->external_fx[1] + c->sine * s->external_fy[1], d_foot_vx_plus_vx);
+        sum_times_d_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
+            + c->sine * s->external_fy[0], c->cosine * s->external_fx[1] + c->sine * s->external_fy[1],
+            d_foot_vx_plus_vx);
         sum_minus_sum_times_vy[k] = product(sum_minus_sum, s->vy, k);
         sum_times_vy_2[k] = drift_times(k, c->cosine * s->external_fy[0] - c->sine * s->external_fx[0],
-                                        c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], t->vy);
+            c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], t->vy);
         length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
         product_7[k] = product(d_axial_times_y__plus_off_over_x_, s->square, k);
         product_8[k] = product(s->axial_times_y__plus_off_over_x_, d_square, k);
@@ -3535,63 +3193,40 @@ static void vary_graze_place(const real *constants, const real *series, const re
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k] -
-                           angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) /
-                          s->square[0];
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
         product_3_times_d_angle_rate[k] = product(s->product_3, d_angle_rate, k);
-        t->vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(k,
-                           (1.0 / c->body_mass + 1.0 / c->foot_mass) * d_axial_times_x_[k] +
-                               (1.0 / c->body_mass + 1.0 / c->foot_mass) * axial_times_x__2[k] +
-                               (1.0 / c->body_mass + 1.0 / c->foot_mass) * product_5[k] +
-                               (1.0 / c->body_mass + 1.0 / c->foot_mass) * product_6[k] +
-                               1.0 / c->body_mass * sum_plus_sum[k] +
-                               (-(d->body_mass * (1.0 / c->body_mass) / c->body_mass) -
-                                d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                                   s->axial_times_x_[k] +
-                               (-(d->body_mass * (1.0 / c->body_mass) / c->body_mass) -
-                                d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                                   s->product_2[k] -
-                               d->body_mass * (c->cosine / c->body_mass) / c->body_mass * s->external_fx[k] -
-                               d->body_mass * (c->sine / c->body_mass) / c->body_mass * s->external_fy[k],
-                           (d->along - d->foot_mass * (c->along / c->foot_mass)) / c->foot_mass -
-                               d->gravity_times_sine));
-        t->vy[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(k,
-                           1.0 / c->body_mass * sum_minus_sum[k] -
-                               d->body_mass * (c->cosine / c->body_mass) / c->body_mass * s->external_fy[k] +
-                               d->body_mass * (c->sine / c->body_mass) / c->body_mass * s->external_fx[k],
-                           (d->body_mass * (c->off / c->body_mass) - d->off) / c->body_mass -
-                               d->gravity_times_cosine));
-        t->foot_vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(k,
-                           -(1.0 / c->foot_mass * d_axial_times_x_[k]) -
-                               1.0 / c->foot_mass * axial_times_x__2[k] - 1.0 / c->foot_mass * product_5[k] -
-                               1.0 / c->foot_mass * product_6[k] +
-                               d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->axial_times_x_[k] +
-                               d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->product_2[k],
-                           -((d->along - d->foot_mass * (c->along / c->foot_mass)) / c->foot_mass)));
-        t->leg_work[k + 1] = series_reciprocal[k + 1] *
-                             (with_constant(k,
-                                            d->stiffness_times_extension_rate * s->extension[k] -
-                                                d->stiffness_times_extension_rate * s->length[k] +
-                                                c->stiffness_times_extension_rate * t->extension[k] -
-                                                c->stiffness_times_extension_rate * d_length[k],
-                                            d->stiffness_times_extension_rate *
-                                                    (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                                c->stiffness_times_extension_rate *
-                                                    (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->external_work[k + 1] = series_reciprocal[k + 1] *
-                                  (sum_plus_sum_times_foot_vx_plus_vx[k] + sum_times_d_foot_vx_plus_vx[k] +
-                                   sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->work[k + 1] =
-            series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k] - product_3_times_d_angle_rate[k]);
+        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (d->inverse_body_mass
+            + d->inverse_foot_mass) * s->axial_times_x_[k] + (d->inverse_body_mass
+            + d->inverse_foot_mass) * s->product_2[k] + d->inverse_body_mass * c->cosine * s->external_fx[k]
+            + d->inverse_body_mass * c->sine * s->external_fy[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * axial_times_x__2[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * product_5[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * product_6[k] + c->inverse_body_mass * sum_plus_sum[k],
+            d->inverse_foot_mass * c->along + c->inverse_foot_mass * d->along - d->gravity_times_sine));
+        t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_body_mass * c->cosine * s->external_fy[k]
+            - d->inverse_body_mass * c->sine * s->external_fx[k] + c->inverse_body_mass * sum_minus_sum[k],
+            -(d->inverse_body_mass * c->off) - c->inverse_body_mass * d->off - d->gravity_times_cosine));
+        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            -(d->inverse_foot_mass * s->axial_times_x_[k]) - d->inverse_foot_mass * s->product_2[k]
+            - c->inverse_foot_mass * d_axial_times_x_[k] - c->inverse_foot_mass * axial_times_x__2[k]
+            - c->inverse_foot_mass * product_5[k] - c->inverse_foot_mass * product_6[k],
+            -(d->inverse_foot_mass * c->along + c->inverse_foot_mass * d->along)));
+        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->stiffness_times_extension_rate * s->extension[k]
+            - d->stiffness_times_extension_rate * s->length[k]
+            + c->stiffness_times_extension_rate * t->extension[k]
+            - c->stiffness_times_extension_rate * d_length[k],
+            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
+        t->external_work[k + 1] = series_reciprocal[k + 1] * (sum_plus_sum_times_foot_vx_plus_vx[k]
+            + sum_times_d_foot_vx_plus_vx[k] + sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k]
+            - product_3_times_d_angle_rate[k]);
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
         t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
         t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
@@ -3605,8 +3240,7 @@ static void vary_graze_place(const real *constants, const real *series, const re
 
 /* First variation of power_of_hip. */
 static void d_observed_graze_place_power_of_hip(const real *constants, const real *series,
-                                                const real *d_constants, const real *d_series, int order,
-                                                real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -3674,15 +3308,14 @@ static void guard_graze_place_mid_stance(const real *constants, const real *seri
 
 /* graze_to_contact: The stance law presses the foot on the ground again. */
 static void guard_graze_place_graze_to_contact(const real *constants, const real *series, int order,
-                                               real *g) {
+    real *g) {
     const graze_place_constants *c = (const void *)constants;
     const graze_place_series *s = (const void *)series;
     real own_turning[TERMS];
     real own_turning_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_turning[k] = (with_constant(k, s->external_torque[k], -c->product_2) -
-                          product_so_far(own_turning, s->square, k)) /
-                         s->square[0];
+        own_turning[k] = (with_constant(k, s->external_torque[k], -c->product_2) - product_so_far(own_turning,
+            s->square, k)) / s->square[0];
         own_turning_times_x_[k] = product(own_turning, s->x_, k);
         g[k] = with_constant(k, -s->axial_times_y_[k] - own_turning_times_x_[k], -c->off);
     }
@@ -3695,14 +3328,10 @@ static void guard_graze_place_graze_to_flight(const real *constants, const real 
     real own_swing_torque_over_square[TERMS];
     real own_swing_torque_over_square_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_swing_torque_over_square[k] =
-            (with_constant(k,
-                           s->external_torque[k] - c->kp * s->seen_angle[k] -
-                               c->kp * c->retraction_rate * s->placing[k] - c->kd * s->angle_rate[k],
-                           -(c->kp * (c->winding - c->touchdown_angle_plus_more_angle)) -
-                               c->kd * c->retraction_rate) -
-             product_so_far(own_swing_torque_over_square, s->square, k)) /
-            s->square[0];
+        own_swing_torque_over_square[k] = (with_constant(k, s->external_torque[k] - c->kp * s->seen_angle[k]
+            - c->kp * c->retraction_rate * s->placing[k] - c->kd * s->angle_rate[k], -(c->kp * (c->winding
+            - c->touchdown_angle_plus_more_angle)) - c->kd * c->retraction_rate)
+            - product_so_far(own_swing_torque_over_square, s->square, k)) / s->square[0];
         own_swing_torque_over_square_times_x_[k] = product(own_swing_torque_over_square, s->x_, k);
         g[k] = with_constant(k, s->axial_times_y_[k] + own_swing_torque_over_square_times_x_[k], c->off);
     }
@@ -3721,7 +3350,7 @@ static void guard_graze_place_power_of_hip(const real *constants, const real *se
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_graze_place(const real *constants, const real *series, const real *power, int order,
-                               uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const graze_place_constants *c = (const void *)constants;
     const graze_place_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 4);
@@ -3834,52 +3463,40 @@ KERNEL void add_graze_rest_sums(const graze_rest_series *s, int i, int j, graze_
     add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
     add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
     add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_products(&sum->axial, s->axial + i - 1, s->length[j]);
-    add_products(&sum->axial, s->length + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_x_, s->axial + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_x_, s->x_ + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_y_, s->axial + i - 1, s->y_[j]);
-    add_products(&sum->axial_times_y_, s->y_ + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_y__plus_off_over_x_, s->axial_times_y__plus_off_over_x_ + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_y__plus_off_over_x_, s->x_ + i - 1, s->axial_times_y__plus_off_over_x_[j]);
-    add_products(&sum->product_2, s->axial_times_y__plus_off_over_x_ + i - 1, s->y_[j]);
-    add_products(&sum->product_2, s->y_ + i - 1, s->axial_times_y__plus_off_over_x_[j]);
+    add_both_products(&sum->axial, s->axial, s->length, i, j);
+    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
+    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
+    add_both_products(&sum->axial_times_y__plus_off_over_x_, s->axial_times_y__plus_off_over_x_, s->x_, i, j);
+    add_both_products(&sum->product_2, s->axial_times_y__plus_off_over_x_, s->y_, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->product_3, s->axial_times_y__plus_off_over_x_ + i - 1, s->square[j]);
-    add_products(&sum->product_3, s->square + i - 1, s->axial_times_y__plus_off_over_x_[j]);
-    add_products(&sum->x__times_vy, s->x_ + i - 1, s->vy[j]);
-    add_products(&sum->x__times_vy, s->vy + i - 1, s->x_[j]);
-    add_products(&sum->y__times_vx, s->y_ + i - 1, s->vx[j]);
-    add_products(&sum->y__times_vx, s->vx + i - 1, s->y_[j]);
-    add_products(&sum->angle_rate, s->angle_rate + i - 1, s->square[j]);
-    add_products(&sum->angle_rate, s->square + i - 1, s->angle_rate[j]);
-    add_products(&sum->product_3_times_angle_rate, s->product_3 + i - 1, s->angle_rate[j]);
-    add_products(&sum->product_3_times_angle_rate, s->angle_rate + i - 1, s->product_3[j]);
+    add_both_products(&sum->product_3, s->axial_times_y__plus_off_over_x_, s->square, i, j);
+    add_both_products(&sum->x__times_vy, s->x_, s->vy, i, j);
+    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
+    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
+    add_both_products(&sum->product_3_times_angle_rate, s->product_3, s->angle_rate, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_graze_rest_sums(const graze_rest_series *s, int i, graze_rest_sums *sum) {
-    sum->x__times_x_ = pair_of(s->x_[i] * s->x_[i + 1], 0.5 * (s->x_[i + 1] * s->x_[i + 1]));
-    sum->y__times_y_ = pair_of(s->y_[i] * s->y_[i + 1], 0.5 * (s->y_[i + 1] * s->y_[i + 1]));
-    sum->length = pair_of(s->length[i] * s->length[i + 1], 0.5 * (s->length[i + 1] * s->length[i + 1]));
-    sum->axial = pair_of((s->axial[i] * s->length[i]), broadcast(0.0));
-    sum->axial_times_x_ = pair_of((s->axial[i] * s->x_[i]), broadcast(0.0));
-    sum->axial_times_y_ = pair_of((s->axial[i] * s->y_[i]), broadcast(0.0));
-    sum->axial_times_y__plus_off_over_x_ =
-        pair_of((s->axial_times_y__plus_off_over_x_[i] * s->x_[i]), broadcast(0.0));
-    sum->product_2 = pair_of((s->axial_times_y__plus_off_over_x_[i] * s->y_[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->product_3 = pair_of((s->axial_times_y__plus_off_over_x_[i] * s->square[i]), broadcast(0.0));
-    sum->x__times_vy = pair_of((s->x_[i] * s->vy[i]), broadcast(0.0));
-    sum->y__times_vx = pair_of((s->y_[i] * s->vx[i]), broadcast(0.0));
-    sum->angle_rate = pair_of((s->angle_rate[i] * s->square[i]), broadcast(0.0));
-    sum->product_3_times_angle_rate = pair_of((s->product_3[i] * s->angle_rate[i]), broadcast(0.0));
+    sum->x__times_x_ = next_middle_of_square(s->x_, i);
+    sum->y__times_y_ = next_middle_of_square(s->y_, i);
+    sum->length = next_middle_of_square(s->length, i);
+    sum->axial = middle_of_product(s->axial, s->length, i);
+    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
+    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
+    sum->axial_times_y__plus_off_over_x_ = middle_of_product(s->axial_times_y__plus_off_over_x_, s->x_, i);
+    sum->product_2 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->y_, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->product_3 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->square, i);
+    sum->x__times_vy = middle_of_product(s->x_, s->vy, i);
+    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
+    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
+    sum->product_3_times_angle_rate = middle_of_product(s->product_3, s->angle_rate, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_graze_rest(const graze_rest_constants *c, const graze_rest_factors *by, int k,
-                            const graze_rest_sums *sum, int odd, graze_rest_series *s) {
+    const graze_rest_sums *sum, int odd, graze_rest_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
     s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     s->foot_x[k + 1] = s->foot_vx[k] * series_reciprocal[k + 1];
@@ -3890,77 +3507,68 @@ KERNEL void step_graze_rest(const graze_rest_constants *c, const graze_rest_fact
     /* square = x__times_x_ + y__times_y_ */
     s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
     /* length = real_sqrt(square) */
-    s->length[k + 1] =
-        root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length, by->inverse_length);
+    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
+        by->inverse_length);
     /* length_rate = real_rate(length) */
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length + extension + c->thrusting_times_longer_or_by_0 - length) -
      * c->damping * length_rate) / length */
-    s->axial[k] = quotient_of(
-        k, part_of(sum->axial, odd),
-        with_constant(
-            k, c->stiffness * s->extension[k] - c->stiffness * s->length[k] - c->damping * s->length_rate[k],
-            c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)),
-        s->axial, s->length, by->inverse_length);
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, c->stiffness * s->extension[k]
+        - c->stiffness * s->length[k] - c->damping * s->length_rate[k], c->stiffness * (c->free_length
+        + c->thrusting_times_longer_or_by_0)), s->axial, s->length, by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
     /* axial_times_y_ = axial * y_ */
     s->axial_times_y_[k] = product_of(k, part_of(sum->axial_times_y_, odd), s->axial, s->y_);
     /* axial_times_y__plus_off_over_x_ = (axial_times_y_ + c->off) / x_ */
-    s->axial_times_y__plus_off_over_x_[k] = quotient_of(
-        k, part_of(sum->axial_times_y__plus_off_over_x_, odd), with_constant(k, s->axial_times_y_[k], c->off),
-        s->axial_times_y__plus_off_over_x_, s->x_, by->inverse_x_);
+    s->axial_times_y__plus_off_over_x_[k] = quotient_of(k, part_of(sum->axial_times_y__plus_off_over_x_, odd),
+        with_constant(k, s->axial_times_y_[k], c->off), s->axial_times_y__plus_off_over_x_, s->x_,
+        by->inverse_x_);
     /* product_2 = axial_times_y__plus_off_over_x_ * y_ */
     s->product_2[k] = product_of(k, part_of(sum->product_2, odd), s->axial_times_y__plus_off_over_x_, s->y_);
     /* foot_vx_plus_vx = foot_vx + vx */
     s->foot_vx_plus_vx[k] = s->foot_vx[k] + s->vx[k];
     /* sum_times_foot_vx_plus_vx = (c->cosine * external_fx + c->sine * external_fy) * foot_vx_plus_vx */
-    s->sum_times_foot_vx_plus_vx[k] =
-        drift_times(k, c->cosine * s->external_fx[0] + c->sine * s->external_fy[0],
-                    c->cosine * s->external_fx[1] + c->sine * s->external_fy[1], s->foot_vx_plus_vx);
+    s->sum_times_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
+        + c->sine * s->external_fy[0], c->cosine * s->external_fx[1] + c->sine * s->external_fy[1],
+        s->foot_vx_plus_vx);
     /* sum_times_vy = (c->cosine * external_fy - c->sine * external_fx) * vy */
     s->sum_times_vy[k] = drift_times(k, c->cosine * s->external_fy[0] - c->sine * s->external_fx[0],
-                                     c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], s->vy);
+        c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], s->vy);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* product_3 = axial_times_y__plus_off_over_x_ * square */
-    s->product_3[k] =
-        product_of(k, part_of(sum->product_3, odd), s->axial_times_y__plus_off_over_x_, s->square);
+    s->product_3[k] = product_of(k, part_of(sum->product_3, odd), s->axial_times_y__plus_off_over_x_,
+        s->square);
     /* x__times_vy = x_ * vy */
     s->x__times_vy[k] = product_of(k, part_of(sum->x__times_vy, odd), s->x_, s->vy);
     /* y__times_vx = y_ * vx */
     s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-                                   s->angle_rate, s->square, by->inverse_square);
+        s->angle_rate, s->square, by->inverse_square);
     /* product_3_times_angle_rate = product_3 * angle_rate */
-    s->product_3_times_angle_rate[k] =
-        product_of(k, part_of(sum->product_3_times_angle_rate, odd), s->product_3, s->angle_rate);
-    s->vx[k + 1] = series_reciprocal[k + 1] *
-                   (with_constant(k,
-                                  (1.0 / c->body_mass + 1.0 / c->foot_mass) * s->axial_times_x_[k] +
-                                      (1.0 / c->body_mass + 1.0 / c->foot_mass) * s->product_2[k] +
-                                      c->cosine / c->body_mass * s->external_fx[k] +
-                                      c->sine / c->body_mass * s->external_fy[k],
-                                  c->along / c->foot_mass - c->gravity_times_sine));
-    s->vy[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(
-            k, c->cosine / c->body_mass * s->external_fy[k] - c->sine / c->body_mass * s->external_fx[k],
-            -(c->off / c->body_mass) - c->gravity_times_cosine));
-    s->foot_vx[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(k, -(1.0 / c->foot_mass * s->axial_times_x_[k]) - 1.0 / c->foot_mass * s->product_2[k],
-                       -(c->along / c->foot_mass)));
-    s->leg_work[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k,
-                                                  c->stiffness_times_extension_rate * s->extension[k] -
-                                                      c->stiffness_times_extension_rate * s->length[k],
-                                                  c->stiffness_times_extension_rate *
-                                                      (c->free_length + c->thrusting_times_longer_or_by_0)));
-    s->external_work[k + 1] =
-        series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k] + s->sum_times_vy[k]);
+    s->product_3_times_angle_rate[k] = product_of(k, part_of(sum->product_3_times_angle_rate, odd),
+        s->product_3, s->angle_rate);
+    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (c->inverse_body_mass
+        + c->inverse_foot_mass) * s->axial_times_x_[k] + (c->inverse_body_mass
+        + c->inverse_foot_mass) * s->product_2[k] + c->inverse_body_mass * c->cosine * s->external_fx[k]
+        + c->inverse_body_mass * c->sine * s->external_fy[k], c->inverse_foot_mass * c->along
+        - c->gravity_times_sine));
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->inverse_body_mass * c->cosine * s->external_fy[k]
+        - c->inverse_body_mass * c->sine * s->external_fx[k], -(c->inverse_body_mass * c->off)
+        - c->gravity_times_cosine));
+    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        -(c->inverse_foot_mass * s->axial_times_x_[k]) - c->inverse_foot_mass * s->product_2[k],
+        -(c->inverse_foot_mass * c->along)));
+    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->stiffness_times_extension_rate * s->extension[k]
+        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
+    s->external_work[k + 1] = series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k]
+        + s->sum_times_vy[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (-s->product_3_times_angle_rate[k]);
     s->seen_angle[k + 1] = series_reciprocal[k + 1] * (s->angle_rate[k]);
@@ -3984,7 +3592,7 @@ static void expand_graze_rest(const real *constants, int order, real *series) {
     s->square[0] = s->x__times_x_[0] + s->y__times_y_[0];
     s->length[0] = real_sqrt(s->square[0]);
     const graze_rest_factors factors = {1.0 / s->length[0], 1.0 / s->x_[0], 1.0 / s->square[0]},
-                             *by = &factors;
+        *by = &factors;
     step_graze_rest(c, by, 0, &sum, 0, s);
     begin_graze_rest_sums(s, 0, &sum);
     step_graze_rest(c, by, 1, &sum, 1, s);
@@ -4001,7 +3609,7 @@ static void expand_graze_rest(const real *constants, int order, real *series) {
 
 /* First variation of the series. */
 static void vary_graze_rest(const real *constants, const real *series, const real *d_constants, int order,
-                            real *varied) {
+    real *varied) {
     const graze_rest_constants *c = (const void *)constants;
     const graze_rest_series *s = (const void *)series;
     const graze_rest_constants *d = (const void *)d_constants;
@@ -4055,38 +3663,32 @@ static void vary_graze_rest(const real *constants, const real *series, const rea
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k,
-                                    d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
-                                        c->stiffness * t->extension[k] - c->stiffness * d_length[k] -
-                                        d->damping * s->length_rate[k] - c->damping * d_length_rate[k] -
-                                        axial_times_d_length[k],
-                                    d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                        c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
-                      product_so_far(d_axial, s->length, k)) /
-                     s->length[0];
+        d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
+            + c->stiffness * t->extension[k] - c->stiffness * d_length[k] - d->damping * s->length_rate[k]
+            - c->damping * d_length_rate[k] - axial_times_d_length[k], d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0)) - product_so_far(d_axial, s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
         axial_times_x__2[k] = product(s->axial, t->x_, k);
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
-        d_axial_times_y__plus_off_over_x_[k] =
-            (with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k] - product_4[k], d->off) -
-             product_so_far(d_axial_times_y__plus_off_over_x_, s->x_, k)) /
-            s->x_[0];
+        d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k]
+            - product_4[k], d->off) - product_so_far(d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
         product_5[k] = product(d_axial_times_y__plus_off_over_x_, s->y_, k);
         product_6[k] = product(s->axial_times_y__plus_off_over_x_, t->y_, k);
-        sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k] +
-                          d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
-        sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k] -
-                           d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
+        sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k]
+            + d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
+        sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k]
+            - d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
         sum_plus_sum_times_foot_vx_plus_vx[k] = product(sum_plus_sum, s->foot_vx_plus_vx, k);
         d_foot_vx_plus_vx[k] = t->foot_vx[k] + t->vx[k];
-        sum_times_d_foot_vx_plus_vx[k] =
-            drift_times(k, c->cosine * s->external_fx[0] + c->sine * s->external_fy[0],
-                        c->cosine * s->external_fx[1] + c->sine * s->external_fy[1], d_foot_vx_plus_vx);
+        sum_times_d_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
+            + c->sine * s->external_fy[0], c->cosine * s->external_fx[1] + c->sine * s->external_fy[1],
+            d_foot_vx_plus_vx);
         sum_minus_sum_times_vy[k] = product(sum_minus_sum, s->vy, k);
         sum_times_vy_2[k] = drift_times(k, c->cosine * s->external_fy[0] - c->sine * s->external_fx[0],
-                                        c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], t->vy);
+            c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], t->vy);
         length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
         product_7[k] = product(d_axial_times_y__plus_off_over_x_, s->square, k);
         product_8[k] = product(s->axial_times_y__plus_off_over_x_, d_square, k);
@@ -4097,63 +3699,40 @@ static void vary_graze_rest(const real *constants, const real *series, const rea
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k] -
-                           angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) /
-                          s->square[0];
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
         product_3_times_d_angle_rate[k] = product(s->product_3, d_angle_rate, k);
-        t->vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(k,
-                           (1.0 / c->body_mass + 1.0 / c->foot_mass) * d_axial_times_x_[k] +
-                               (1.0 / c->body_mass + 1.0 / c->foot_mass) * axial_times_x__2[k] +
-                               (1.0 / c->body_mass + 1.0 / c->foot_mass) * product_5[k] +
-                               (1.0 / c->body_mass + 1.0 / c->foot_mass) * product_6[k] +
-                               1.0 / c->body_mass * sum_plus_sum[k] +
-                               (-(d->body_mass * (1.0 / c->body_mass) / c->body_mass) -
-                                d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                                   s->axial_times_x_[k] +
-                               (-(d->body_mass * (1.0 / c->body_mass) / c->body_mass) -
-                                d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                                   s->product_2[k] -
-                               d->body_mass * (c->cosine / c->body_mass) / c->body_mass * s->external_fx[k] -
-                               d->body_mass * (c->sine / c->body_mass) / c->body_mass * s->external_fy[k],
-                           (d->along - d->foot_mass * (c->along / c->foot_mass)) / c->foot_mass -
-                               d->gravity_times_sine));
-        t->vy[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(k,
-                           1.0 / c->body_mass * sum_minus_sum[k] -
-                               d->body_mass * (c->cosine / c->body_mass) / c->body_mass * s->external_fy[k] +
-                               d->body_mass * (c->sine / c->body_mass) / c->body_mass * s->external_fx[k],
-                           (d->body_mass * (c->off / c->body_mass) - d->off) / c->body_mass -
-                               d->gravity_times_cosine));
-        t->foot_vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(k,
-                           -(1.0 / c->foot_mass * d_axial_times_x_[k]) -
-                               1.0 / c->foot_mass * axial_times_x__2[k] - 1.0 / c->foot_mass * product_5[k] -
-                               1.0 / c->foot_mass * product_6[k] +
-                               d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->axial_times_x_[k] +
-                               d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->product_2[k],
-                           -((d->along - d->foot_mass * (c->along / c->foot_mass)) / c->foot_mass)));
-        t->leg_work[k + 1] = series_reciprocal[k + 1] *
-                             (with_constant(k,
-                                            d->stiffness_times_extension_rate * s->extension[k] -
-                                                d->stiffness_times_extension_rate * s->length[k] +
-                                                c->stiffness_times_extension_rate * t->extension[k] -
-                                                c->stiffness_times_extension_rate * d_length[k],
-                                            d->stiffness_times_extension_rate *
-                                                    (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                                c->stiffness_times_extension_rate *
-                                                    (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->external_work[k + 1] = series_reciprocal[k + 1] *
-                                  (sum_plus_sum_times_foot_vx_plus_vx[k] + sum_times_d_foot_vx_plus_vx[k] +
-                                   sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->work[k + 1] =
-            series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k] - product_3_times_d_angle_rate[k]);
+        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (d->inverse_body_mass
+            + d->inverse_foot_mass) * s->axial_times_x_[k] + (d->inverse_body_mass
+            + d->inverse_foot_mass) * s->product_2[k] + d->inverse_body_mass * c->cosine * s->external_fx[k]
+            + d->inverse_body_mass * c->sine * s->external_fy[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * axial_times_x__2[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * product_5[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * product_6[k] + c->inverse_body_mass * sum_plus_sum[k],
+            d->inverse_foot_mass * c->along + c->inverse_foot_mass * d->along - d->gravity_times_sine));
+        t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_body_mass * c->cosine * s->external_fy[k]
+            - d->inverse_body_mass * c->sine * s->external_fx[k] + c->inverse_body_mass * sum_minus_sum[k],
+            -(d->inverse_body_mass * c->off) - c->inverse_body_mass * d->off - d->gravity_times_cosine));
+        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            -(d->inverse_foot_mass * s->axial_times_x_[k]) - d->inverse_foot_mass * s->product_2[k]
+            - c->inverse_foot_mass * d_axial_times_x_[k] - c->inverse_foot_mass * axial_times_x__2[k]
+            - c->inverse_foot_mass * product_5[k] - c->inverse_foot_mass * product_6[k],
+            -(d->inverse_foot_mass * c->along + c->inverse_foot_mass * d->along)));
+        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->stiffness_times_extension_rate * s->extension[k]
+            - d->stiffness_times_extension_rate * s->length[k]
+            + c->stiffness_times_extension_rate * t->extension[k]
+            - c->stiffness_times_extension_rate * d_length[k],
+            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
+        t->external_work[k + 1] = series_reciprocal[k + 1] * (sum_plus_sum_times_foot_vx_plus_vx[k]
+            + sum_times_d_foot_vx_plus_vx[k] + sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k]
+            - product_3_times_d_angle_rate[k]);
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
         t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
         t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
@@ -4166,8 +3745,7 @@ static void vary_graze_rest(const real *constants, const real *series, const rea
 
 /* First variation of power_of_hip. */
 static void d_observed_graze_rest_power_of_hip(const real *constants, const real *series,
-                                               const real *d_constants, const real *d_series, int order,
-                                               real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -4238,8 +3816,8 @@ static void guard_graze_rest_release(const real *constants, const real *series, 
     const graze_rest_constants *c = (const void *)constants;
     const graze_rest_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->kp * s->seen_angle[k] + c->kd * s->angle_rate[k],
-                             c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle));
+        g[k] = with_constant(k, c->kp * s->seen_angle[k] + c->kd * s->angle_rate[k], c->kp * (c->winding
+            - c->liftoff_factor_times_liftoff_angle));
     }
 }
 
@@ -4259,9 +3837,8 @@ static void guard_graze_rest_graze_to_contact(const real *constants, const real 
     real own_turning[TERMS];
     real own_turning_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_turning[k] = (with_constant(k, s->external_torque[k], -c->product_2) -
-                          product_so_far(own_turning, s->square, k)) /
-                         s->square[0];
+        own_turning[k] = (with_constant(k, s->external_torque[k], -c->product_2) - product_so_far(own_turning,
+            s->square, k)) / s->square[0];
         own_turning_times_x_[k] = product(own_turning, s->x_, k);
         g[k] = with_constant(k, -s->axial_times_y_[k] - own_turning_times_x_[k], -c->off);
     }
@@ -4274,9 +3851,8 @@ static void guard_graze_rest_graze_to_flight(const real *constants, const real *
     real own_external_torque_over_square[TERMS];
     real own_external_torque_over_square_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_external_torque_over_square[k] =
-            (s->external_torque[k] - product_so_far(own_external_torque_over_square, s->square, k)) /
-            s->square[0];
+        own_external_torque_over_square[k] = (s->external_torque[k]
+            - product_so_far(own_external_torque_over_square, s->square, k)) / s->square[0];
         own_external_torque_over_square_times_x_[k] = product(own_external_torque_over_square, s->x_, k);
         g[k] = with_constant(k, s->axial_times_y_[k] + own_external_torque_over_square_times_x_[k], c->off);
     }
@@ -4295,7 +3871,7 @@ static void guard_graze_rest_power_of_hip(const real *constants, const real *ser
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_graze_rest(const real *constants, const real *series, const real *power, int order,
-                              uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const graze_rest_constants *c = (const void *)constants;
     const graze_rest_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 4);
@@ -4321,8 +3897,8 @@ static void bounds_graze_rest(const real *constants, const real *series, const r
     const interval span_17 = interval_of_series(s->seen_angle, power, order);
     const interval span_18 = interval_at(c->winding, c->winding);
     const interval span_19 = interval_sum(span_17, span_18);
-    const interval span_20 =
-        interval_at(c->liftoff_factor_times_liftoff_angle, c->liftoff_factor_times_liftoff_angle);
+    const interval span_20 = interval_at(c->liftoff_factor_times_liftoff_angle,
+        c->liftoff_factor_times_liftoff_angle);
     const interval span_21 = interval_difference(span_19, span_20);
     const interval span_22 = interval_product(span_16, span_21);
     const interval span_23 = interval_at(-span_22.high, -span_22.low);
@@ -4431,52 +4007,40 @@ KERNEL void add_graze_retract_sums(const graze_retract_series *s, int i, int j, 
     add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
     add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
     add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_products(&sum->axial, s->axial + i - 1, s->length[j]);
-    add_products(&sum->axial, s->length + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_x_, s->axial + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_x_, s->x_ + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_y_, s->axial + i - 1, s->y_[j]);
-    add_products(&sum->axial_times_y_, s->y_ + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_y__plus_off_over_x_, s->axial_times_y__plus_off_over_x_ + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_y__plus_off_over_x_, s->x_ + i - 1, s->axial_times_y__plus_off_over_x_[j]);
-    add_products(&sum->product_2, s->axial_times_y__plus_off_over_x_ + i - 1, s->y_[j]);
-    add_products(&sum->product_2, s->y_ + i - 1, s->axial_times_y__plus_off_over_x_[j]);
+    add_both_products(&sum->axial, s->axial, s->length, i, j);
+    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
+    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
+    add_both_products(&sum->axial_times_y__plus_off_over_x_, s->axial_times_y__plus_off_over_x_, s->x_, i, j);
+    add_both_products(&sum->product_2, s->axial_times_y__plus_off_over_x_, s->y_, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->product_3, s->axial_times_y__plus_off_over_x_ + i - 1, s->square[j]);
-    add_products(&sum->product_3, s->square + i - 1, s->axial_times_y__plus_off_over_x_[j]);
-    add_products(&sum->x__times_vy, s->x_ + i - 1, s->vy[j]);
-    add_products(&sum->x__times_vy, s->vy + i - 1, s->x_[j]);
-    add_products(&sum->y__times_vx, s->y_ + i - 1, s->vx[j]);
-    add_products(&sum->y__times_vx, s->vx + i - 1, s->y_[j]);
-    add_products(&sum->angle_rate, s->angle_rate + i - 1, s->square[j]);
-    add_products(&sum->angle_rate, s->square + i - 1, s->angle_rate[j]);
-    add_products(&sum->product_3_times_angle_rate, s->product_3 + i - 1, s->angle_rate[j]);
-    add_products(&sum->product_3_times_angle_rate, s->angle_rate + i - 1, s->product_3[j]);
+    add_both_products(&sum->product_3, s->axial_times_y__plus_off_over_x_, s->square, i, j);
+    add_both_products(&sum->x__times_vy, s->x_, s->vy, i, j);
+    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
+    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
+    add_both_products(&sum->product_3_times_angle_rate, s->product_3, s->angle_rate, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_graze_retract_sums(const graze_retract_series *s, int i, graze_retract_sums *sum) {
-    sum->x__times_x_ = pair_of(s->x_[i] * s->x_[i + 1], 0.5 * (s->x_[i + 1] * s->x_[i + 1]));
-    sum->y__times_y_ = pair_of(s->y_[i] * s->y_[i + 1], 0.5 * (s->y_[i + 1] * s->y_[i + 1]));
-    sum->length = pair_of(s->length[i] * s->length[i + 1], 0.5 * (s->length[i + 1] * s->length[i + 1]));
-    sum->axial = pair_of((s->axial[i] * s->length[i]), broadcast(0.0));
-    sum->axial_times_x_ = pair_of((s->axial[i] * s->x_[i]), broadcast(0.0));
-    sum->axial_times_y_ = pair_of((s->axial[i] * s->y_[i]), broadcast(0.0));
-    sum->axial_times_y__plus_off_over_x_ =
-        pair_of((s->axial_times_y__plus_off_over_x_[i] * s->x_[i]), broadcast(0.0));
-    sum->product_2 = pair_of((s->axial_times_y__plus_off_over_x_[i] * s->y_[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->product_3 = pair_of((s->axial_times_y__plus_off_over_x_[i] * s->square[i]), broadcast(0.0));
-    sum->x__times_vy = pair_of((s->x_[i] * s->vy[i]), broadcast(0.0));
-    sum->y__times_vx = pair_of((s->y_[i] * s->vx[i]), broadcast(0.0));
-    sum->angle_rate = pair_of((s->angle_rate[i] * s->square[i]), broadcast(0.0));
-    sum->product_3_times_angle_rate = pair_of((s->product_3[i] * s->angle_rate[i]), broadcast(0.0));
+    sum->x__times_x_ = next_middle_of_square(s->x_, i);
+    sum->y__times_y_ = next_middle_of_square(s->y_, i);
+    sum->length = next_middle_of_square(s->length, i);
+    sum->axial = middle_of_product(s->axial, s->length, i);
+    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
+    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
+    sum->axial_times_y__plus_off_over_x_ = middle_of_product(s->axial_times_y__plus_off_over_x_, s->x_, i);
+    sum->product_2 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->y_, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->product_3 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->square, i);
+    sum->x__times_vy = middle_of_product(s->x_, s->vy, i);
+    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
+    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
+    sum->product_3_times_angle_rate = middle_of_product(s->product_3, s->angle_rate, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_graze_retract(const graze_retract_constants *c, const graze_retract_factors *by, int k,
-                               const graze_retract_sums *sum, int odd, graze_retract_series *s) {
+    const graze_retract_sums *sum, int odd, graze_retract_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
     s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     s->foot_x[k + 1] = s->foot_vx[k] * series_reciprocal[k + 1];
@@ -4487,77 +4051,68 @@ KERNEL void step_graze_retract(const graze_retract_constants *c, const graze_ret
     /* square = x__times_x_ + y__times_y_ */
     s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
     /* length = real_sqrt(square) */
-    s->length[k + 1] =
-        root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length, by->inverse_length);
+    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
+        by->inverse_length);
     /* length_rate = real_rate(length) */
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length + extension + c->thrusting_times_longer_or_by_0 - length) -
      * c->damping * length_rate) / length */
-    s->axial[k] = quotient_of(
-        k, part_of(sum->axial, odd),
-        with_constant(
-            k, c->stiffness * s->extension[k] - c->stiffness * s->length[k] - c->damping * s->length_rate[k],
-            c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)),
-        s->axial, s->length, by->inverse_length);
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, c->stiffness * s->extension[k]
+        - c->stiffness * s->length[k] - c->damping * s->length_rate[k], c->stiffness * (c->free_length
+        + c->thrusting_times_longer_or_by_0)), s->axial, s->length, by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
     /* axial_times_y_ = axial * y_ */
     s->axial_times_y_[k] = product_of(k, part_of(sum->axial_times_y_, odd), s->axial, s->y_);
     /* axial_times_y__plus_off_over_x_ = (axial_times_y_ + c->off) / x_ */
-    s->axial_times_y__plus_off_over_x_[k] = quotient_of(
-        k, part_of(sum->axial_times_y__plus_off_over_x_, odd), with_constant(k, s->axial_times_y_[k], c->off),
-        s->axial_times_y__plus_off_over_x_, s->x_, by->inverse_x_);
+    s->axial_times_y__plus_off_over_x_[k] = quotient_of(k, part_of(sum->axial_times_y__plus_off_over_x_, odd),
+        with_constant(k, s->axial_times_y_[k], c->off), s->axial_times_y__plus_off_over_x_, s->x_,
+        by->inverse_x_);
     /* product_2 = axial_times_y__plus_off_over_x_ * y_ */
     s->product_2[k] = product_of(k, part_of(sum->product_2, odd), s->axial_times_y__plus_off_over_x_, s->y_);
     /* foot_vx_plus_vx = foot_vx + vx */
     s->foot_vx_plus_vx[k] = s->foot_vx[k] + s->vx[k];
     /* sum_times_foot_vx_plus_vx = (c->cosine * external_fx + c->sine * external_fy) * foot_vx_plus_vx */
-    s->sum_times_foot_vx_plus_vx[k] =
-        drift_times(k, c->cosine * s->external_fx[0] + c->sine * s->external_fy[0],
-                    c->cosine * s->external_fx[1] + c->sine * s->external_fy[1], s->foot_vx_plus_vx);
+    s->sum_times_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
+        + c->sine * s->external_fy[0], c->cosine * s->external_fx[1] + c->sine * s->external_fy[1],
+        s->foot_vx_plus_vx);
     /* sum_times_vy = (c->cosine * external_fy - c->sine * external_fx) * vy */
     s->sum_times_vy[k] = drift_times(k, c->cosine * s->external_fy[0] - c->sine * s->external_fx[0],
-                                     c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], s->vy);
+        c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], s->vy);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* product_3 = axial_times_y__plus_off_over_x_ * square */
-    s->product_3[k] =
-        product_of(k, part_of(sum->product_3, odd), s->axial_times_y__plus_off_over_x_, s->square);
+    s->product_3[k] = product_of(k, part_of(sum->product_3, odd), s->axial_times_y__plus_off_over_x_,
+        s->square);
     /* x__times_vy = x_ * vy */
     s->x__times_vy[k] = product_of(k, part_of(sum->x__times_vy, odd), s->x_, s->vy);
     /* y__times_vx = y_ * vx */
     s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-                                   s->angle_rate, s->square, by->inverse_square);
+        s->angle_rate, s->square, by->inverse_square);
     /* product_3_times_angle_rate = product_3 * angle_rate */
-    s->product_3_times_angle_rate[k] =
-        product_of(k, part_of(sum->product_3_times_angle_rate, odd), s->product_3, s->angle_rate);
-    s->vx[k + 1] = series_reciprocal[k + 1] *
-                   (with_constant(k,
-                                  (1.0 / c->body_mass + 1.0 / c->foot_mass) * s->axial_times_x_[k] +
-                                      (1.0 / c->body_mass + 1.0 / c->foot_mass) * s->product_2[k] +
-                                      c->cosine / c->body_mass * s->external_fx[k] +
-                                      c->sine / c->body_mass * s->external_fy[k],
-                                  c->along / c->foot_mass - c->gravity_times_sine));
-    s->vy[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(
-            k, c->cosine / c->body_mass * s->external_fy[k] - c->sine / c->body_mass * s->external_fx[k],
-            -(c->off / c->body_mass) - c->gravity_times_cosine));
-    s->foot_vx[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(k, -(1.0 / c->foot_mass * s->axial_times_x_[k]) - 1.0 / c->foot_mass * s->product_2[k],
-                       -(c->along / c->foot_mass)));
-    s->leg_work[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k,
-                                                  c->stiffness_times_extension_rate * s->extension[k] -
-                                                      c->stiffness_times_extension_rate * s->length[k],
-                                                  c->stiffness_times_extension_rate *
-                                                      (c->free_length + c->thrusting_times_longer_or_by_0)));
-    s->external_work[k + 1] =
-        series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k] + s->sum_times_vy[k]);
+    s->product_3_times_angle_rate[k] = product_of(k, part_of(sum->product_3_times_angle_rate, odd),
+        s->product_3, s->angle_rate);
+    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (c->inverse_body_mass
+        + c->inverse_foot_mass) * s->axial_times_x_[k] + (c->inverse_body_mass
+        + c->inverse_foot_mass) * s->product_2[k] + c->inverse_body_mass * c->cosine * s->external_fx[k]
+        + c->inverse_body_mass * c->sine * s->external_fy[k], c->inverse_foot_mass * c->along
+        - c->gravity_times_sine));
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->inverse_body_mass * c->cosine * s->external_fy[k]
+        - c->inverse_body_mass * c->sine * s->external_fx[k], -(c->inverse_body_mass * c->off)
+        - c->gravity_times_cosine));
+    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        -(c->inverse_foot_mass * s->axial_times_x_[k]) - c->inverse_foot_mass * s->product_2[k],
+        -(c->inverse_foot_mass * c->along)));
+    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->stiffness_times_extension_rate * s->extension[k]
+        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
+    s->external_work[k + 1] = series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k]
+        + s->sum_times_vy[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (-s->product_3_times_angle_rate[k]);
     s->seen_angle[k + 1] = series_reciprocal[k + 1] * (s->angle_rate[k]);
@@ -4566,7 +4121,7 @@ KERNEL void step_graze_retract(const graze_retract_constants *c, const graze_ret
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
 static void expand_graze_retract(const real *constants, int order, real *series) {
     const graze_retract_constants copy = *(const graze_retract_constants *)(const void *)constants,
-                                  *c = &copy;
+        *c = &copy;
     graze_retract_series *s = (void *)series;
     static const graze_retract_sums none;
     graze_retract_sums sum = none;
@@ -4582,7 +4137,7 @@ static void expand_graze_retract(const real *constants, int order, real *series)
     s->square[0] = s->x__times_x_[0] + s->y__times_y_[0];
     s->length[0] = real_sqrt(s->square[0]);
     const graze_retract_factors factors = {1.0 / s->length[0], 1.0 / s->x_[0], 1.0 / s->square[0]},
-                                *by = &factors;
+        *by = &factors;
     step_graze_retract(c, by, 0, &sum, 0, s);
     begin_graze_retract_sums(s, 0, &sum);
     step_graze_retract(c, by, 1, &sum, 1, s);
@@ -4599,7 +4154,7 @@ static void expand_graze_retract(const real *constants, int order, real *series)
 
 /* First variation of the series. */
 static void vary_graze_retract(const real *constants, const real *series, const real *d_constants, int order,
-                               real *varied) {
+    real *varied) {
     const graze_retract_constants *c = (const void *)constants;
     const graze_retract_series *s = (const void *)series;
     const graze_retract_constants *d = (const void *)d_constants;
@@ -4653,38 +4208,32 @@ static void vary_graze_retract(const real *constants, const real *series, const 
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k,
-                                    d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
-                                        c->stiffness * t->extension[k] - c->stiffness * d_length[k] -
-                                        d->damping * s->length_rate[k] - c->damping * d_length_rate[k] -
-                                        axial_times_d_length[k],
-                                    d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                        c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
-                      product_so_far(d_axial, s->length, k)) /
-                     s->length[0];
+        d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
+            + c->stiffness * t->extension[k] - c->stiffness * d_length[k] - d->damping * s->length_rate[k]
+            - c->damping * d_length_rate[k] - axial_times_d_length[k], d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0)) - product_so_far(d_axial, s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
         axial_times_x__2[k] = product(s->axial, t->x_, k);
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
-        d_axial_times_y__plus_off_over_x_[k] =
-            (with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k] - product_4[k], d->off) -
-             product_so_far(d_axial_times_y__plus_off_over_x_, s->x_, k)) /
-            s->x_[0];
+        d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k]
+            - product_4[k], d->off) - product_so_far(d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
         product_5[k] = product(d_axial_times_y__plus_off_over_x_, s->y_, k);
         product_6[k] = product(s->axial_times_y__plus_off_over_x_, t->y_, k);
-        sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k] +
-                          d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
-        sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k] -
-                           d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
+        sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k]
+            + d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
+        sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k]
+            - d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
         sum_plus_sum_times_foot_vx_plus_vx[k] = product(sum_plus_sum, s->foot_vx_plus_vx, k);
         d_foot_vx_plus_vx[k] = t->foot_vx[k] + t->vx[k];
-        sum_times_d_foot_vx_plus_vx[k] =
-            drift_times(k, c->cosine * s->external_fx[0] + c->sine * s->external_fy[0],
-                        c->cosine * s->external_fx[1] + c->sine * s->external_fy[1], d_foot_vx_plus_vx);
+        sum_times_d_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
+            + c->sine * s->external_fy[0], c->cosine * s->external_fx[1] + c->sine * s->external_fy[1],
+            d_foot_vx_plus_vx);
         sum_minus_sum_times_vy[k] = product(sum_minus_sum, s->vy, k);
         sum_times_vy_2[k] = drift_times(k, c->cosine * s->external_fy[0] - c->sine * s->external_fx[0],
-                                        c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], t->vy);
+            c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], t->vy);
         length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
         product_7[k] = product(d_axial_times_y__plus_off_over_x_, s->square, k);
         product_8[k] = product(s->axial_times_y__plus_off_over_x_, d_square, k);
@@ -4695,63 +4244,40 @@ static void vary_graze_retract(const real *constants, const real *series, const 
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k] -
-                           angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) /
-                          s->square[0];
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
         product_3_times_d_angle_rate[k] = product(s->product_3, d_angle_rate, k);
-        t->vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(k,
-                           (1.0 / c->body_mass + 1.0 / c->foot_mass) * d_axial_times_x_[k] +
-                               (1.0 / c->body_mass + 1.0 / c->foot_mass) * axial_times_x__2[k] +
-                               (1.0 / c->body_mass + 1.0 / c->foot_mass) * product_5[k] +
-                               (1.0 / c->body_mass + 1.0 / c->foot_mass) * product_6[k] +
-                               1.0 / c->body_mass * sum_plus_sum[k] +
-                               (-(d->body_mass * (1.0 / c->body_mass) / c->body_mass) -
-                                d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                                   s->axial_times_x_[k] +
-                               (-(d->body_mass * (1.0 / c->body_mass) / c->body_mass) -
-                                d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                                   s->product_2[k] -
-                               d->body_mass * (c->cosine / c->body_mass) / c->body_mass * s->external_fx[k] -
-                               d->body_mass * (c->sine / c->body_mass) / c->body_mass * s->external_fy[k],
-                           (d->along - d->foot_mass * (c->along / c->foot_mass)) / c->foot_mass -
-                               d->gravity_times_sine));
-        t->vy[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(k,
-                           1.0 / c->body_mass * sum_minus_sum[k] -
-                               d->body_mass * (c->cosine / c->body_mass) / c->body_mass * s->external_fy[k] +
-                               d->body_mass * (c->sine / c->body_mass) / c->body_mass * s->external_fx[k],
-                           (d->body_mass * (c->off / c->body_mass) - d->off) / c->body_mass -
-                               d->gravity_times_cosine));
-        t->foot_vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(k,
-                           -(1.0 / c->foot_mass * d_axial_times_x_[k]) -
-                               1.0 / c->foot_mass * axial_times_x__2[k] - 1.0 / c->foot_mass * product_5[k] -
-                               1.0 / c->foot_mass * product_6[k] +
-                               d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->axial_times_x_[k] +
-                               d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->product_2[k],
-                           -((d->along - d->foot_mass * (c->along / c->foot_mass)) / c->foot_mass)));
-        t->leg_work[k + 1] = series_reciprocal[k + 1] *
-                             (with_constant(k,
-                                            d->stiffness_times_extension_rate * s->extension[k] -
-                                                d->stiffness_times_extension_rate * s->length[k] +
-                                                c->stiffness_times_extension_rate * t->extension[k] -
-                                                c->stiffness_times_extension_rate * d_length[k],
-                                            d->stiffness_times_extension_rate *
-                                                    (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                                c->stiffness_times_extension_rate *
-                                                    (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->external_work[k + 1] = series_reciprocal[k + 1] *
-                                  (sum_plus_sum_times_foot_vx_plus_vx[k] + sum_times_d_foot_vx_plus_vx[k] +
-                                   sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->work[k + 1] =
-            series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k] - product_3_times_d_angle_rate[k]);
+        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (d->inverse_body_mass
+            + d->inverse_foot_mass) * s->axial_times_x_[k] + (d->inverse_body_mass
+            + d->inverse_foot_mass) * s->product_2[k] + d->inverse_body_mass * c->cosine * s->external_fx[k]
+            + d->inverse_body_mass * c->sine * s->external_fy[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * axial_times_x__2[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * product_5[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * product_6[k] + c->inverse_body_mass * sum_plus_sum[k],
+            d->inverse_foot_mass * c->along + c->inverse_foot_mass * d->along - d->gravity_times_sine));
+        t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_body_mass * c->cosine * s->external_fy[k]
+            - d->inverse_body_mass * c->sine * s->external_fx[k] + c->inverse_body_mass * sum_minus_sum[k],
+            -(d->inverse_body_mass * c->off) - c->inverse_body_mass * d->off - d->gravity_times_cosine));
+        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            -(d->inverse_foot_mass * s->axial_times_x_[k]) - d->inverse_foot_mass * s->product_2[k]
+            - c->inverse_foot_mass * d_axial_times_x_[k] - c->inverse_foot_mass * axial_times_x__2[k]
+            - c->inverse_foot_mass * product_5[k] - c->inverse_foot_mass * product_6[k],
+            -(d->inverse_foot_mass * c->along + c->inverse_foot_mass * d->along)));
+        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->stiffness_times_extension_rate * s->extension[k]
+            - d->stiffness_times_extension_rate * s->length[k]
+            + c->stiffness_times_extension_rate * t->extension[k]
+            - c->stiffness_times_extension_rate * d_length[k],
+            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
+        t->external_work[k + 1] = series_reciprocal[k + 1] * (sum_plus_sum_times_foot_vx_plus_vx[k]
+            + sum_times_d_foot_vx_plus_vx[k] + sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k]
+            - product_3_times_d_angle_rate[k]);
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
         t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
         t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
@@ -4764,8 +4290,7 @@ static void vary_graze_retract(const real *constants, const real *series, const 
 
 /* First variation of power_of_hip. */
 static void d_observed_graze_retract_power_of_hip(const real *constants, const real *series,
-                                                  const real *d_constants, const real *d_series, int order,
-                                                  real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -4837,7 +4362,7 @@ static void guard_graze_retract_clamp(const real *constants, const real *series,
     const graze_retract_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, -(c->kp * s->seen_angle[k]) - c->kd * s->angle_rate[k],
-                             -(c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle)));
+            -(c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle)));
     }
 }
 
@@ -4852,15 +4377,14 @@ static void guard_graze_retract_mid_stance(const real *constants, const real *se
 
 /* graze_to_contact: The stance law presses the foot on the ground again. */
 static void guard_graze_retract_graze_to_contact(const real *constants, const real *series, int order,
-                                                 real *g) {
+    real *g) {
     const graze_retract_constants *c = (const void *)constants;
     const graze_retract_series *s = (const void *)series;
     real own_turning[TERMS];
     real own_turning_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_turning[k] = (with_constant(k, s->external_torque[k], -c->product_2) -
-                          product_so_far(own_turning, s->square, k)) /
-                         s->square[0];
+        own_turning[k] = (with_constant(k, s->external_torque[k], -c->product_2) - product_so_far(own_turning,
+            s->square, k)) / s->square[0];
         own_turning_times_x_[k] = product(own_turning, s->x_, k);
         g[k] = with_constant(k, -s->axial_times_y_[k] - own_turning_times_x_[k], -c->off);
     }
@@ -4868,17 +4392,15 @@ static void guard_graze_retract_graze_to_contact(const real *constants, const re
 
 /* graze_to_flight: The flight law lifts the foot. */
 static void guard_graze_retract_graze_to_flight(const real *constants, const real *series, int order,
-                                                real *g) {
+    real *g) {
     const graze_retract_constants *c = (const void *)constants;
     const graze_retract_series *s = (const void *)series;
     real own_swing_torque_over_square[TERMS];
     real own_swing_torque_over_square_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_swing_torque_over_square[k] =
-            (with_constant(k, s->external_torque[k] - c->kp * s->seen_angle[k] - c->kd * s->angle_rate[k],
-                           -(c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle))) -
-             product_so_far(own_swing_torque_over_square, s->square, k)) /
-            s->square[0];
+        own_swing_torque_over_square[k] = (with_constant(k, s->external_torque[k] - c->kp * s->seen_angle[k]
+            - c->kd * s->angle_rate[k], -(c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle)))
+            - product_so_far(own_swing_torque_over_square, s->square, k)) / s->square[0];
         own_swing_torque_over_square_times_x_[k] = product(own_swing_torque_over_square, s->x_, k);
         g[k] = with_constant(k, s->axial_times_y_[k] + own_swing_torque_over_square_times_x_[k], c->off);
     }
@@ -4897,7 +4419,7 @@ static void guard_graze_retract_power_of_hip(const real *constants, const real *
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_graze_retract(const real *constants, const real *series, const real *power, int order,
-                                 uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const graze_retract_constants *c = (const void *)constants;
     const graze_retract_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 4);
@@ -4944,8 +4466,8 @@ static void bounds_graze_retract(const real *constants, const real *series, cons
         const interval span_17 = interval_of_series(s->seen_angle, power, order);
         const interval span_18 = interval_at(c->winding, c->winding);
         const interval span_19 = interval_sum(span_17, span_18);
-        const interval span_20 =
-            interval_at(c->liftoff_factor_times_liftoff_angle, c->liftoff_factor_times_liftoff_angle);
+        const interval span_20 = interval_at(c->liftoff_factor_times_liftoff_angle,
+            c->liftoff_factor_times_liftoff_angle);
         const interval span_21 = interval_difference(span_19, span_20);
         const interval span_22 = interval_product(span_16, span_21);
         const interval span_23 = interval_at(-span_22.high, -span_22.low);
@@ -4998,7 +4520,7 @@ typedef struct {
     real axial_times_x_[TERMS];
     real turning[TERMS];
     real turning_times_y_[TERMS];
-    real minus_ratio[TERMS];
+    real minus_product[TERMS];
     real fading[TERMS];
     real sum_2[TERMS];
     real slip_friction[TERMS];
@@ -5046,54 +4568,42 @@ KERNEL void add_slip_falling_sums(const slip_falling_series *s, int i, int j, sl
     add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
     add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
     add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_products(&sum->axial, s->axial + i - 1, s->length[j]);
-    add_products(&sum->axial, s->length + i - 1, s->axial[j]);
-    add_products(&sum->axial_times_x_, s->axial + i - 1, s->x_[j]);
-    add_products(&sum->axial_times_x_, s->x_ + i - 1, s->axial[j]);
-    add_products(&sum->turning, s->turning + i - 1, s->square[j]);
-    add_products(&sum->turning, s->square + i - 1, s->turning[j]);
-    add_products(&sum->turning_times_y_, s->turning + i - 1, s->y_[j]);
-    add_products(&sum->turning_times_y_, s->y_ + i - 1, s->turning[j]);
-    add_products(&sum->axial_times_y_, s->axial + i - 1, s->y_[j]);
-    add_products(&sum->axial_times_y_, s->y_ + i - 1, s->axial[j]);
-    add_products(&sum->turning_times_x_, s->turning + i - 1, s->x_[j]);
-    add_products(&sum->turning_times_x_, s->x_ + i - 1, s->turning[j]);
-    add_products(&sum->friction_force, s->way_times_slip_friction + i - 1, s->normal[j]);
-    add_products(&sum->friction_force, s->normal + i - 1, s->way_times_slip_friction[j]);
+    add_both_products(&sum->axial, s->axial, s->length, i, j);
+    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
+    add_both_products(&sum->turning, s->turning, s->square, i, j);
+    add_both_products(&sum->turning_times_y_, s->turning, s->y_, i, j);
+    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
+    add_both_products(&sum->turning_times_x_, s->turning, s->x_, i, j);
+    add_both_products(&sum->friction_force, s->way_times_slip_friction, s->normal, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->friction_force_times_foot_vx, s->friction_force + i - 1, s->foot_vx[j]);
-    add_products(&sum->friction_force_times_foot_vx, s->foot_vx + i - 1, s->friction_force[j]);
-    add_products(&sum->x__times_vy, s->x_ + i - 1, s->vy[j]);
-    add_products(&sum->x__times_vy, s->vy + i - 1, s->x_[j]);
-    add_products(&sum->y__times_vx, s->y_ + i - 1, s->vx[j]);
-    add_products(&sum->y__times_vx, s->vx + i - 1, s->y_[j]);
-    add_products(&sum->angle_rate, s->angle_rate + i - 1, s->square[j]);
-    add_products(&sum->angle_rate, s->square + i - 1, s->angle_rate[j]);
+    add_both_products(&sum->friction_force_times_foot_vx, s->friction_force, s->foot_vx, i, j);
+    add_both_products(&sum->x__times_vy, s->x_, s->vy, i, j);
+    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
+    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_slip_falling_sums(const slip_falling_series *s, int i, slip_falling_sums *sum) {
-    sum->x__times_x_ = pair_of(s->x_[i] * s->x_[i + 1], 0.5 * (s->x_[i + 1] * s->x_[i + 1]));
-    sum->y__times_y_ = pair_of(s->y_[i] * s->y_[i + 1], 0.5 * (s->y_[i + 1] * s->y_[i + 1]));
-    sum->length = pair_of(s->length[i] * s->length[i + 1], 0.5 * (s->length[i + 1] * s->length[i + 1]));
-    sum->axial = pair_of((s->axial[i] * s->length[i]), broadcast(0.0));
-    sum->axial_times_x_ = pair_of((s->axial[i] * s->x_[i]), broadcast(0.0));
-    sum->turning = pair_of((s->turning[i] * s->square[i]), broadcast(0.0));
-    sum->turning_times_y_ = pair_of((s->turning[i] * s->y_[i]), broadcast(0.0));
-    sum->axial_times_y_ = pair_of((s->axial[i] * s->y_[i]), broadcast(0.0));
-    sum->turning_times_x_ = pair_of((s->turning[i] * s->x_[i]), broadcast(0.0));
-    sum->friction_force = pair_of((s->way_times_slip_friction[i] * s->normal[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->friction_force_times_foot_vx = pair_of((s->friction_force[i] * s->foot_vx[i]), broadcast(0.0));
-    sum->x__times_vy = pair_of((s->x_[i] * s->vy[i]), broadcast(0.0));
-    sum->y__times_vx = pair_of((s->y_[i] * s->vx[i]), broadcast(0.0));
-    sum->angle_rate = pair_of((s->angle_rate[i] * s->square[i]), broadcast(0.0));
+    sum->x__times_x_ = next_middle_of_square(s->x_, i);
+    sum->y__times_y_ = next_middle_of_square(s->y_, i);
+    sum->length = next_middle_of_square(s->length, i);
+    sum->axial = middle_of_product(s->axial, s->length, i);
+    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
+    sum->turning = middle_of_product(s->turning, s->square, i);
+    sum->turning_times_y_ = middle_of_product(s->turning, s->y_, i);
+    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
+    sum->turning_times_x_ = middle_of_product(s->turning, s->x_, i);
+    sum->friction_force = middle_of_product(s->way_times_slip_friction, s->normal, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->friction_force_times_foot_vx = middle_of_product(s->friction_force, s->foot_vx, i);
+    sum->x__times_vy = middle_of_product(s->x_, s->vy, i);
+    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
+    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_slip_falling(const slip_falling_constants *c, const slip_falling_factors *by, int k,
-                              const slip_falling_sums *sum, int odd, slip_falling_series *s) {
+    const slip_falling_sums *sum, int odd, slip_falling_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
     s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     s->foot_x[k + 1] = s->foot_vx[k] * series_reciprocal[k + 1];
@@ -5104,36 +4614,32 @@ KERNEL void step_slip_falling(const slip_falling_constants *c, const slip_fallin
     /* square = x__times_x_ + y__times_y_ */
     s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
     /* length = real_sqrt(square) */
-    s->length[k + 1] =
-        root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length, by->inverse_length);
+    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
+        by->inverse_length);
     /* length_rate = real_rate(length) */
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length + extension + c->thrusting_times_longer_or_by_0 - length) -
      * c->damping * length_rate) / length */
-    s->axial[k] = quotient_of(
-        k, part_of(sum->axial, odd),
-        with_constant(
-            k, c->stiffness * s->extension[k] - c->stiffness * s->length[k] - c->damping * s->length_rate[k],
-            c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)),
-        s->axial, s->length, by->inverse_length);
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, c->stiffness * s->extension[k]
+        - c->stiffness * s->length[k] - c->damping * s->length_rate[k], c->stiffness * (c->free_length
+        + c->thrusting_times_longer_or_by_0)), s->axial, s->length, by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
     /* turning = (external_torque - c->product_2) / square */
-    s->turning[k] =
-        quotient_of(k, part_of(sum->turning, odd), with_constant(k, s->external_torque[k], -c->product_2),
-                    s->turning, s->square, by->inverse_square);
+    s->turning[k] = quotient_of(k, part_of(sum->turning, odd), with_constant(k, s->external_torque[k],
+        -c->product_2), s->turning, s->square, by->inverse_square);
     /* turning_times_y_ = turning * y_ */
     s->turning_times_y_[k] = product_of(k, part_of(sum->turning_times_y_, odd), s->turning, s->y_);
-    /* minus_ratio = -(c->way * foot_vx / c->stribeck_velocity) */
-    s->minus_ratio[k] = -(c->way / c->stribeck_velocity * s->foot_vx[k]);
-    /* fading = real_exp(minus_ratio) */
-    s->fading[k] = exp_of(k, s->minus_ratio, s->fading);
+    /* minus_product = -(c->inverse_stribeck_velocity * (c->way * foot_vx)) */
+    s->minus_product[k] = -(c->inverse_stribeck_velocity * c->way * s->foot_vx[k]);
+    /* fading = real_exp(minus_product) */
+    s->fading[k] = exp_of(k, s->minus_product, s->fading);
     /* sum_2 = 1.0 + c->static_ratio_minus_by_1 * fading */
     s->sum_2[k] = with_constant(k, c->static_ratio_minus_by_1 * s->fading[k], broadcast(1.0));
     /* slip_friction = (c->is_own_times_own + c->by_1_minus_is_own * friction) * sum_2 */
-    s->slip_friction[k] =
-        drift_times(k, with_constant(0, c->by_1_minus_is_own * s->friction[0], c->is_own_times_own),
-                    with_constant(1, c->by_1_minus_is_own * s->friction[1], c->is_own_times_own), s->sum_2);
+    s->slip_friction[k] = drift_times(k, with_constant(0, c->by_1_minus_is_own * s->friction[0],
+        c->is_own_times_own), with_constant(1, c->by_1_minus_is_own * s->friction[1], c->is_own_times_own),
+        s->sum_2);
     /* way_times_slip_friction = c->way * slip_friction */
     s->way_times_slip_friction[k] = c->way * s->slip_friction[k];
     /* axial_times_y_ = axial * y_ */
@@ -5142,65 +4648,55 @@ KERNEL void step_slip_falling(const slip_falling_constants *c, const slip_fallin
     s->turning_times_x_[k] = product_of(k, part_of(sum->turning_times_x_, odd), s->turning, s->x_);
     /* normal = axial_times_y_ + turning_times_x_ + c->foot_mass_times_gravity_times_cosine */
     s->normal[k] = with_constant(k, s->axial_times_y_[k] + s->turning_times_x_[k],
-                                 c->foot_mass_times_gravity_times_cosine);
+        c->foot_mass_times_gravity_times_cosine);
     /* friction_force = way_times_slip_friction * normal */
-    s->friction_force[k] =
-        product_of(k, part_of(sum->friction_force, odd), s->way_times_slip_friction, s->normal);
+    s->friction_force[k] = product_of(k, part_of(sum->friction_force, odd), s->way_times_slip_friction,
+        s->normal);
     /* foot_vx_plus_vx = foot_vx + vx */
     s->foot_vx_plus_vx[k] = s->foot_vx[k] + s->vx[k];
     /* sum_times_foot_vx_plus_vx = (c->cosine * external_fx + c->sine * external_fy) * foot_vx_plus_vx */
-    s->sum_times_foot_vx_plus_vx[k] =
-        drift_times(k, c->cosine * s->external_fx[0] + c->sine * s->external_fy[0],
-                    c->cosine * s->external_fx[1] + c->sine * s->external_fy[1], s->foot_vx_plus_vx);
+    s->sum_times_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
+        + c->sine * s->external_fy[0], c->cosine * s->external_fx[1] + c->sine * s->external_fy[1],
+        s->foot_vx_plus_vx);
     /* sum_times_vy = (c->cosine * external_fy - c->sine * external_fx) * vy */
     s->sum_times_vy[k] = drift_times(k, c->cosine * s->external_fy[0] - c->sine * s->external_fx[0],
-                                     c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], s->vy);
+        c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], s->vy);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* friction_force_times_foot_vx = friction_force * foot_vx */
-    s->friction_force_times_foot_vx[k] =
-        product_of(k, part_of(sum->friction_force_times_foot_vx, odd), s->friction_force, s->foot_vx);
+    s->friction_force_times_foot_vx[k] = product_of(k, part_of(sum->friction_force_times_foot_vx, odd),
+        s->friction_force, s->foot_vx);
     /* x__times_vy = x_ * vy */
     s->x__times_vy[k] = product_of(k, part_of(sum->x__times_vy, odd), s->x_, s->vy);
     /* y__times_vx = y_ * vx */
     s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-                                   s->angle_rate, s->square, by->inverse_square);
+        s->angle_rate, s->square, by->inverse_square);
     /* power_of_hip = (external_torque - c->product_2) * angle_rate */
     s->power_of_hip[k] = drift_times(k, with_constant(0, s->external_torque[0], -c->product_2),
-                                     with_constant(1, s->external_torque[1], -c->product_2), s->angle_rate);
-    s->vx[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(k,
-                       (1.0 / c->body_mass + 1.0 / c->foot_mass) * s->axial_times_x_[k] +
-                           (-(1.0 / c->body_mass) - 1.0 / c->foot_mass) * s->turning_times_y_[k] +
-                           c->cosine / c->body_mass * s->external_fx[k] +
-                           c->sine / c->body_mass * s->external_fy[k] +
-                           1.0 / c->foot_mass * s->friction_force[k],
-                       c->foot_mass_times_gravity_times_sine / c->foot_mass - c->gravity_times_sine));
-    s->vy[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(
-            k,
-            1.0 / c->body_mass * s->axial_times_y_[k] + 1.0 / c->body_mass * s->turning_times_x_[k] +
-                c->cosine / c->body_mass * s->external_fy[k] - c->sine / c->body_mass * s->external_fx[k],
-            -c->gravity_times_cosine));
-    s->foot_vx[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k,
-                                                  1.0 / c->foot_mass * s->turning_times_y_[k] -
-                                                      1.0 / c->foot_mass * s->axial_times_x_[k] -
-                                                      1.0 / c->foot_mass * s->friction_force[k],
-                                                  -(c->foot_mass_times_gravity_times_sine / c->foot_mass)));
-    s->leg_work[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k,
-                                                  c->stiffness_times_extension_rate * s->extension[k] -
-                                                      c->stiffness_times_extension_rate * s->length[k],
-                                                  c->stiffness_times_extension_rate *
-                                                      (c->free_length + c->thrusting_times_longer_or_by_0)));
-    s->external_work[k + 1] =
-        series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k] + s->sum_times_vy[k]);
+        with_constant(1, s->external_torque[1], -c->product_2), s->angle_rate);
+    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (c->inverse_body_mass
+        + c->inverse_foot_mass) * s->axial_times_x_[k] + (-c->inverse_body_mass
+        - c->inverse_foot_mass) * s->turning_times_y_[k]
+        + c->inverse_body_mass * c->cosine * s->external_fx[k]
+        + c->inverse_body_mass * c->sine * s->external_fy[k] + c->inverse_foot_mass * s->friction_force[k],
+        c->inverse_foot_mass * c->foot_mass_times_gravity_times_sine - c->gravity_times_sine));
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
+        + c->inverse_body_mass * s->turning_times_x_[k]
+        + c->inverse_body_mass * c->cosine * s->external_fy[k]
+        - c->inverse_body_mass * c->sine * s->external_fx[k], -c->gravity_times_cosine));
+    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->inverse_foot_mass * s->turning_times_y_[k] - c->inverse_foot_mass * s->axial_times_x_[k]
+        - c->inverse_foot_mass * s->friction_force[k],
+        -(c->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)));
+    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->stiffness_times_extension_rate * s->extension[k]
+        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
+    s->external_work[k + 1] = series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k]
+        + s->sum_times_vy[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->friction_loss[k + 1] = series_reciprocal[k + 1] * (s->friction_force_times_foot_vx[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
@@ -5241,7 +4737,7 @@ static void expand_slip_falling(const real *constants, int order, real *series) 
 
 /* First variation of the series. */
 static void vary_slip_falling(const real *constants, const real *series, const real *d_constants, int order,
-                              real *varied) {
+    real *varied) {
     const slip_falling_constants *c = (const void *)constants;
     const slip_falling_series *s = (const void *)series;
     const slip_falling_constants *d = (const void *)d_constants;
@@ -5259,7 +4755,7 @@ static void vary_slip_falling(const real *constants, const real *series, const r
     real d_turning_times_y_[TERMS];
     real turning_times_y__2[TERMS];
     real d_friction_along_times_sum_2[TERMS];
-    real fading_times_ratio[TERMS];
+    real fading_times_sum[TERMS];
     real friction_along_times_d_sum_2[TERMS];
     real d_way_times_slip_friction_times_normal[TERMS];
     real d_axial_times_y_[TERMS];
@@ -5284,7 +4780,7 @@ static void vary_slip_falling(const real *constants, const real *series, const r
     real stance_torque_times_d_angle_rate[TERMS];
     real d_square[TERMS];
     real d_friction_along[TERMS];
-    real ratio[TERMS];
+    real sum_3[TERMS];
     real d_sum_2[TERMS];
     real d_way_times_slip_friction[TERMS];
     real d_normal[TERMS];
@@ -5308,63 +4804,55 @@ static void vary_slip_falling(const real *constants, const real *series, const r
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k,
-                                    d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
-                                        c->stiffness * t->extension[k] - c->stiffness * d_length[k] -
-                                        d->damping * s->length_rate[k] - c->damping * d_length_rate[k] -
-                                        axial_times_d_length[k],
-                                    d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                        c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
-                      product_so_far(d_axial, s->length, k)) /
-                     s->length[0];
+        d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
+            + c->stiffness * t->extension[k] - c->stiffness * d_length[k] - d->damping * s->length_rate[k]
+            - c->damping * d_length_rate[k] - axial_times_d_length[k], d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0)) - product_so_far(d_axial, s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
         axial_times_x__2[k] = product(s->axial, t->x_, k);
         d_stance_torque[k] = with_constant(k, t->external_torque[k], -d->product_2);
         turning_times_d_square[k] = product(s->turning, d_square, k);
-        d_turning[k] =
-            (d_stance_torque[k] - turning_times_d_square[k] - product_so_far(d_turning, s->square, k)) /
-            s->square[0];
+        d_turning[k] = (d_stance_torque[k] - turning_times_d_square[k] - product_so_far(d_turning, s->square,
+            k)) / s->square[0];
         d_turning_times_y_[k] = product(d_turning, s->y_, k);
         turning_times_y__2[k] = product(s->turning, t->y_, k);
-        sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k] +
-                          d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
-        d_friction_along[k] =
-            with_constant(k, d->by_1_minus_is_own * s->friction[k] + c->by_1_minus_is_own * t->friction[k],
-                          d->is_own_times_own);
+        sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k]
+            + d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
+        d_friction_along[k] = with_constant(k, d->by_1_minus_is_own * s->friction[k]
+            + c->by_1_minus_is_own * t->friction[k], d->is_own_times_own);
         d_friction_along_times_sum_2[k] = product(d_friction_along, s->sum_2, k);
-        ratio[k] = (d->way - d->stribeck_velocity * (c->way / c->stribeck_velocity)) / c->stribeck_velocity *
-                       s->foot_vx[k] +
-                   c->way / c->stribeck_velocity * t->foot_vx[k];
-        fading_times_ratio[k] = product(s->fading, ratio, k);
-        d_sum_2[k] =
-            d->static_ratio_minus_by_1 * s->fading[k] - c->static_ratio_minus_by_1 * fading_times_ratio[k];
-        friction_along_times_d_sum_2[k] = drift_times(
-            k, with_constant(0, c->by_1_minus_is_own * s->friction[0], c->is_own_times_own),
-            with_constant(1, c->by_1_minus_is_own * s->friction[1], c->is_own_times_own), d_sum_2);
-        d_way_times_slip_friction[k] = d->way * s->slip_friction[k] +
-                                       c->way * d_friction_along_times_sum_2[k] +
-                                       c->way * friction_along_times_d_sum_2[k];
+        sum_3[k] = (d->inverse_stribeck_velocity * c->way
+            + c->inverse_stribeck_velocity * d->way) * s->foot_vx[k]
+            + c->inverse_stribeck_velocity * c->way * t->foot_vx[k];
+        fading_times_sum[k] = product(s->fading, sum_3, k);
+        d_sum_2[k] = d->static_ratio_minus_by_1 * s->fading[k]
+            - c->static_ratio_minus_by_1 * fading_times_sum[k];
+        friction_along_times_d_sum_2[k] = drift_times(k, with_constant(0,
+            c->by_1_minus_is_own * s->friction[0], c->is_own_times_own), with_constant(1,
+            c->by_1_minus_is_own * s->friction[1], c->is_own_times_own), d_sum_2);
+        d_way_times_slip_friction[k] = d->way * s->slip_friction[k]
+            + c->way * d_friction_along_times_sum_2[k] + c->way * friction_along_times_d_sum_2[k];
         d_way_times_slip_friction_times_normal[k] = product(d_way_times_slip_friction, s->normal, k);
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         d_turning_times_x_[k] = product(d_turning, s->x_, k);
         turning_times_x__2[k] = product(s->turning, t->x_, k);
-        d_normal[k] = with_constant(
-            k, d_axial_times_y_[k] + axial_times_y__2[k] + d_turning_times_x_[k] + turning_times_x__2[k],
-            d->foot_mass_times_gravity_times_cosine);
+        d_normal[k] = with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k] + d_turning_times_x_[k]
+            + turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
         way_times_slip_friction_times_d_normal[k] = product(s->way_times_slip_friction, d_normal, k);
-        d_friction_force[k] =
-            d_way_times_slip_friction_times_normal[k] + way_times_slip_friction_times_d_normal[k];
-        sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k] -
-                           d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
+        d_friction_force[k] = d_way_times_slip_friction_times_normal[k]
+            + way_times_slip_friction_times_d_normal[k];
+        sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k]
+            - d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
         sum_plus_sum_times_foot_vx_plus_vx[k] = product(sum_plus_sum, s->foot_vx_plus_vx, k);
         d_foot_vx_plus_vx[k] = t->foot_vx[k] + t->vx[k];
-        sum_times_d_foot_vx_plus_vx[k] =
-            drift_times(k, c->cosine * s->external_fx[0] + c->sine * s->external_fy[0],
-                        c->cosine * s->external_fx[1] + c->sine * s->external_fy[1], d_foot_vx_plus_vx);
+        sum_times_d_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
+            + c->sine * s->external_fy[0], c->cosine * s->external_fx[1] + c->sine * s->external_fy[1],
+            d_foot_vx_plus_vx);
         sum_minus_sum_times_vy[k] = product(sum_minus_sum, s->vy, k);
         sum_times_vy_2[k] = drift_times(k, c->cosine * s->external_fy[0] - c->sine * s->external_fx[0],
-                                        c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], t->vy);
+            c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], t->vy);
         length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
         d_friction_force_times_foot_vx[k] = product(d_friction_force, s->foot_vx, k);
         friction_force_times_foot_vx_2[k] = product(s->friction_force, t->foot_vx, k);
@@ -5374,79 +4862,51 @@ static void vary_slip_falling(const real *constants, const real *series, const r
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k] -
-                           angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) /
-                          s->square[0];
-        stance_torque_times_d_angle_rate[k] =
-            drift_times(k, with_constant(0, s->external_torque[0], -c->product_2),
-                        with_constant(1, s->external_torque[1], -c->product_2), d_angle_rate);
-        t->vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(k,
-                           (1.0 / c->body_mass + 1.0 / c->foot_mass) * d_axial_times_x_[k] +
-                               (1.0 / c->body_mass + 1.0 / c->foot_mass) * axial_times_x__2[k] +
-                               (-(1.0 / c->body_mass) - 1.0 / c->foot_mass) * d_turning_times_y_[k] +
-                               (-(1.0 / c->body_mass) - 1.0 / c->foot_mass) * turning_times_y__2[k] +
-                               1.0 / c->body_mass * sum_plus_sum[k] +
-                               (-(d->body_mass * (1.0 / c->body_mass) / c->body_mass) -
-                                d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                                   s->axial_times_x_[k] +
-                               (d->body_mass * (1.0 / c->body_mass) / c->body_mass +
-                                d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass) *
-                                   s->turning_times_y_[k] -
-                               d->body_mass * (c->cosine / c->body_mass) / c->body_mass * s->external_fx[k] -
-                               d->body_mass * (c->sine / c->body_mass) / c->body_mass * s->external_fy[k] +
-                               1.0 / c->foot_mass * d_friction_force[k] -
-                               d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->friction_force[k],
-                           -d->gravity_times_sine -
-                               (d->foot_mass * (c->foot_mass_times_gravity_times_sine / c->foot_mass) -
-                                d->foot_mass_times_gravity_times_sine) /
-                                   c->foot_mass));
-        t->vy[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                1.0 / c->body_mass * d_axial_times_y_[k] + 1.0 / c->body_mass * axial_times_y__2[k] +
-                    1.0 / c->body_mass * d_turning_times_x_[k] + 1.0 / c->body_mass * turning_times_x__2[k] +
-                    1.0 / c->body_mass * sum_minus_sum[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->axial_times_y_[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->turning_times_x_[k] -
-                    d->body_mass * (c->cosine / c->body_mass) / c->body_mass * s->external_fy[k] +
-                    d->body_mass * (c->sine / c->body_mass) / c->body_mass * s->external_fx[k],
-                -d->gravity_times_cosine));
-        t->foot_vx[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                -(1.0 / c->foot_mass * d_axial_times_x_[k]) - 1.0 / c->foot_mass * axial_times_x__2[k] +
-                    1.0 / c->foot_mass * d_turning_times_y_[k] + 1.0 / c->foot_mass * turning_times_y__2[k] -
-                    1.0 / c->foot_mass * d_friction_force[k] +
-                    d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->axial_times_x_[k] -
-                    d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->turning_times_y_[k] +
-                    d->foot_mass * (1.0 / c->foot_mass) / c->foot_mass * s->friction_force[k],
-                (d->foot_mass * (c->foot_mass_times_gravity_times_sine / c->foot_mass) -
-                 d->foot_mass_times_gravity_times_sine) /
-                    c->foot_mass));
-        t->leg_work[k + 1] = series_reciprocal[k + 1] *
-                             (with_constant(k,
-                                            d->stiffness_times_extension_rate * s->extension[k] -
-                                                d->stiffness_times_extension_rate * s->length[k] +
-                                                c->stiffness_times_extension_rate * t->extension[k] -
-                                                c->stiffness_times_extension_rate * d_length[k],
-                                            d->stiffness_times_extension_rate *
-                                                    (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                                c->stiffness_times_extension_rate *
-                                                    (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->external_work[k + 1] = series_reciprocal[k + 1] *
-                                  (sum_plus_sum_times_foot_vx_plus_vx[k] + sum_times_d_foot_vx_plus_vx[k] +
-                                   sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->friction_loss[k + 1] = series_reciprocal[k + 1] *
-                                  (d_friction_force_times_foot_vx[k] + friction_force_times_foot_vx_2[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] *
-                         (d_stance_torque_times_angle_rate[k] + stance_torque_times_d_angle_rate[k]);
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
+        stance_torque_times_d_angle_rate[k] = drift_times(k, with_constant(0, s->external_torque[0],
+            -c->product_2), with_constant(1, s->external_torque[1], -c->product_2), d_angle_rate);
+        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (d->inverse_body_mass
+            + d->inverse_foot_mass) * s->axial_times_x_[k] + (-d->inverse_body_mass
+            - d->inverse_foot_mass) * s->turning_times_y_[k]
+            + d->inverse_body_mass * c->cosine * s->external_fx[k]
+            + d->inverse_body_mass * c->sine * s->external_fy[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
+            + c->inverse_foot_mass) * axial_times_x__2[k] + (-c->inverse_body_mass
+            - c->inverse_foot_mass) * d_turning_times_y_[k] + (-c->inverse_body_mass
+            - c->inverse_foot_mass) * turning_times_y__2[k] + c->inverse_body_mass * sum_plus_sum[k]
+            + d->inverse_foot_mass * s->friction_force[k] + c->inverse_foot_mass * d_friction_force[k],
+            -d->gravity_times_sine - (-(d->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)
+            - c->inverse_foot_mass * d->foot_mass_times_gravity_times_sine)));
+        t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
+            + d->inverse_body_mass * c->cosine * s->external_fy[k]
+            - d->inverse_body_mass * c->sine * s->external_fx[k]
+            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
+            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k]
+            + c->inverse_body_mass * sum_minus_sum[k], -d->gravity_times_cosine));
+        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_foot_mass * s->turning_times_y_[k] - d->inverse_foot_mass * s->axial_times_x_[k]
+            - d->inverse_foot_mass * s->friction_force[k] - c->inverse_foot_mass * d_axial_times_x_[k]
+            - c->inverse_foot_mass * axial_times_x__2[k] + c->inverse_foot_mass * d_turning_times_y_[k]
+            + c->inverse_foot_mass * turning_times_y__2[k] - c->inverse_foot_mass * d_friction_force[k],
+            -(d->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)
+            - c->inverse_foot_mass * d->foot_mass_times_gravity_times_sine));
+        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->stiffness_times_extension_rate * s->extension[k]
+            - d->stiffness_times_extension_rate * s->length[k]
+            + c->stiffness_times_extension_rate * t->extension[k]
+            - c->stiffness_times_extension_rate * d_length[k],
+            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
+        t->external_work[k + 1] = series_reciprocal[k + 1] * (sum_plus_sum_times_foot_vx_plus_vx[k]
+            + sum_times_d_foot_vx_plus_vx[k] + sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+        t->friction_loss[k + 1] = series_reciprocal[k + 1] * (d_friction_force_times_foot_vx[k]
+            + friction_force_times_foot_vx_2[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (d_stance_torque_times_angle_rate[k]
+            + stance_torque_times_d_angle_rate[k]);
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
         t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
         t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
@@ -5459,8 +4919,7 @@ static void vary_slip_falling(const real *constants, const real *series, const r
 
 /* First variation of power_of_hip. */
 static void d_observed_slip_falling_power_of_hip(const real *constants, const real *series,
-                                                 const real *d_constants, const real *d_series, int order,
-                                                 real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -5474,8 +4933,7 @@ static void d_observed_slip_falling_power_of_hip(const real *constants, const re
 
 /* First variation of vertical_force_on_foot. */
 static void d_observed_slip_falling_vertical_force_on_foot(const real *constants, const real *series,
-                                                           const real *d_constants, const real *d_series,
-                                                           int order, real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     const slip_falling_constants *c = (const void *)constants;
     const slip_falling_series *s = (const void *)series;
     const slip_falling_constants *d = (const void *)d_constants;
@@ -5493,13 +4951,13 @@ static void d_observed_slip_falling_vertical_force_on_foot(const real *constants
     real own_d_turning_times_x_[TERMS];
     real own_turning_times_x__2[TERMS];
     real own_d_friction_along_times_sum_2[TERMS];
-    real own_fading_times_ratio[TERMS];
+    real own_fading_times_sum[TERMS];
     real own_friction_along_times_d_sum_2[TERMS];
     real own_d_way_times_slip_friction_times_normal[TERMS];
     real own_way_times_slip_friction_times_d_normal[TERMS];
     real own_d_square[TERMS];
     real own_d_friction_along[TERMS];
-    real own_ratio[TERMS];
+    real own_sum_3[TERMS];
     real own_d_sum_2[TERMS];
     real own_d_way_times_slip_friction[TERMS];
     real own_d_normal[TERMS];
@@ -5511,61 +4969,50 @@ static void d_observed_slip_falling_vertical_force_on_foot(const real *constants
         own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
         own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
         own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
-        own_d_length[k + 1] =
-            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
+            + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] =
-            (with_constant(k,
-                           d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
-                               c->stiffness * t->extension[k] - c->stiffness * own_d_length[k] -
-                               d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k] -
-                               own_axial_times_d_length[k],
-                           d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                               c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
-             product_so_far(own_d_axial, s->length, k)) /
-            s->length[0];
+        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
+            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - own_axial_times_d_length[k], d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
-        own_d_turning[k] =
-            (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k], -d->product_2) -
-             product_so_far(own_d_turning, s->square, k)) /
-            s->square[0];
+        own_d_turning[k] = (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k],
+            -d->product_2) - product_so_far(own_d_turning, s->square, k)) / s->square[0];
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
-        own_d_normal[k] = with_constant(k,
-                                        own_d_axial_times_y_[k] + own_axial_times_y__2[k] +
-                                            own_d_turning_times_x_[k] + own_turning_times_x__2[k],
-                                        d->foot_mass_times_gravity_times_cosine);
-        own_d_friction_along[k] =
-            with_constant(k, d->by_1_minus_is_own * s->friction[k] + c->by_1_minus_is_own * t->friction[k],
-                          d->is_own_times_own);
+        own_d_normal[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
+            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
+        own_d_friction_along[k] = with_constant(k, d->by_1_minus_is_own * s->friction[k]
+            + c->by_1_minus_is_own * t->friction[k], d->is_own_times_own);
         own_d_friction_along_times_sum_2[k] = product(own_d_friction_along, s->sum_2, k);
-        own_ratio[k] = (d->way - d->stribeck_velocity * (c->way / c->stribeck_velocity)) /
-                           c->stribeck_velocity * s->foot_vx[k] +
-                       c->way / c->stribeck_velocity * t->foot_vx[k];
-        own_fading_times_ratio[k] = product(s->fading, own_ratio, k);
-        own_d_sum_2[k] = d->static_ratio_minus_by_1 * s->fading[k] -
-                         c->static_ratio_minus_by_1 * own_fading_times_ratio[k];
-        own_friction_along_times_d_sum_2[k] = drift_times(
-            k, with_constant(0, c->by_1_minus_is_own * s->friction[0], c->is_own_times_own),
-            with_constant(1, c->by_1_minus_is_own * s->friction[1], c->is_own_times_own), own_d_sum_2);
-        own_d_way_times_slip_friction[k] = d->way * s->slip_friction[k] +
-                                           c->way * own_d_friction_along_times_sum_2[k] +
-                                           c->way * own_friction_along_times_d_sum_2[k];
+        own_sum_3[k] = (d->inverse_stribeck_velocity * c->way
+            + c->inverse_stribeck_velocity * d->way) * s->foot_vx[k]
+            + c->inverse_stribeck_velocity * c->way * t->foot_vx[k];
+        own_fading_times_sum[k] = product(s->fading, own_sum_3, k);
+        own_d_sum_2[k] = d->static_ratio_minus_by_1 * s->fading[k]
+            - c->static_ratio_minus_by_1 * own_fading_times_sum[k];
+        own_friction_along_times_d_sum_2[k] = drift_times(k, with_constant(0,
+            c->by_1_minus_is_own * s->friction[0], c->is_own_times_own), with_constant(1,
+            c->by_1_minus_is_own * s->friction[1], c->is_own_times_own), own_d_sum_2);
+        own_d_way_times_slip_friction[k] = d->way * s->slip_friction[k]
+            + c->way * own_d_friction_along_times_sum_2[k] + c->way * own_friction_along_times_d_sum_2[k];
         own_d_way_times_slip_friction_times_normal[k] = product(own_d_way_times_slip_friction, s->normal, k);
         own_way_times_slip_friction_times_d_normal[k] = product(s->way_times_slip_friction, own_d_normal, k);
-        dg[k] = d->cosine * s->normal[k] + c->cosine * own_d_normal[k] - d->sine * s->friction_force[k] -
-                c->sine * own_d_way_times_slip_friction_times_normal[k] -
-                c->sine * own_way_times_slip_friction_times_d_normal[k];
+        dg[k] = d->cosine * s->normal[k] + c->cosine * own_d_normal[k] - d->sine * s->friction_force[k]
+            - c->sine * own_d_way_times_slip_friction_times_normal[k]
+            - c->sine * own_way_times_slip_friction_times_d_normal[k];
     }
 }
 
 /* First variation of force_on_foot. */
 static void d_observed_slip_falling_force_on_foot(const real *constants, const real *series,
-                                                  const real *d_constants, const real *d_series, int order,
-                                                  real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     const slip_falling_constants *c = (const void *)constants;
     const slip_falling_series *s = (const void *)series;
     const slip_falling_constants *d = (const void *)d_constants;
@@ -5591,33 +5038,25 @@ static void d_observed_slip_falling_force_on_foot(const real *constants, const r
         own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
         own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
         own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
-        own_d_length[k + 1] =
-            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
+            + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] =
-            (with_constant(k,
-                           d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
-                               c->stiffness * t->extension[k] - c->stiffness * own_d_length[k] -
-                               d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k] -
-                               own_axial_times_d_length[k],
-                           d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                               c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
-             product_so_far(own_d_axial, s->length, k)) /
-            s->length[0];
+        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
+            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - own_axial_times_d_length[k], d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
-        own_d_turning[k] =
-            (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k], -d->product_2) -
-             product_so_far(own_d_turning, s->square, k)) /
-            s->square[0];
+        own_d_turning[k] = (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k],
+            -d->product_2) - product_so_far(own_d_turning, s->square, k)) / s->square[0];
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
-        dg[k] = with_constant(k,
-                              own_d_axial_times_y_[k] + own_axial_times_y__2[k] + own_d_turning_times_x_[k] +
-                                  own_turning_times_x__2[k],
-                              d->foot_mass_times_gravity_times_cosine);
+        dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
+            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
     }
 }
 
@@ -5651,7 +5090,7 @@ static void guard_slip_falling_collapses(const real *constants, const real *seri
 /* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
  * counted. */
 static void guard_slip_falling_greatest_compression(const real *constants, const real *series, int order,
-                                                    real *g) {
+    real *g) {
     (void)constants;
     const slip_falling_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
@@ -5700,8 +5139,8 @@ static void guard_slip_falling_crosses_border(const real *constants, const real 
     const slip_falling_constants *c = (const void *)constants;
     const slip_falling_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] =
-            with_constant(k, -(c->way * c->cosine * s->foot_x[k]), c->way * c->segment_end_or_segment_begin);
+        g[k] = with_constant(k, -(c->way * c->cosine * s->foot_x[k]),
+            c->way * c->segment_end_or_segment_begin);
     }
 }
 
@@ -5718,7 +5157,7 @@ static void guard_slip_falling_power_of_hip(const real *constants, const real *s
 
 /* vertical_force_on_foot: Vertical force of the ground on a sticking or slipping foot. */
 static void guard_slip_falling_vertical_force_on_foot(const real *constants, const real *series, int order,
-                                                      real *g) {
+    real *g) {
     const slip_falling_constants *c = (const void *)constants;
     const slip_falling_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
@@ -5737,7 +5176,7 @@ static void guard_slip_falling_force_on_foot(const real *constants, const real *
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_slip_falling(const real *constants, const real *series, const real *power, int order,
-                                uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const slip_falling_constants *c = (const void *)constants;
     const slip_falling_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -5771,8 +5210,8 @@ static void bounds_slip_falling(const real *constants, const real *series, const
         bounds[4] = span_12;
     }
     if (watched >> 8 & 1) {
-        const interval span_10 =
-            interval_at(c->segment_end_or_segment_begin, c->segment_end_or_segment_begin);
+        const interval span_10 = interval_at(c->segment_end_or_segment_begin,
+            c->segment_end_or_segment_begin);
         const interval span_11 = interval_at(c->cosine, c->cosine);
         const interval span_12 = interval_of_series(s->foot_x, power, order);
         const interval span_13 = interval_product(span_11, span_12);
@@ -5861,57 +5300,49 @@ typedef struct {
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
 KERNEL void add_flight_place_pushed_sums(const flight_place_pushed_series *s, int i, int j,
-                                         flight_place_pushed_sums *sum) {
+    flight_place_pushed_sums *sum) {
     add_products(&sum->square, s->length + i - 1, s->length[j]);
-    add_products(&sum->rate, s->rate + i - 1, s->square[j]);
-    add_products(&sum->rate, s->square + i - 1, s->rate[j]);
+    add_both_products(&sum->rate, s->rate, s->square, i, j);
     add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->length + i - 1, s->rate_times_rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->rate_times_rate + i - 1, s->length[j]);
-    add_products(&sum->length_times_sum, s->length + i - 1, s->sum_2[j]);
-    add_products(&sum->length_times_sum, s->sum_2 + i - 1, s->length[j]);
-    add_products(&sum->length_rate_times_axial, s->length_rate + i - 1, s->axial[j]);
-    add_products(&sum->length_rate_times_axial, s->axial + i - 1, s->length_rate[j]);
-    add_products(&sum->rate_times_length_times_sum, s->rate + i - 1, s->length_times_sum[j]);
-    add_products(&sum->rate_times_length_times_sum, s->length_times_sum + i - 1, s->rate[j]);
+    add_both_products(&sum->length_times_rate_times_rate, s->length, s->rate_times_rate, i, j);
+    add_both_products(&sum->length_times_sum, s->length, s->sum_2, i, j);
+    add_both_products(&sum->length_rate_times_axial, s->length_rate, s->axial, i, j);
+    add_both_products(&sum->rate_times_length_times_sum, s->rate, s->length_times_sum, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->power_of_hip, s->swing_torque + i - 1, s->rate[j]);
-    add_products(&sum->power_of_hip, s->rate + i - 1, s->swing_torque[j]);
+    add_both_products(&sum->power_of_hip, s->swing_torque, s->rate, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_flight_place_pushed_sums(const flight_place_pushed_series *s, int i,
-                                           flight_place_pushed_sums *sum) {
-    sum->square = pair_of(0.5 * (s->length[i] * s->length[i]), broadcast(0.0));
-    sum->rate = pair_of((s->rate[i] * s->square[i]), broadcast(0.0));
-    sum->rate_times_rate = pair_of(0.5 * (s->rate[i] * s->rate[i]), broadcast(0.0));
-    sum->length_times_rate_times_rate = pair_of((s->length[i] * s->rate_times_rate[i]), broadcast(0.0));
-    sum->length_times_sum = pair_of((s->length[i] * s->sum_2[i]), broadcast(0.0));
-    sum->length_rate_times_axial = pair_of((s->length_rate[i] * s->axial[i]), broadcast(0.0));
-    sum->rate_times_length_times_sum = pair_of((s->rate[i] * s->length_times_sum[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->power_of_hip = pair_of((s->swing_torque[i] * s->rate[i]), broadcast(0.0));
+    flight_place_pushed_sums *sum) {
+    sum->square = middle_of_square(s->length, i);
+    sum->rate = middle_of_product(s->rate, s->square, i);
+    sum->rate_times_rate = middle_of_square(s->rate, i);
+    sum->length_times_rate_times_rate = middle_of_product(s->length, s->rate_times_rate, i);
+    sum->length_times_sum = middle_of_product(s->length, s->sum_2, i);
+    sum->length_rate_times_axial = middle_of_product(s->length_rate, s->axial, i);
+    sum->rate_times_length_times_sum = middle_of_product(s->rate, s->length_times_sum, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->power_of_hip = middle_of_product(s->swing_torque, s->rate, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_flight_place_pushed(const flight_place_pushed_constants *c,
-                                     const flight_place_pushed_factors *by, int k,
-                                     const flight_place_pushed_sums *sum, int odd,
-                                     flight_place_pushed_series *s) {
+    const flight_place_pushed_factors *by, int k, const flight_place_pushed_sums *sum, int odd,
+    flight_place_pushed_series *s) {
     s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
     s->com_x[k + 1] = s->com_vx[k] * series_reciprocal[k + 1];
     s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
     /* square = length * length */
     s->square[k] = square_of(k, part_of(sum->square, odd), s->length);
     /* rate = momentum / square */
-    s->rate[k] =
-        quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square, by->inverse_square);
+    s->rate[k] = quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square,
+        by->inverse_square);
     /* rate_times_rate = rate * rate */
     s->rate_times_rate[k] = square_of(k, part_of(sum->rate_times_rate, odd), s->rate);
     /* length_times_rate_times_rate = length * rate_times_rate */
-    s->length_times_rate_times_rate[k] =
-        product_of(k, part_of(sum->length_times_rate_times_rate, odd), s->length, s->rate_times_rate);
+    s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
+        s->length, s->rate_times_rate);
     sine_and_cosine_of(k, s->angle, s->sine, s->cosine);
     /* external_fy_times_cosine = external_fy * cosine */
     s->external_fy_times_cosine[k] = drift_times(k, s->external_fy[0], s->external_fy[1], s->cosine);
@@ -5921,11 +5352,9 @@ KERNEL void step_flight_place_pushed(const flight_place_pushed_constants *c,
     s->axial[k] = s->external_fy_times_cosine[k] - s->external_fx_times_sine[k];
     /* swing_torque = external_torque + (-(c->kp * (angle - (c->touchdown_angle_plus_more_angle -
      * c->retraction_rate * placing))) - c->kd * (rate + c->retraction_rate)) */
-    s->swing_torque[k] =
-        with_constant(k,
-                      s->external_torque[k] - c->kp * s->angle[k] -
-                          c->kp * c->retraction_rate * s->placing[k] - c->kd * s->rate[k],
-                      c->kp * c->touchdown_angle_plus_more_angle - c->kd * c->retraction_rate);
+    s->swing_torque[k] = with_constant(k, s->external_torque[k] - c->kp * s->angle[k]
+        - c->kp * c->retraction_rate * s->placing[k] - c->kd * s->rate[k],
+        c->kp * c->touchdown_angle_plus_more_angle - c->kd * c->retraction_rate);
     /* external_fx_times_cosine = external_fx * cosine */
     s->external_fx_times_cosine[k] = drift_times(k, s->external_fx[0], s->external_fx[1], s->cosine);
     /* external_fy_times_sine = external_fy * sine */
@@ -5939,48 +5368,41 @@ KERNEL void step_flight_place_pushed(const flight_place_pushed_constants *c,
     /* external_fy_times_com_vy = external_fy * com_vy */
     s->external_fy_times_com_vy[k] = drift_times(k, s->external_fy[0], s->external_fy[1], s->com_vy);
     /* length_rate_times_axial = length_rate * axial */
-    s->length_rate_times_axial[k] =
-        product_of(k, part_of(sum->length_rate_times_axial, odd), s->length_rate, s->axial);
+    s->length_rate_times_axial[k] = product_of(k, part_of(sum->length_rate_times_axial, odd), s->length_rate,
+        s->axial);
     /* rate_times_length_times_sum = rate * length_times_sum */
-    s->rate_times_length_times_sum[k] =
-        product_of(k, part_of(sum->rate_times_length_times_sum, odd), s->rate, s->length_times_sum);
+    s->rate_times_length_times_sum[k] = product_of(k, part_of(sum->rate_times_length_times_sum, odd), s->rate,
+        s->length_times_sum);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* power_of_hip = swing_torque * rate */
     s->power_of_hip[k] = product_of(k, part_of(sum->power_of_hip, odd), s->swing_torque, s->rate);
     s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
-    s->length_rate[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(k,
-                       s->length_times_rate_times_rate[k] + c->mobility * c->stiffness * s->extension[k] -
-                           c->mobility * c->stiffness * s->length[k] -
-                           c->mobility * c->damping * s->length_rate[k] + 1.0 / c->body_mass * s->axial[k],
-                       c->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0))));
-    s->com_vx[k + 1] = series_reciprocal[k + 1] * (1.0 / c->total_mass * s->external_fx[k]);
-    s->com_vy[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k, 1.0 / c->total_mass * s->external_fy[k], -c->gravity));
-    s->momentum[k + 1] = series_reciprocal[k + 1] *
-                         (c->mobility * s->swing_torque[k] - 1.0 / c->body_mass * s->length_times_sum[k]);
-    s->leg_work[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k,
-                                                  c->stiffness_times_extension_rate * s->extension[k] -
-                                                      c->stiffness_times_extension_rate * s->length[k],
-                                                  c->stiffness_times_extension_rate *
-                                                      (c->free_length + c->thrusting_times_longer_or_by_0)));
-    s->external_work[k + 1] =
-        series_reciprocal[k + 1] * (s->external_fx_times_com_vx[k] + s->external_fy_times_com_vy[k] +
-                                    c->by_1_minus_share * s->length_rate_times_axial[k] -
-                                    c->by_1_minus_share * s->rate_times_length_times_sum[k]);
+    s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
+        + c->mobility * c->stiffness * s->extension[k] - c->mobility * c->stiffness * s->length[k]
+        - c->mobility * c->damping * s->length_rate[k] + c->inverse_body_mass * s->axial[k],
+        c->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0))));
+    s->com_vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_total_mass * s->external_fx[k]);
+    s->com_vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_total_mass * s->external_fy[k],
+        -c->gravity));
+    s->momentum[k + 1] = series_reciprocal[k + 1] * (c->mobility * s->swing_torque[k]
+        - c->inverse_body_mass * s->length_times_sum[k]);
+    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->stiffness_times_extension_rate * s->extension[k]
+        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
+    s->external_work[k + 1] = series_reciprocal[k + 1] * (s->external_fx_times_com_vx[k]
+        + s->external_fy_times_com_vy[k] + c->by_1_minus_share * s->length_rate_times_axial[k]
+        - c->by_1_minus_share * s->rate_times_length_times_sum[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
 static void expand_flight_place_pushed(const real *constants, int order, real *series) {
-    const flight_place_pushed_constants copy =
-                                            *(const flight_place_pushed_constants *)(const void *)constants,
-                                        *c = &copy;
+    const flight_place_pushed_constants copy = *(const flight_place_pushed_constants *)(const void
+        *)constants, *c = &copy;
     flight_place_pushed_series *s = (void *)series;
     static const flight_place_pushed_sums none;
     flight_place_pushed_sums sum = none;
@@ -6009,7 +5431,7 @@ static void expand_flight_place_pushed(const real *constants, int order, real *s
 
 /* First variation of the series. */
 static void vary_flight_place_pushed(const real *constants, const real *series, const real *d_constants,
-                                     int order, real *varied) {
+    int order, real *varied) {
     const flight_place_pushed_constants *c = (const void *)constants;
     const flight_place_pushed_series *s = (const void *)series;
     const flight_place_pushed_constants *d = (const void *)d_constants;
@@ -6056,37 +5478,35 @@ static void vary_flight_place_pushed(const real *constants, const real *series, 
         length_times_length[k] = product(s->length, t->length, k);
         d_square[k] = 2.0 * length_times_length[k];
         rate_times_d_square[k] = product(s->rate, d_square, k);
-        d_rate[k] =
-            (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square, k)) / s->square[0];
+        d_rate[k] = (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square,
+            k)) / s->square[0];
         length_times_rate_times_rate_2[k] = product(t->length, s->rate_times_rate, k);
         rate_times_d_rate[k] = product(s->rate, d_rate, k);
         d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
         length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
         external_fy_times_cosine_2[k] = product(t->external_fy, s->cosine, k);
         sine_times_angle[k] = product(s->sine, t->angle, k);
-        external_fy_times_sine_times_angle[k] =
-            drift_times(k, s->external_fy[0], s->external_fy[1], sine_times_angle);
+        external_fy_times_sine_times_angle[k] = drift_times(k, s->external_fy[0], s->external_fy[1],
+            sine_times_angle);
         external_fx_times_sine_2[k] = product(t->external_fx, s->sine, k);
         d_sine[k] = product(s->cosine, t->angle, k);
         external_fx_times_d_sine[k] = drift_times(k, s->external_fx[0], s->external_fx[1], d_sine);
-        d_axial[k] = external_fy_times_cosine_2[k] - external_fy_times_sine_times_angle[k] -
-                     external_fx_times_sine_2[k] - external_fx_times_d_sine[k];
-        d_swing_torque[k] = with_constant(
-            k,
-            t->external_torque[k] - d->kp * s->angle[k] -
-                (d->kp * c->retraction_rate + c->kp * d->retraction_rate) * s->placing[k] -
-                c->kp * t->angle[k] - c->kp * c->retraction_rate * t->placing[k] - d->kd * s->rate[k] -
-                c->kd * d_rate[k],
-            -(-(d->kp * c->touchdown_angle_plus_more_angle) - c->kp * d->touchdown_angle_plus_more_angle) -
-                (d->kd * c->retraction_rate + c->kd * d->retraction_rate));
+        d_axial[k] = external_fy_times_cosine_2[k] - external_fy_times_sine_times_angle[k]
+            - external_fx_times_sine_2[k] - external_fx_times_d_sine[k];
+        d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->kp * s->angle[k]
+            - (d->kp * c->retraction_rate + c->kp * d->retraction_rate) * s->placing[k]
+            - c->kp * t->angle[k] - c->kp * c->retraction_rate * t->placing[k] - d->kd * s->rate[k]
+            - c->kd * d_rate[k], -(-(d->kp * c->touchdown_angle_plus_more_angle)
+            - c->kp * d->touchdown_angle_plus_more_angle) - (d->kd * c->retraction_rate
+            + c->kd * d->retraction_rate));
         length_times_sum_2[k] = product(t->length, s->sum_2, k);
         external_fx_times_cosine_2[k] = product(t->external_fx, s->cosine, k);
-        external_fx_times_sine_times_angle[k] =
-            drift_times(k, s->external_fx[0], s->external_fx[1], sine_times_angle);
+        external_fx_times_sine_times_angle[k] = drift_times(k, s->external_fx[0], s->external_fx[1],
+            sine_times_angle);
         external_fy_times_sine_2[k] = product(t->external_fy, s->sine, k);
         external_fy_times_d_sine[k] = drift_times(k, s->external_fy[0], s->external_fy[1], d_sine);
-        d_sum_2[k] = external_fx_times_cosine_2[k] - external_fx_times_sine_times_angle[k] +
-                     external_fy_times_sine_2[k] + external_fy_times_d_sine[k];
+        d_sum_2[k] = external_fx_times_cosine_2[k] - external_fx_times_sine_times_angle[k]
+            + external_fy_times_sine_2[k] + external_fy_times_d_sine[k];
         length_times_d_sum_2[k] = product(s->length, d_sum_2, k);
         d_length_times_sum[k] = length_times_sum_2[k] + length_times_d_sum_2[k];
         external_fx_times_com_vx_2[k] = product(t->external_fx, s->com_vx, k);
@@ -6101,57 +5521,44 @@ static void vary_flight_place_pushed(const real *constants, const real *series, 
         d_swing_torque_times_rate[k] = product(d_swing_torque, s->rate, k);
         swing_torque_times_d_rate[k] = product(s->swing_torque, d_rate, k);
         t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
-        t->length_rate[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k] +
-                    (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k] +
-                    (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k] +
-                    (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k] +
-                    c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k] -
-                    c->mobility * c->damping * t->length_rate[k] + 1.0 / c->body_mass * d_axial[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->axial[k],
-                d->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)) +
-                    c->mobility * (d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                   c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0))));
-        t->com_vx[k + 1] = series_reciprocal[k + 1] *
-                           (1.0 / c->total_mass * t->external_fx[k] -
-                            d->total_mass * (1.0 / c->total_mass) / c->total_mass * s->external_fx[k]);
-        t->com_vy[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(k,
-                           1.0 / c->total_mass * t->external_fy[k] -
-                               d->total_mass * (1.0 / c->total_mass) / c->total_mass * s->external_fy[k],
-                           -d->gravity));
-        t->momentum[k + 1] = series_reciprocal[k + 1] *
-                             (d->mobility * s->swing_torque[k] + c->mobility * d_swing_torque[k] -
-                              1.0 / c->body_mass * d_length_times_sum[k] +
-                              d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->length_times_sum[k]);
-        t->leg_work[k + 1] = series_reciprocal[k + 1] *
-                             (with_constant(k,
-                                            d->stiffness_times_extension_rate * s->extension[k] -
-                                                d->stiffness_times_extension_rate * s->length[k] +
-                                                c->stiffness_times_extension_rate * t->extension[k] -
-                                                c->stiffness_times_extension_rate * t->length[k],
-                                            d->stiffness_times_extension_rate *
-                                                    (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                                c->stiffness_times_extension_rate *
-                                                    (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->external_work[k + 1] =
-            series_reciprocal[k + 1] *
-            (external_fx_times_com_vx_2[k] + external_fx_times_com_vx_3[k] + external_fy_times_com_vy_2[k] +
-             external_fy_times_com_vy_3[k] + d->by_1_minus_share * s->length_rate_times_axial[k] -
-             d->by_1_minus_share * s->rate_times_length_times_sum[k] +
-             c->by_1_minus_share * length_rate_times_axial_2[k] +
-             c->by_1_minus_share * length_rate_times_d_axial[k] -
-             c->by_1_minus_share * d_rate_times_length_times_sum[k] -
-             c->by_1_minus_share * rate_times_d_length_times_sum[k]);
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_length_rate_2[k]);
-        t->work[k + 1] =
-            series_reciprocal[k + 1] * (d_swing_torque_times_rate[k] + swing_torque_times_d_rate[k]);
+        t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
+            + (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k]
+            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
+            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
+            + c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k]
+            - c->mobility * c->damping * t->length_rate[k] + d->inverse_body_mass * s->axial[k]
+            + c->inverse_body_mass * d_axial[k], d->mobility * (c->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0)) + c->mobility * (d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0))));
+        t->com_vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_total_mass * s->external_fx[k]
+            + c->inverse_total_mass * t->external_fx[k]);
+        t->com_vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_total_mass * s->external_fy[k] + c->inverse_total_mass * t->external_fy[k],
+            -d->gravity));
+        t->momentum[k + 1] = series_reciprocal[k + 1] * (d->mobility * s->swing_torque[k]
+            + c->mobility * d_swing_torque[k] - d->inverse_body_mass * s->length_times_sum[k]
+            - c->inverse_body_mass * d_length_times_sum[k]);
+        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->stiffness_times_extension_rate * s->extension[k]
+            - d->stiffness_times_extension_rate * s->length[k]
+            + c->stiffness_times_extension_rate * t->extension[k]
+            - c->stiffness_times_extension_rate * t->length[k],
+            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
+        t->external_work[k + 1] = series_reciprocal[k + 1] * (external_fx_times_com_vx_2[k]
+            + external_fx_times_com_vx_3[k] + external_fy_times_com_vy_2[k] + external_fy_times_com_vy_3[k]
+            + d->by_1_minus_share * s->length_rate_times_axial[k]
+            - d->by_1_minus_share * s->rate_times_length_times_sum[k]
+            + c->by_1_minus_share * length_rate_times_axial_2[k]
+            + c->by_1_minus_share * length_rate_times_d_axial[k]
+            - c->by_1_minus_share * d_rate_times_length_times_sum[k]
+            - c->by_1_minus_share * rate_times_d_length_times_sum[k]);
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (d_swing_torque_times_rate[k]
+            + swing_torque_times_d_rate[k]);
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
         t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
         t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
@@ -6164,8 +5571,7 @@ static void vary_flight_place_pushed(const real *constants, const real *series, 
 
 /* First variation of power_of_hip. */
 static void d_observed_flight_place_pushed_power_of_hip(const real *constants, const real *series,
-                                                        const real *d_constants, const real *d_series,
-                                                        int order, real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -6179,7 +5585,7 @@ static void d_observed_flight_place_pushed_power_of_hip(const real *constants, c
 
 /* passes_end: The foot is above the next segment. */
 static void guard_flight_place_pushed_passes_end(const real *constants, const real *series, int order,
-                                                 real *g) {
+    real *g) {
     const flight_place_pushed_constants *c = (const void *)constants;
     const flight_place_pushed_series *s = (const void *)series;
     real own_length_times_sine[TERMS];
@@ -6191,7 +5597,7 @@ static void guard_flight_place_pushed_passes_end(const real *constants, const re
 
 /* passes_begin: The foot is above the segment before. */
 static void guard_flight_place_pushed_passes_begin(const real *constants, const real *series, int order,
-                                                   real *g) {
+    real *g) {
     const flight_place_pushed_constants *c = (const void *)constants;
     const flight_place_pushed_series *s = (const void *)series;
     real own_length_times_sine[TERMS];
@@ -6203,7 +5609,7 @@ static void guard_flight_place_pushed_passes_begin(const real *constants, const 
 
 /* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
 static void guard_flight_place_pushed_next_segment_comes(const real *constants, const real *series, int order,
-                                                         real *g) {
+    real *g) {
     (void)constants;
     (void)series;
     for (int k = 0; k < order; ++k) {
@@ -6213,7 +5619,7 @@ static void guard_flight_place_pushed_next_segment_comes(const real *constants, 
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_flight_place_pushed_ramp_ends(const real *constants, const real *series, int order,
-                                                real *g) {
+    real *g) {
     (void)constants;
     const flight_place_pushed_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
@@ -6223,7 +5629,7 @@ static void guard_flight_place_pushed_ramp_ends(const real *constants, const rea
 
 /* new_ground: The foot is above the pending ground line, which comes into force. */
 static void guard_flight_place_pushed_new_ground(const real *constants, const real *series, int order,
-                                                 real *g) {
+    real *g) {
     const flight_place_pushed_constants *c = (const void *)constants;
     const flight_place_pushed_series *s = (const void *)series;
     real own_cos_of_angle_minus_set_slope[TERMS];
@@ -6235,11 +5641,10 @@ static void guard_flight_place_pushed_new_ground(const real *constants, const re
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
         sine_and_cosine_of(k, own_angle_minus_set_slope, own_sin_of_angle_minus_set_slope,
-                           own_cos_of_angle_minus_set_slope);
+            own_cos_of_angle_minus_set_slope);
         own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_set_slope, k);
-        g[k] = with_constant(
-            k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k] + own_product_2[k],
-            c->cos_of_set_slope * c->set_height);
+        g[k] = with_constant(k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k]
+            + own_product_2[k], c->cos_of_set_slope * c->set_height);
     }
 }
 
@@ -6256,17 +5661,16 @@ static void guard_flight_place_pushed_falls(const real *constants, const real *s
         own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-                           own_cos_of_angle_minus_slope);
+            own_cos_of_angle_minus_slope);
         own_product_2[k] = product(own_by_1_minus_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] =
-            with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k] + own_product_2[k],
-                          -(c->cos_of_slope * c->height));
+        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
+            + own_product_2[k], -(c->cos_of_slope * c->height));
     }
 }
 
 /* collapses: The leg is shorter than leg.min_length. */
 static void guard_flight_place_pushed_collapses(const real *constants, const real *series, int order,
-                                                real *g) {
+    real *g) {
     const flight_place_pushed_constants *c = (const void *)constants;
     const flight_place_pushed_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
@@ -6287,7 +5691,7 @@ static void guard_flight_place_pushed_apex(const real *constants, const real *se
 
 /* touchdown: The foot reaches the ground. */
 static void guard_flight_place_pushed_touchdown(const real *constants, const real *series, int order,
-                                                real *g) {
+    real *g) {
     const flight_place_pushed_constants *c = (const void *)constants;
     const flight_place_pushed_series *s = (const void *)series;
     real own_cos_of_angle_minus_slope[TERMS];
@@ -6299,17 +5703,16 @@ static void guard_flight_place_pushed_touchdown(const real *constants, const rea
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-                           own_cos_of_angle_minus_slope);
+            own_cos_of_angle_minus_slope);
         own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] =
-            with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k] - own_product_2[k],
-                          -(c->cos_of_slope * c->height));
+        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
+            - own_product_2[k], -(c->cos_of_slope * c->height));
     }
 }
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_place_pushed_power_of_hip(const real *constants, const real *series, int order,
-                                                   real *g) {
+    real *g) {
     (void)constants;
     const flight_place_pushed_series *s = (const void *)series;
     real own_rate_of_work[TERMS];
@@ -6321,7 +5724,7 @@ static void guard_flight_place_pushed_power_of_hip(const real *constants, const 
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_flight_place_pushed(const real *constants, const real *series, const real *power,
-                                       int order, uint64_t watched, interval *bounds) {
+    int order, uint64_t watched, interval *bounds) {
     const flight_place_pushed_constants *c = (const void *)constants;
     const flight_place_pushed_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
@@ -6456,54 +5859,47 @@ typedef struct {
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
 KERNEL void add_flight_rest_pushed_sums(const flight_rest_pushed_series *s, int i, int j,
-                                        flight_rest_pushed_sums *sum) {
+    flight_rest_pushed_sums *sum) {
     add_products(&sum->square, s->length + i - 1, s->length[j]);
-    add_products(&sum->rate, s->rate + i - 1, s->square[j]);
-    add_products(&sum->rate, s->square + i - 1, s->rate[j]);
+    add_both_products(&sum->rate, s->rate, s->square, i, j);
     add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->length + i - 1, s->rate_times_rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->rate_times_rate + i - 1, s->length[j]);
-    add_products(&sum->length_times_sum, s->length + i - 1, s->sum_2[j]);
-    add_products(&sum->length_times_sum, s->sum_2 + i - 1, s->length[j]);
-    add_products(&sum->length_rate_times_axial, s->length_rate + i - 1, s->axial[j]);
-    add_products(&sum->length_rate_times_axial, s->axial + i - 1, s->length_rate[j]);
-    add_products(&sum->rate_times_length_times_sum, s->rate + i - 1, s->length_times_sum[j]);
-    add_products(&sum->rate_times_length_times_sum, s->length_times_sum + i - 1, s->rate[j]);
+    add_both_products(&sum->length_times_rate_times_rate, s->length, s->rate_times_rate, i, j);
+    add_both_products(&sum->length_times_sum, s->length, s->sum_2, i, j);
+    add_both_products(&sum->length_rate_times_axial, s->length_rate, s->axial, i, j);
+    add_both_products(&sum->rate_times_length_times_sum, s->rate, s->length_times_sum, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_flight_rest_pushed_sums(const flight_rest_pushed_series *s, int i,
-                                          flight_rest_pushed_sums *sum) {
-    sum->square = pair_of(0.5 * (s->length[i] * s->length[i]), broadcast(0.0));
-    sum->rate = pair_of((s->rate[i] * s->square[i]), broadcast(0.0));
-    sum->rate_times_rate = pair_of(0.5 * (s->rate[i] * s->rate[i]), broadcast(0.0));
-    sum->length_times_rate_times_rate = pair_of((s->length[i] * s->rate_times_rate[i]), broadcast(0.0));
-    sum->length_times_sum = pair_of((s->length[i] * s->sum_2[i]), broadcast(0.0));
-    sum->length_rate_times_axial = pair_of((s->length_rate[i] * s->axial[i]), broadcast(0.0));
-    sum->rate_times_length_times_sum = pair_of((s->rate[i] * s->length_times_sum[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
+    flight_rest_pushed_sums *sum) {
+    sum->square = middle_of_square(s->length, i);
+    sum->rate = middle_of_product(s->rate, s->square, i);
+    sum->rate_times_rate = middle_of_square(s->rate, i);
+    sum->length_times_rate_times_rate = middle_of_product(s->length, s->rate_times_rate, i);
+    sum->length_times_sum = middle_of_product(s->length, s->sum_2, i);
+    sum->length_rate_times_axial = middle_of_product(s->length_rate, s->axial, i);
+    sum->rate_times_length_times_sum = middle_of_product(s->rate, s->length_times_sum, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_flight_rest_pushed(const flight_rest_pushed_constants *c,
-                                    const flight_rest_pushed_factors *by, int k,
-                                    const flight_rest_pushed_sums *sum, int odd,
-                                    flight_rest_pushed_series *s) {
+    const flight_rest_pushed_factors *by, int k, const flight_rest_pushed_sums *sum, int odd,
+    flight_rest_pushed_series *s) {
     s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
     s->com_x[k + 1] = s->com_vx[k] * series_reciprocal[k + 1];
     s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
     /* square = length * length */
     s->square[k] = square_of(k, part_of(sum->square, odd), s->length);
     /* rate = momentum / square */
-    s->rate[k] =
-        quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square, by->inverse_square);
+    s->rate[k] = quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square,
+        by->inverse_square);
     /* rate_times_rate = rate * rate */
     s->rate_times_rate[k] = square_of(k, part_of(sum->rate_times_rate, odd), s->rate);
     /* length_times_rate_times_rate = length * rate_times_rate */
-    s->length_times_rate_times_rate[k] =
-        product_of(k, part_of(sum->length_times_rate_times_rate, odd), s->length, s->rate_times_rate);
+    s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
+        s->length, s->rate_times_rate);
     sine_and_cosine_of(k, s->angle, s->sine, s->cosine);
     /* external_fy_times_cosine = external_fy * cosine */
     s->external_fy_times_cosine[k] = drift_times(k, s->external_fy[0], s->external_fy[1], s->cosine);
@@ -6524,39 +5920,33 @@ KERNEL void step_flight_rest_pushed(const flight_rest_pushed_constants *c,
     /* external_fy_times_com_vy = external_fy * com_vy */
     s->external_fy_times_com_vy[k] = drift_times(k, s->external_fy[0], s->external_fy[1], s->com_vy);
     /* length_rate_times_axial = length_rate * axial */
-    s->length_rate_times_axial[k] =
-        product_of(k, part_of(sum->length_rate_times_axial, odd), s->length_rate, s->axial);
+    s->length_rate_times_axial[k] = product_of(k, part_of(sum->length_rate_times_axial, odd), s->length_rate,
+        s->axial);
     /* rate_times_length_times_sum = rate * length_times_sum */
-    s->rate_times_length_times_sum[k] =
-        product_of(k, part_of(sum->rate_times_length_times_sum, odd), s->rate, s->length_times_sum);
+    s->rate_times_length_times_sum[k] = product_of(k, part_of(sum->rate_times_length_times_sum, odd), s->rate,
+        s->length_times_sum);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* power_of_hip = external_torque * rate */
     s->power_of_hip[k] = drift_times(k, s->external_torque[0], s->external_torque[1], s->rate);
     s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
-    s->length_rate[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(k,
-                       s->length_times_rate_times_rate[k] + c->mobility * c->stiffness * s->extension[k] -
-                           c->mobility * c->stiffness * s->length[k] -
-                           c->mobility * c->damping * s->length_rate[k] + 1.0 / c->body_mass * s->axial[k],
-                       c->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0))));
-    s->com_vx[k + 1] = series_reciprocal[k + 1] * (1.0 / c->total_mass * s->external_fx[k]);
-    s->com_vy[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k, 1.0 / c->total_mass * s->external_fy[k], -c->gravity));
-    s->momentum[k + 1] = series_reciprocal[k + 1] *
-                         (c->mobility * s->external_torque[k] - 1.0 / c->body_mass * s->length_times_sum[k]);
-    s->leg_work[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k,
-                                                  c->stiffness_times_extension_rate * s->extension[k] -
-                                                      c->stiffness_times_extension_rate * s->length[k],
-                                                  c->stiffness_times_extension_rate *
-                                                      (c->free_length + c->thrusting_times_longer_or_by_0)));
-    s->external_work[k + 1] =
-        series_reciprocal[k + 1] * (s->external_fx_times_com_vx[k] + s->external_fy_times_com_vy[k] +
-                                    c->by_1_minus_share * s->length_rate_times_axial[k] -
-                                    c->by_1_minus_share * s->rate_times_length_times_sum[k]);
+    s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
+        + c->mobility * c->stiffness * s->extension[k] - c->mobility * c->stiffness * s->length[k]
+        - c->mobility * c->damping * s->length_rate[k] + c->inverse_body_mass * s->axial[k],
+        c->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0))));
+    s->com_vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_total_mass * s->external_fx[k]);
+    s->com_vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_total_mass * s->external_fy[k],
+        -c->gravity));
+    s->momentum[k + 1] = series_reciprocal[k + 1] * (c->mobility * s->external_torque[k]
+        - c->inverse_body_mass * s->length_times_sum[k]);
+    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->stiffness_times_extension_rate * s->extension[k]
+        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
+    s->external_work[k + 1] = series_reciprocal[k + 1] * (s->external_fx_times_com_vx[k]
+        + s->external_fy_times_com_vy[k] + c->by_1_minus_share * s->length_rate_times_axial[k]
+        - c->by_1_minus_share * s->rate_times_length_times_sum[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
 }
@@ -6564,7 +5954,7 @@ KERNEL void step_flight_rest_pushed(const flight_rest_pushed_constants *c,
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
 static void expand_flight_rest_pushed(const real *constants, int order, real *series) {
     const flight_rest_pushed_constants copy = *(const flight_rest_pushed_constants *)(const void *)constants,
-                                       *c = &copy;
+        *c = &copy;
     flight_rest_pushed_series *s = (void *)series;
     static const flight_rest_pushed_sums none;
     flight_rest_pushed_sums sum = none;
@@ -6592,7 +5982,7 @@ static void expand_flight_rest_pushed(const real *constants, int order, real *se
 
 /* First variation of the series. */
 static void vary_flight_rest_pushed(const real *constants, const real *series, const real *d_constants,
-                                    int order, real *varied) {
+    int order, real *varied) {
     const flight_rest_pushed_constants *c = (const void *)constants;
     const flight_rest_pushed_series *s = (const void *)series;
     const flight_rest_pushed_constants *d = (const void *)d_constants;
@@ -6638,29 +6028,29 @@ static void vary_flight_rest_pushed(const real *constants, const real *series, c
         length_times_length[k] = product(s->length, t->length, k);
         d_square[k] = 2.0 * length_times_length[k];
         rate_times_d_square[k] = product(s->rate, d_square, k);
-        d_rate[k] =
-            (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square, k)) / s->square[0];
+        d_rate[k] = (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square,
+            k)) / s->square[0];
         length_times_rate_times_rate_2[k] = product(t->length, s->rate_times_rate, k);
         rate_times_d_rate[k] = product(s->rate, d_rate, k);
         d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
         length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
         external_fy_times_cosine_2[k] = product(t->external_fy, s->cosine, k);
         sine_times_angle[k] = product(s->sine, t->angle, k);
-        external_fy_times_sine_times_angle[k] =
-            drift_times(k, s->external_fy[0], s->external_fy[1], sine_times_angle);
+        external_fy_times_sine_times_angle[k] = drift_times(k, s->external_fy[0], s->external_fy[1],
+            sine_times_angle);
         external_fx_times_sine_2[k] = product(t->external_fx, s->sine, k);
         d_sine[k] = product(s->cosine, t->angle, k);
         external_fx_times_d_sine[k] = drift_times(k, s->external_fx[0], s->external_fx[1], d_sine);
-        d_axial[k] = external_fy_times_cosine_2[k] - external_fy_times_sine_times_angle[k] -
-                     external_fx_times_sine_2[k] - external_fx_times_d_sine[k];
+        d_axial[k] = external_fy_times_cosine_2[k] - external_fy_times_sine_times_angle[k]
+            - external_fx_times_sine_2[k] - external_fx_times_d_sine[k];
         length_times_sum_2[k] = product(t->length, s->sum_2, k);
         external_fx_times_cosine_2[k] = product(t->external_fx, s->cosine, k);
-        external_fx_times_sine_times_angle[k] =
-            drift_times(k, s->external_fx[0], s->external_fx[1], sine_times_angle);
+        external_fx_times_sine_times_angle[k] = drift_times(k, s->external_fx[0], s->external_fx[1],
+            sine_times_angle);
         external_fy_times_sine_2[k] = product(t->external_fy, s->sine, k);
         external_fy_times_d_sine[k] = drift_times(k, s->external_fy[0], s->external_fy[1], d_sine);
-        d_sum_2[k] = external_fx_times_cosine_2[k] - external_fx_times_sine_times_angle[k] +
-                     external_fy_times_sine_2[k] + external_fy_times_d_sine[k];
+        d_sum_2[k] = external_fx_times_cosine_2[k] - external_fx_times_sine_times_angle[k]
+            + external_fy_times_sine_2[k] + external_fy_times_d_sine[k];
         length_times_d_sum_2[k] = product(s->length, d_sum_2, k);
         d_length_times_sum[k] = length_times_sum_2[k] + length_times_d_sum_2[k];
         external_fx_times_com_vx_2[k] = product(t->external_fx, s->com_vx, k);
@@ -6673,60 +6063,47 @@ static void vary_flight_rest_pushed(const real *constants, const real *series, c
         rate_times_d_length_times_sum[k] = product(s->rate, d_length_times_sum, k);
         length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
         external_torque_times_rate[k] = product(t->external_torque, s->rate, k);
-        external_torque_times_d_rate[k] =
-            drift_times(k, s->external_torque[0], s->external_torque[1], d_rate);
+        external_torque_times_d_rate[k] = drift_times(k, s->external_torque[0], s->external_torque[1],
+            d_rate);
         t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
-        t->length_rate[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k] +
-                    (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k] +
-                    (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k] +
-                    (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k] +
-                    c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k] -
-                    c->mobility * c->damping * t->length_rate[k] + 1.0 / c->body_mass * d_axial[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->axial[k],
-                d->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)) +
-                    c->mobility * (d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                   c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0))));
-        t->com_vx[k + 1] = series_reciprocal[k + 1] *
-                           (1.0 / c->total_mass * t->external_fx[k] -
-                            d->total_mass * (1.0 / c->total_mass) / c->total_mass * s->external_fx[k]);
-        t->com_vy[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(k,
-                           1.0 / c->total_mass * t->external_fy[k] -
-                               d->total_mass * (1.0 / c->total_mass) / c->total_mass * s->external_fy[k],
-                           -d->gravity));
-        t->momentum[k + 1] = series_reciprocal[k + 1] *
-                             (d->mobility * s->external_torque[k] + c->mobility * t->external_torque[k] -
-                              1.0 / c->body_mass * d_length_times_sum[k] +
-                              d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->length_times_sum[k]);
-        t->leg_work[k + 1] = series_reciprocal[k + 1] *
-                             (with_constant(k,
-                                            d->stiffness_times_extension_rate * s->extension[k] -
-                                                d->stiffness_times_extension_rate * s->length[k] +
-                                                c->stiffness_times_extension_rate * t->extension[k] -
-                                                c->stiffness_times_extension_rate * t->length[k],
-                                            d->stiffness_times_extension_rate *
-                                                    (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                                c->stiffness_times_extension_rate *
-                                                    (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->external_work[k + 1] =
-            series_reciprocal[k + 1] *
-            (external_fx_times_com_vx_2[k] + external_fx_times_com_vx_3[k] + external_fy_times_com_vy_2[k] +
-             external_fy_times_com_vy_3[k] + d->by_1_minus_share * s->length_rate_times_axial[k] -
-             d->by_1_minus_share * s->rate_times_length_times_sum[k] +
-             c->by_1_minus_share * length_rate_times_axial_2[k] +
-             c->by_1_minus_share * length_rate_times_d_axial[k] -
-             c->by_1_minus_share * d_rate_times_length_times_sum[k] -
-             c->by_1_minus_share * rate_times_d_length_times_sum[k]);
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_length_rate_2[k]);
-        t->work[k + 1] =
-            series_reciprocal[k + 1] * (external_torque_times_rate[k] + external_torque_times_d_rate[k]);
+        t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
+            + (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k]
+            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
+            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
+            + c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k]
+            - c->mobility * c->damping * t->length_rate[k] + d->inverse_body_mass * s->axial[k]
+            + c->inverse_body_mass * d_axial[k], d->mobility * (c->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0)) + c->mobility * (d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0))));
+        t->com_vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_total_mass * s->external_fx[k]
+            + c->inverse_total_mass * t->external_fx[k]);
+        t->com_vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_total_mass * s->external_fy[k] + c->inverse_total_mass * t->external_fy[k],
+            -d->gravity));
+        t->momentum[k + 1] = series_reciprocal[k + 1] * (d->mobility * s->external_torque[k]
+            + c->mobility * t->external_torque[k] - d->inverse_body_mass * s->length_times_sum[k]
+            - c->inverse_body_mass * d_length_times_sum[k]);
+        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->stiffness_times_extension_rate * s->extension[k]
+            - d->stiffness_times_extension_rate * s->length[k]
+            + c->stiffness_times_extension_rate * t->extension[k]
+            - c->stiffness_times_extension_rate * t->length[k],
+            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
+        t->external_work[k + 1] = series_reciprocal[k + 1] * (external_fx_times_com_vx_2[k]
+            + external_fx_times_com_vx_3[k] + external_fy_times_com_vy_2[k] + external_fy_times_com_vy_3[k]
+            + d->by_1_minus_share * s->length_rate_times_axial[k]
+            - d->by_1_minus_share * s->rate_times_length_times_sum[k]
+            + c->by_1_minus_share * length_rate_times_axial_2[k]
+            + c->by_1_minus_share * length_rate_times_d_axial[k]
+            - c->by_1_minus_share * d_rate_times_length_times_sum[k]
+            - c->by_1_minus_share * rate_times_d_length_times_sum[k]);
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (external_torque_times_rate[k]
+            + external_torque_times_d_rate[k]);
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
         t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
         t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
@@ -6738,8 +6115,7 @@ static void vary_flight_rest_pushed(const real *constants, const real *series, c
 
 /* First variation of power_of_hip. */
 static void d_observed_flight_rest_pushed_power_of_hip(const real *constants, const real *series,
-                                                       const real *d_constants, const real *d_series,
-                                                       int order, real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -6753,7 +6129,7 @@ static void d_observed_flight_rest_pushed_power_of_hip(const real *constants, co
 
 /* passes_end: The foot is above the next segment. */
 static void guard_flight_rest_pushed_passes_end(const real *constants, const real *series, int order,
-                                                real *g) {
+    real *g) {
     const flight_rest_pushed_constants *c = (const void *)constants;
     const flight_rest_pushed_series *s = (const void *)series;
     real own_length_times_sine[TERMS];
@@ -6765,7 +6141,7 @@ static void guard_flight_rest_pushed_passes_end(const real *constants, const rea
 
 /* passes_begin: The foot is above the segment before. */
 static void guard_flight_rest_pushed_passes_begin(const real *constants, const real *series, int order,
-                                                  real *g) {
+    real *g) {
     const flight_rest_pushed_constants *c = (const void *)constants;
     const flight_rest_pushed_series *s = (const void *)series;
     real own_length_times_sine[TERMS];
@@ -6777,7 +6153,7 @@ static void guard_flight_rest_pushed_passes_begin(const real *constants, const r
 
 /* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
 static void guard_flight_rest_pushed_next_segment_comes(const real *constants, const real *series, int order,
-                                                        real *g) {
+    real *g) {
     (void)constants;
     (void)series;
     for (int k = 0; k < order; ++k) {
@@ -6787,7 +6163,7 @@ static void guard_flight_rest_pushed_next_segment_comes(const real *constants, c
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_flight_rest_pushed_ramp_ends(const real *constants, const real *series, int order,
-                                               real *g) {
+    real *g) {
     (void)constants;
     const flight_rest_pushed_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
@@ -6797,7 +6173,7 @@ static void guard_flight_rest_pushed_ramp_ends(const real *constants, const real
 
 /* new_ground: The foot is above the pending ground line, which comes into force. */
 static void guard_flight_rest_pushed_new_ground(const real *constants, const real *series, int order,
-                                                real *g) {
+    real *g) {
     const flight_rest_pushed_constants *c = (const void *)constants;
     const flight_rest_pushed_series *s = (const void *)series;
     real own_cos_of_angle_minus_set_slope[TERMS];
@@ -6809,11 +6185,10 @@ static void guard_flight_rest_pushed_new_ground(const real *constants, const rea
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
         sine_and_cosine_of(k, own_angle_minus_set_slope, own_sin_of_angle_minus_set_slope,
-                           own_cos_of_angle_minus_set_slope);
+            own_cos_of_angle_minus_set_slope);
         own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_set_slope, k);
-        g[k] = with_constant(
-            k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k] + own_product_2[k],
-            c->cos_of_set_slope * c->set_height);
+        g[k] = with_constant(k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k]
+            + own_product_2[k], c->cos_of_set_slope * c->set_height);
     }
 }
 
@@ -6830,17 +6205,16 @@ static void guard_flight_rest_pushed_falls(const real *constants, const real *se
         own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-                           own_cos_of_angle_minus_slope);
+            own_cos_of_angle_minus_slope);
         own_product_2[k] = product(own_by_1_minus_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] =
-            with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k] + own_product_2[k],
-                          -(c->cos_of_slope * c->height));
+        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
+            + own_product_2[k], -(c->cos_of_slope * c->height));
     }
 }
 
 /* collapses: The leg is shorter than leg.min_length. */
 static void guard_flight_rest_pushed_collapses(const real *constants, const real *series, int order,
-                                               real *g) {
+    real *g) {
     const flight_rest_pushed_constants *c = (const void *)constants;
     const flight_rest_pushed_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
@@ -6861,7 +6235,7 @@ static void guard_flight_rest_pushed_apex(const real *constants, const real *ser
 
 /* touchdown: The foot reaches the ground. */
 static void guard_flight_rest_pushed_touchdown(const real *constants, const real *series, int order,
-                                               real *g) {
+    real *g) {
     const flight_rest_pushed_constants *c = (const void *)constants;
     const flight_rest_pushed_series *s = (const void *)series;
     real own_cos_of_angle_minus_slope[TERMS];
@@ -6873,11 +6247,10 @@ static void guard_flight_rest_pushed_touchdown(const real *constants, const real
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-                           own_cos_of_angle_minus_slope);
+            own_cos_of_angle_minus_slope);
         own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] =
-            with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k] - own_product_2[k],
-                          -(c->cos_of_slope * c->height));
+        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
+            - own_product_2[k], -(c->cos_of_slope * c->height));
     }
 }
 
@@ -6887,13 +6260,13 @@ static void guard_flight_rest_pushed_release(const real *constants, const real *
     const flight_rest_pushed_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, c->kp * s->angle[k] + c->kd * s->rate[k],
-                             -(c->kp * c->liftoff_factor_times_liftoff_angle));
+            -(c->kp * c->liftoff_factor_times_liftoff_angle));
     }
 }
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_rest_pushed_power_of_hip(const real *constants, const real *series, int order,
-                                                  real *g) {
+    real *g) {
     (void)constants;
     const flight_rest_pushed_series *s = (const void *)series;
     real own_rate_of_work[TERMS];
@@ -6905,7 +6278,7 @@ static void guard_flight_rest_pushed_power_of_hip(const real *constants, const r
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_flight_rest_pushed(const real *constants, const real *series, const real *power, int order,
-                                      uint64_t watched, interval *bounds) {
+    uint64_t watched, interval *bounds) {
     const flight_rest_pushed_constants *c = (const void *)constants;
     const flight_rest_pushed_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
@@ -6936,8 +6309,8 @@ static void bounds_flight_rest_pushed(const real *constants, const real *series,
     bounds[8] = span_21;
     const interval span_22 = interval_at(c->kp, c->kp);
     const interval span_23 = interval_of_series(s->angle, power, order);
-    const interval span_24 =
-        interval_at(c->liftoff_factor_times_liftoff_angle, c->liftoff_factor_times_liftoff_angle);
+    const interval span_24 = interval_at(c->liftoff_factor_times_liftoff_angle,
+        c->liftoff_factor_times_liftoff_angle);
     const interval span_25 = interval_difference(span_23, span_24);
     const interval span_26 = interval_product(span_22, span_25);
     const interval span_27 = interval_at(-span_26.high, -span_26.low);
@@ -7055,57 +6428,49 @@ typedef struct {
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
 KERNEL void add_flight_retract_pushed_sums(const flight_retract_pushed_series *s, int i, int j,
-                                           flight_retract_pushed_sums *sum) {
+    flight_retract_pushed_sums *sum) {
     add_products(&sum->square, s->length + i - 1, s->length[j]);
-    add_products(&sum->rate, s->rate + i - 1, s->square[j]);
-    add_products(&sum->rate, s->square + i - 1, s->rate[j]);
+    add_both_products(&sum->rate, s->rate, s->square, i, j);
     add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->length + i - 1, s->rate_times_rate[j]);
-    add_products(&sum->length_times_rate_times_rate, s->rate_times_rate + i - 1, s->length[j]);
-    add_products(&sum->length_times_sum, s->length + i - 1, s->sum_2[j]);
-    add_products(&sum->length_times_sum, s->sum_2 + i - 1, s->length[j]);
-    add_products(&sum->length_rate_times_axial, s->length_rate + i - 1, s->axial[j]);
-    add_products(&sum->length_rate_times_axial, s->axial + i - 1, s->length_rate[j]);
-    add_products(&sum->rate_times_length_times_sum, s->rate + i - 1, s->length_times_sum[j]);
-    add_products(&sum->rate_times_length_times_sum, s->length_times_sum + i - 1, s->rate[j]);
+    add_both_products(&sum->length_times_rate_times_rate, s->length, s->rate_times_rate, i, j);
+    add_both_products(&sum->length_times_sum, s->length, s->sum_2, i, j);
+    add_both_products(&sum->length_rate_times_axial, s->length_rate, s->axial, i, j);
+    add_both_products(&sum->rate_times_length_times_sum, s->rate, s->length_times_sum, i, j);
     add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_products(&sum->power_of_hip, s->swing_torque + i - 1, s->rate[j]);
-    add_products(&sum->power_of_hip, s->rate + i - 1, s->swing_torque[j]);
+    add_both_products(&sum->power_of_hip, s->swing_torque, s->rate, i, j);
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
 KERNEL void begin_flight_retract_pushed_sums(const flight_retract_pushed_series *s, int i,
-                                             flight_retract_pushed_sums *sum) {
-    sum->square = pair_of(0.5 * (s->length[i] * s->length[i]), broadcast(0.0));
-    sum->rate = pair_of((s->rate[i] * s->square[i]), broadcast(0.0));
-    sum->rate_times_rate = pair_of(0.5 * (s->rate[i] * s->rate[i]), broadcast(0.0));
-    sum->length_times_rate_times_rate = pair_of((s->length[i] * s->rate_times_rate[i]), broadcast(0.0));
-    sum->length_times_sum = pair_of((s->length[i] * s->sum_2[i]), broadcast(0.0));
-    sum->length_rate_times_axial = pair_of((s->length_rate[i] * s->axial[i]), broadcast(0.0));
-    sum->rate_times_length_times_sum = pair_of((s->rate[i] * s->length_times_sum[i]), broadcast(0.0));
-    sum->length_rate_times_length_rate =
-        pair_of(0.5 * (s->length_rate[i] * s->length_rate[i]), broadcast(0.0));
-    sum->power_of_hip = pair_of((s->swing_torque[i] * s->rate[i]), broadcast(0.0));
+    flight_retract_pushed_sums *sum) {
+    sum->square = middle_of_square(s->length, i);
+    sum->rate = middle_of_product(s->rate, s->square, i);
+    sum->rate_times_rate = middle_of_square(s->rate, i);
+    sum->length_times_rate_times_rate = middle_of_product(s->length, s->rate_times_rate, i);
+    sum->length_times_sum = middle_of_product(s->length, s->sum_2, i);
+    sum->length_rate_times_axial = middle_of_product(s->length_rate, s->axial, i);
+    sum->rate_times_length_times_sum = middle_of_product(s->rate, s->length_times_sum, i);
+    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
+    sum->power_of_hip = middle_of_product(s->swing_torque, s->rate, i);
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_flight_retract_pushed(const flight_retract_pushed_constants *c,
-                                       const flight_retract_pushed_factors *by, int k,
-                                       const flight_retract_pushed_sums *sum, int odd,
-                                       flight_retract_pushed_series *s) {
+    const flight_retract_pushed_factors *by, int k, const flight_retract_pushed_sums *sum, int odd,
+    flight_retract_pushed_series *s) {
     s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
     s->com_x[k + 1] = s->com_vx[k] * series_reciprocal[k + 1];
     s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
     /* square = length * length */
     s->square[k] = square_of(k, part_of(sum->square, odd), s->length);
     /* rate = momentum / square */
-    s->rate[k] =
-        quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square, by->inverse_square);
+    s->rate[k] = quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square,
+        by->inverse_square);
     /* rate_times_rate = rate * rate */
     s->rate_times_rate[k] = square_of(k, part_of(sum->rate_times_rate, odd), s->rate);
     /* length_times_rate_times_rate = length * rate_times_rate */
-    s->length_times_rate_times_rate[k] =
-        product_of(k, part_of(sum->length_times_rate_times_rate, odd), s->length, s->rate_times_rate);
+    s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
+        s->length, s->rate_times_rate);
     sine_and_cosine_of(k, s->angle, s->sine, s->cosine);
     /* external_fy_times_cosine = external_fy * cosine */
     s->external_fy_times_cosine[k] = drift_times(k, s->external_fy[0], s->external_fy[1], s->cosine);
@@ -7116,7 +6481,7 @@ KERNEL void step_flight_retract_pushed(const flight_retract_pushed_constants *c,
     /* swing_torque = external_torque + (-(c->kp * (angle - c->liftoff_factor_times_liftoff_angle)) - c->kd *
      * rate) */
     s->swing_torque[k] = with_constant(k, s->external_torque[k] - c->kp * s->angle[k] - c->kd * s->rate[k],
-                                       c->kp * c->liftoff_factor_times_liftoff_angle);
+        c->kp * c->liftoff_factor_times_liftoff_angle);
     /* external_fx_times_cosine = external_fx * cosine */
     s->external_fx_times_cosine[k] = drift_times(k, s->external_fx[0], s->external_fx[1], s->cosine);
     /* external_fy_times_sine = external_fy * sine */
@@ -7130,48 +6495,41 @@ KERNEL void step_flight_retract_pushed(const flight_retract_pushed_constants *c,
     /* external_fy_times_com_vy = external_fy * com_vy */
     s->external_fy_times_com_vy[k] = drift_times(k, s->external_fy[0], s->external_fy[1], s->com_vy);
     /* length_rate_times_axial = length_rate * axial */
-    s->length_rate_times_axial[k] =
-        product_of(k, part_of(sum->length_rate_times_axial, odd), s->length_rate, s->axial);
+    s->length_rate_times_axial[k] = product_of(k, part_of(sum->length_rate_times_axial, odd), s->length_rate,
+        s->axial);
     /* rate_times_length_times_sum = rate * length_times_sum */
-    s->rate_times_length_times_sum[k] =
-        product_of(k, part_of(sum->rate_times_length_times_sum, odd), s->rate, s->length_times_sum);
+    s->rate_times_length_times_sum[k] = product_of(k, part_of(sum->rate_times_length_times_sum, odd), s->rate,
+        s->length_times_sum);
     /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] =
-        square_of(k, part_of(sum->length_rate_times_length_rate, odd), s->length_rate);
+    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
+        s->length_rate);
     /* power_of_hip = swing_torque * rate */
     s->power_of_hip[k] = product_of(k, part_of(sum->power_of_hip, odd), s->swing_torque, s->rate);
     s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
-    s->length_rate[k + 1] =
-        series_reciprocal[k + 1] *
-        (with_constant(k,
-                       s->length_times_rate_times_rate[k] + c->mobility * c->stiffness * s->extension[k] -
-                           c->mobility * c->stiffness * s->length[k] -
-                           c->mobility * c->damping * s->length_rate[k] + 1.0 / c->body_mass * s->axial[k],
-                       c->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0))));
-    s->com_vx[k + 1] = series_reciprocal[k + 1] * (1.0 / c->total_mass * s->external_fx[k]);
-    s->com_vy[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k, 1.0 / c->total_mass * s->external_fy[k], -c->gravity));
-    s->momentum[k + 1] = series_reciprocal[k + 1] *
-                         (c->mobility * s->swing_torque[k] - 1.0 / c->body_mass * s->length_times_sum[k]);
-    s->leg_work[k + 1] =
-        series_reciprocal[k + 1] * (with_constant(k,
-                                                  c->stiffness_times_extension_rate * s->extension[k] -
-                                                      c->stiffness_times_extension_rate * s->length[k],
-                                                  c->stiffness_times_extension_rate *
-                                                      (c->free_length + c->thrusting_times_longer_or_by_0)));
-    s->external_work[k + 1] =
-        series_reciprocal[k + 1] * (s->external_fx_times_com_vx[k] + s->external_fy_times_com_vy[k] +
-                                    c->by_1_minus_share * s->length_rate_times_axial[k] -
-                                    c->by_1_minus_share * s->rate_times_length_times_sum[k]);
+    s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
+        + c->mobility * c->stiffness * s->extension[k] - c->mobility * c->stiffness * s->length[k]
+        - c->mobility * c->damping * s->length_rate[k] + c->inverse_body_mass * s->axial[k],
+        c->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0))));
+    s->com_vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_total_mass * s->external_fx[k]);
+    s->com_vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_total_mass * s->external_fy[k],
+        -c->gravity));
+    s->momentum[k + 1] = series_reciprocal[k + 1] * (c->mobility * s->swing_torque[k]
+        - c->inverse_body_mass * s->length_times_sum[k]);
+    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+        c->stiffness_times_extension_rate * s->extension[k]
+        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
+    s->external_work[k + 1] = series_reciprocal[k + 1] * (s->external_fx_times_com_vx[k]
+        + s->external_fy_times_com_vy[k] + c->by_1_minus_share * s->length_rate_times_axial[k]
+        - c->by_1_minus_share * s->rate_times_length_times_sum[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
 static void expand_flight_retract_pushed(const real *constants, int order, real *series) {
-    const flight_retract_pushed_constants copy = *(
-                                              const flight_retract_pushed_constants *)(const void *)constants,
-                                          *c = &copy;
+    const flight_retract_pushed_constants copy = *(const flight_retract_pushed_constants *)(const void
+        *)constants, *c = &copy;
     flight_retract_pushed_series *s = (void *)series;
     static const flight_retract_pushed_sums none;
     flight_retract_pushed_sums sum = none;
@@ -7199,7 +6557,7 @@ static void expand_flight_retract_pushed(const real *constants, int order, real 
 
 /* First variation of the series. */
 static void vary_flight_retract_pushed(const real *constants, const real *series, const real *d_constants,
-                                       int order, real *varied) {
+    int order, real *varied) {
     const flight_retract_pushed_constants *c = (const void *)constants;
     const flight_retract_pushed_series *s = (const void *)series;
     const flight_retract_pushed_constants *d = (const void *)d_constants;
@@ -7246,34 +6604,33 @@ static void vary_flight_retract_pushed(const real *constants, const real *series
         length_times_length[k] = product(s->length, t->length, k);
         d_square[k] = 2.0 * length_times_length[k];
         rate_times_d_square[k] = product(s->rate, d_square, k);
-        d_rate[k] =
-            (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square, k)) / s->square[0];
+        d_rate[k] = (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square,
+            k)) / s->square[0];
         length_times_rate_times_rate_2[k] = product(t->length, s->rate_times_rate, k);
         rate_times_d_rate[k] = product(s->rate, d_rate, k);
         d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
         length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
         external_fy_times_cosine_2[k] = product(t->external_fy, s->cosine, k);
         sine_times_angle[k] = product(s->sine, t->angle, k);
-        external_fy_times_sine_times_angle[k] =
-            drift_times(k, s->external_fy[0], s->external_fy[1], sine_times_angle);
+        external_fy_times_sine_times_angle[k] = drift_times(k, s->external_fy[0], s->external_fy[1],
+            sine_times_angle);
         external_fx_times_sine_2[k] = product(t->external_fx, s->sine, k);
         d_sine[k] = product(s->cosine, t->angle, k);
         external_fx_times_d_sine[k] = drift_times(k, s->external_fx[0], s->external_fx[1], d_sine);
-        d_axial[k] = external_fy_times_cosine_2[k] - external_fy_times_sine_times_angle[k] -
-                     external_fx_times_sine_2[k] - external_fx_times_d_sine[k];
-        d_swing_torque[k] = with_constant(k,
-                                          t->external_torque[k] - d->kp * s->angle[k] - c->kp * t->angle[k] -
-                                              d->kd * s->rate[k] - c->kd * d_rate[k],
-                                          -(-(d->kp * c->liftoff_factor_times_liftoff_angle) -
-                                            c->kp * d->liftoff_factor_times_liftoff_angle));
+        d_axial[k] = external_fy_times_cosine_2[k] - external_fy_times_sine_times_angle[k]
+            - external_fx_times_sine_2[k] - external_fx_times_d_sine[k];
+        d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->kp * s->angle[k]
+            - c->kp * t->angle[k] - d->kd * s->rate[k] - c->kd * d_rate[k],
+            -(-(d->kp * c->liftoff_factor_times_liftoff_angle)
+            - c->kp * d->liftoff_factor_times_liftoff_angle));
         length_times_sum_2[k] = product(t->length, s->sum_2, k);
         external_fx_times_cosine_2[k] = product(t->external_fx, s->cosine, k);
-        external_fx_times_sine_times_angle[k] =
-            drift_times(k, s->external_fx[0], s->external_fx[1], sine_times_angle);
+        external_fx_times_sine_times_angle[k] = drift_times(k, s->external_fx[0], s->external_fx[1],
+            sine_times_angle);
         external_fy_times_sine_2[k] = product(t->external_fy, s->sine, k);
         external_fy_times_d_sine[k] = drift_times(k, s->external_fy[0], s->external_fy[1], d_sine);
-        d_sum_2[k] = external_fx_times_cosine_2[k] - external_fx_times_sine_times_angle[k] +
-                     external_fy_times_sine_2[k] + external_fy_times_d_sine[k];
+        d_sum_2[k] = external_fx_times_cosine_2[k] - external_fx_times_sine_times_angle[k]
+            + external_fy_times_sine_2[k] + external_fy_times_d_sine[k];
         length_times_d_sum_2[k] = product(s->length, d_sum_2, k);
         d_length_times_sum[k] = length_times_sum_2[k] + length_times_d_sum_2[k];
         external_fx_times_com_vx_2[k] = product(t->external_fx, s->com_vx, k);
@@ -7288,57 +6645,44 @@ static void vary_flight_retract_pushed(const real *constants, const real *series
         d_swing_torque_times_rate[k] = product(d_swing_torque, s->rate, k);
         swing_torque_times_d_rate[k] = product(s->swing_torque, d_rate, k);
         t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
-        t->length_rate[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(
-                k,
-                length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k] +
-                    (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k] +
-                    (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k] +
-                    (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k] +
-                    c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k] -
-                    c->mobility * c->damping * t->length_rate[k] + 1.0 / c->body_mass * d_axial[k] -
-                    d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->axial[k],
-                d->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)) +
-                    c->mobility * (d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                   c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0))));
-        t->com_vx[k + 1] = series_reciprocal[k + 1] *
-                           (1.0 / c->total_mass * t->external_fx[k] -
-                            d->total_mass * (1.0 / c->total_mass) / c->total_mass * s->external_fx[k]);
-        t->com_vy[k + 1] =
-            series_reciprocal[k + 1] *
-            (with_constant(k,
-                           1.0 / c->total_mass * t->external_fy[k] -
-                               d->total_mass * (1.0 / c->total_mass) / c->total_mass * s->external_fy[k],
-                           -d->gravity));
-        t->momentum[k + 1] = series_reciprocal[k + 1] *
-                             (d->mobility * s->swing_torque[k] + c->mobility * d_swing_torque[k] -
-                              1.0 / c->body_mass * d_length_times_sum[k] +
-                              d->body_mass * (1.0 / c->body_mass) / c->body_mass * s->length_times_sum[k]);
-        t->leg_work[k + 1] = series_reciprocal[k + 1] *
-                             (with_constant(k,
-                                            d->stiffness_times_extension_rate * s->extension[k] -
-                                                d->stiffness_times_extension_rate * s->length[k] +
-                                                c->stiffness_times_extension_rate * t->extension[k] -
-                                                c->stiffness_times_extension_rate * t->length[k],
-                                            d->stiffness_times_extension_rate *
-                                                    (c->free_length + c->thrusting_times_longer_or_by_0) +
-                                                c->stiffness_times_extension_rate *
-                                                    (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->external_work[k + 1] =
-            series_reciprocal[k + 1] *
-            (external_fx_times_com_vx_2[k] + external_fx_times_com_vx_3[k] + external_fy_times_com_vy_2[k] +
-             external_fy_times_com_vy_3[k] + d->by_1_minus_share * s->length_rate_times_axial[k] -
-             d->by_1_minus_share * s->rate_times_length_times_sum[k] +
-             c->by_1_minus_share * length_rate_times_axial_2[k] +
-             c->by_1_minus_share * length_rate_times_d_axial[k] -
-             c->by_1_minus_share * d_rate_times_length_times_sum[k] -
-             c->by_1_minus_share * rate_times_d_length_times_sum[k]);
-        t->damper_loss[k + 1] =
-            series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k] +
-                                        2.0 * c->damping * length_rate_times_length_rate_2[k]);
-        t->work[k + 1] =
-            series_reciprocal[k + 1] * (d_swing_torque_times_rate[k] + swing_torque_times_d_rate[k]);
+        t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
+            + (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k]
+            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
+            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
+            + c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k]
+            - c->mobility * c->damping * t->length_rate[k] + d->inverse_body_mass * s->axial[k]
+            + c->inverse_body_mass * d_axial[k], d->mobility * (c->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0)) + c->mobility * (d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0))));
+        t->com_vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_total_mass * s->external_fx[k]
+            + c->inverse_total_mass * t->external_fx[k]);
+        t->com_vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_total_mass * s->external_fy[k] + c->inverse_total_mass * t->external_fy[k],
+            -d->gravity));
+        t->momentum[k + 1] = series_reciprocal[k + 1] * (d->mobility * s->swing_torque[k]
+            + c->mobility * d_swing_torque[k] - d->inverse_body_mass * s->length_times_sum[k]
+            - c->inverse_body_mass * d_length_times_sum[k]);
+        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->stiffness_times_extension_rate * s->extension[k]
+            - d->stiffness_times_extension_rate * s->length[k]
+            + c->stiffness_times_extension_rate * t->extension[k]
+            - c->stiffness_times_extension_rate * t->length[k],
+            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
+        t->external_work[k + 1] = series_reciprocal[k + 1] * (external_fx_times_com_vx_2[k]
+            + external_fx_times_com_vx_3[k] + external_fy_times_com_vy_2[k] + external_fy_times_com_vy_3[k]
+            + d->by_1_minus_share * s->length_rate_times_axial[k]
+            - d->by_1_minus_share * s->rate_times_length_times_sum[k]
+            + c->by_1_minus_share * length_rate_times_axial_2[k]
+            + c->by_1_minus_share * length_rate_times_d_axial[k]
+            - c->by_1_minus_share * d_rate_times_length_times_sum[k]
+            - c->by_1_minus_share * rate_times_d_length_times_sum[k]);
+        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
+            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
+        t->work[k + 1] = series_reciprocal[k + 1] * (d_swing_torque_times_rate[k]
+            + swing_torque_times_d_rate[k]);
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
         t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
         t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
@@ -7350,8 +6694,7 @@ static void vary_flight_retract_pushed(const real *constants, const real *series
 
 /* First variation of power_of_hip. */
 static void d_observed_flight_retract_pushed_power_of_hip(const real *constants, const real *series,
-                                                          const real *d_constants, const real *d_series,
-                                                          int order, real *dg) {
+    const real *d_constants, const real *d_series, int order, real *dg) {
     (void)constants;
     (void)series;
     (void)d_constants;
@@ -7365,7 +6708,7 @@ static void d_observed_flight_retract_pushed_power_of_hip(const real *constants,
 
 /* passes_end: The foot is above the next segment. */
 static void guard_flight_retract_pushed_passes_end(const real *constants, const real *series, int order,
-                                                   real *g) {
+    real *g) {
     const flight_retract_pushed_constants *c = (const void *)constants;
     const flight_retract_pushed_series *s = (const void *)series;
     real own_length_times_sine[TERMS];
@@ -7377,7 +6720,7 @@ static void guard_flight_retract_pushed_passes_end(const real *constants, const 
 
 /* passes_begin: The foot is above the segment before. */
 static void guard_flight_retract_pushed_passes_begin(const real *constants, const real *series, int order,
-                                                     real *g) {
+    real *g) {
     const flight_retract_pushed_constants *c = (const void *)constants;
     const flight_retract_pushed_series *s = (const void *)series;
     real own_length_times_sine[TERMS];
@@ -7389,7 +6732,7 @@ static void guard_flight_retract_pushed_passes_begin(const real *constants, cons
 
 /* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
 static void guard_flight_retract_pushed_next_segment_comes(const real *constants, const real *series,
-                                                           int order, real *g) {
+    int order, real *g) {
     (void)constants;
     (void)series;
     for (int k = 0; k < order; ++k) {
@@ -7399,7 +6742,7 @@ static void guard_flight_retract_pushed_next_segment_comes(const real *constants
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_flight_retract_pushed_ramp_ends(const real *constants, const real *series, int order,
-                                                  real *g) {
+    real *g) {
     (void)constants;
     const flight_retract_pushed_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
@@ -7409,7 +6752,7 @@ static void guard_flight_retract_pushed_ramp_ends(const real *constants, const r
 
 /* new_ground: The foot is above the pending ground line, which comes into force. */
 static void guard_flight_retract_pushed_new_ground(const real *constants, const real *series, int order,
-                                                   real *g) {
+    real *g) {
     const flight_retract_pushed_constants *c = (const void *)constants;
     const flight_retract_pushed_series *s = (const void *)series;
     real own_cos_of_angle_minus_set_slope[TERMS];
@@ -7421,11 +6764,10 @@ static void guard_flight_retract_pushed_new_ground(const real *constants, const 
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
         sine_and_cosine_of(k, own_angle_minus_set_slope, own_sin_of_angle_minus_set_slope,
-                           own_cos_of_angle_minus_set_slope);
+            own_cos_of_angle_minus_set_slope);
         own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_set_slope, k);
-        g[k] = with_constant(
-            k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k] + own_product_2[k],
-            c->cos_of_set_slope * c->set_height);
+        g[k] = with_constant(k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k]
+            + own_product_2[k], c->cos_of_set_slope * c->set_height);
     }
 }
 
@@ -7442,17 +6784,16 @@ static void guard_flight_retract_pushed_falls(const real *constants, const real 
         own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-                           own_cos_of_angle_minus_slope);
+            own_cos_of_angle_minus_slope);
         own_product_2[k] = product(own_by_1_minus_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] =
-            with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k] + own_product_2[k],
-                          -(c->cos_of_slope * c->height));
+        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
+            + own_product_2[k], -(c->cos_of_slope * c->height));
     }
 }
 
 /* collapses: The leg is shorter than leg.min_length. */
 static void guard_flight_retract_pushed_collapses(const real *constants, const real *series, int order,
-                                                  real *g) {
+    real *g) {
     const flight_retract_pushed_constants *c = (const void *)constants;
     const flight_retract_pushed_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
@@ -7473,7 +6814,7 @@ static void guard_flight_retract_pushed_apex(const real *constants, const real *
 
 /* touchdown: The foot reaches the ground. */
 static void guard_flight_retract_pushed_touchdown(const real *constants, const real *series, int order,
-                                                  real *g) {
+    real *g) {
     const flight_retract_pushed_constants *c = (const void *)constants;
     const flight_retract_pushed_series *s = (const void *)series;
     real own_cos_of_angle_minus_slope[TERMS];
@@ -7485,11 +6826,10 @@ static void guard_flight_retract_pushed_touchdown(const real *constants, const r
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-                           own_cos_of_angle_minus_slope);
+            own_cos_of_angle_minus_slope);
         own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] =
-            with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k] - own_product_2[k],
-                          -(c->cos_of_slope * c->height));
+        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
+            - own_product_2[k], -(c->cos_of_slope * c->height));
     }
 }
 
@@ -7499,13 +6839,13 @@ static void guard_flight_retract_pushed_clamp(const real *constants, const real 
     const flight_retract_pushed_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, -(c->kp * s->angle[k]) - c->kd * s->rate[k],
-                             c->kp * c->liftoff_factor_times_liftoff_angle);
+            c->kp * c->liftoff_factor_times_liftoff_angle);
     }
 }
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_retract_pushed_power_of_hip(const real *constants, const real *series, int order,
-                                                     real *g) {
+    real *g) {
     (void)constants;
     const flight_retract_pushed_series *s = (const void *)series;
     real own_rate_of_work[TERMS];
@@ -7517,7 +6857,7 @@ static void guard_flight_retract_pushed_power_of_hip(const real *constants, cons
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 static void bounds_flight_retract_pushed(const real *constants, const real *series, const real *power,
-                                         int order, uint64_t watched, interval *bounds) {
+    int order, uint64_t watched, interval *bounds) {
     const flight_retract_pushed_constants *c = (const void *)constants;
     const flight_retract_pushed_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
@@ -7589,8 +6929,8 @@ static void bounds_flight_retract_pushed(const real *constants, const real *seri
     if (watched >> 9 & 1) {
         const interval span_22 = interval_at(c->kp, c->kp);
         const interval span_23 = interval_of_series(s->angle, power, order);
-        const interval span_24 =
-            interval_at(c->liftoff_factor_times_liftoff_angle, c->liftoff_factor_times_liftoff_angle);
+        const interval span_24 = interval_at(c->liftoff_factor_times_liftoff_angle,
+            c->liftoff_factor_times_liftoff_angle);
         const interval span_25 = interval_difference(span_23, span_24);
         const interval span_26 = interval_product(span_22, span_25);
         const interval span_27 = interval_at(-span_26.high, -span_26.low);
@@ -7606,8 +6946,8 @@ static void bounds_flight_retract_pushed(const real *constants, const real *seri
     }
 }
 
-static const tdmf_polynomial polynomials_start_of_run[] = {
-    guard_start_of_run_passes_end, guard_start_of_run_passes_begin, guard_start_of_run_begins};
+static const tdmf_polynomial polynomials_start_of_run[] = {guard_start_of_run_passes_end,
+    guard_start_of_run_passes_begin, guard_start_of_run_begins};
 static const tdmf_vary_polynomial vary_observed_start_of_run[] = {NULL};
 static const int moving_start_of_run[] = {53, 54, 55, 83, 88, 0};
 static const int degrees_start_of_run[] = {1, 1, 1, 1, 1, 1};
@@ -7616,35 +6956,24 @@ static const int divisors_start_of_run[] = {0};
 static const int integrals_start_of_run[] = {0};
 static const int factors_start_of_run[] = {0};
 static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_ramp_ends,
-                                                            guard_slip_constant_falls,
-                                                            guard_slip_constant_collapses,
-                                                            guard_slip_constant_greatest_compression,
-                                                            guard_slip_constant_mid_stance,
-                                                            guard_slip_constant_lift_off,
-                                                            guard_slip_constant_enters_layer,
-                                                            guard_slip_constant_comes_to_rest,
-                                                            guard_slip_constant_crosses_border,
-                                                            guard_slip_constant_power_of_hip,
-                                                            guard_slip_constant_vertical_force_on_foot,
-                                                            guard_slip_constant_force_on_foot};
-static const tdmf_vary_polynomial vary_observed_slip_constant[] = {
-    d_observed_slip_constant_power_of_hip, d_observed_slip_constant_vertical_force_on_foot,
-    d_observed_slip_constant_force_on_foot};
+    guard_slip_constant_falls, guard_slip_constant_collapses, guard_slip_constant_greatest_compression,
+    guard_slip_constant_mid_stance, guard_slip_constant_lift_off, guard_slip_constant_enters_layer,
+    guard_slip_constant_comes_to_rest, guard_slip_constant_crosses_border, guard_slip_constant_power_of_hip,
+    guard_slip_constant_vertical_force_on_foot, guard_slip_constant_force_on_foot};
+static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_slip_constant_power_of_hip,
+    d_observed_slip_constant_vertical_force_on_foot, d_observed_slip_constant_force_on_foot};
 static const int moving_slip_constant[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 85, 96, 53, 54, 55, 83, 88, 0};
 static const int degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99};
 static const int judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 9, 10, 17};
 static const int divisors_slip_constant[] = {21, 20};
 static const int integrals_slip_constant[] = {10, -1, -1};
 static const int factors_slip_constant[] = {39, -1, -1, -1, -1, -1};
-static const tdmf_polynomial polynomials_stick[] = {
-    guard_stick_ramp_ends,     guard_stick_falls,
-    guard_stick_collapses,     guard_stick_greatest_compression,
-    guard_stick_mid_stance,    guard_stick_lift_off,
-    guard_stick_slips_forward, guard_stick_slips_backward,
-    guard_stick_power_of_hip,  guard_stick_vertical_force_on_foot,
-    guard_stick_force_on_foot};
-static const tdmf_vary_polynomial vary_observed_stick[] = {
-    d_observed_stick_power_of_hip, d_observed_stick_vertical_force_on_foot, d_observed_stick_force_on_foot};
+static const tdmf_polynomial polynomials_stick[] = {guard_stick_ramp_ends, guard_stick_falls,
+    guard_stick_collapses, guard_stick_greatest_compression, guard_stick_mid_stance, guard_stick_lift_off,
+    guard_stick_slips_forward, guard_stick_slips_backward, guard_stick_power_of_hip,
+    guard_stick_vertical_force_on_foot, guard_stick_force_on_foot};
+static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_power_of_hip,
+    d_observed_stick_vertical_force_on_foot, d_observed_stick_force_on_foot};
 static const int moving_stick[] = {69, 70, 71, 72, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0, 73};
 static const int degrees_stick[] = {99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99};
 static const int judged_stick[] = {2, 3, 4, 5, 6, 7, 15};
@@ -7652,62 +6981,42 @@ static const int divisors_stick[] = {19, 18};
 static const int integrals_stick[] = {7, -1, -1};
 static const int factors_stick[] = {34, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_place_calm[] = {guard_flight_place_calm_passes_end,
-                                                                guard_flight_place_calm_passes_begin,
-                                                                guard_flight_place_calm_next_segment_comes,
-                                                                guard_flight_place_calm_ramp_ends,
-                                                                guard_flight_place_calm_wind_rises,
-                                                                guard_flight_place_calm_new_ground,
-                                                                guard_flight_place_calm_falls,
-                                                                guard_flight_place_calm_collapses,
-                                                                guard_flight_place_calm_apex,
-                                                                guard_flight_place_calm_touchdown,
-                                                                guard_flight_place_calm_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_flight_place_calm[] = {
-    d_observed_flight_place_calm_power_of_hip};
-static const int moving_flight_place_calm[] = {58, 59, 62, 65, 68, 77, 79, 96, 53,
-                                               54, 55, 83, 88, 0,  64, 67, 91};
+    guard_flight_place_calm_passes_begin, guard_flight_place_calm_next_segment_comes,
+    guard_flight_place_calm_ramp_ends, guard_flight_place_calm_wind_rises, guard_flight_place_calm_new_ground,
+    guard_flight_place_calm_falls, guard_flight_place_calm_collapses, guard_flight_place_calm_apex,
+    guard_flight_place_calm_touchdown, guard_flight_place_calm_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_place_calm[] =
+    {d_observed_flight_place_calm_power_of_hip};
+static const int moving_flight_place_calm[] = {58, 59, 62, 65, 68, 77, 79, 96, 53, 54, 55, 83, 88, 0, 64, 67,
+    91};
 static const int degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1, 1};
 static const int judged_flight_place_calm[] = {1, 2, 4, 5, 6, 7};
 static const int divisors_flight_place_calm[] = {17};
 static const int integrals_flight_place_calm[] = {7};
 static const int factors_flight_place_calm[] = {21, 18};
 static const tdmf_polynomial polynomials_flight_rest_calm[] = {guard_flight_rest_calm_passes_end,
-                                                               guard_flight_rest_calm_passes_begin,
-                                                               guard_flight_rest_calm_next_segment_comes,
-                                                               guard_flight_rest_calm_ramp_ends,
-                                                               guard_flight_rest_calm_wind_rises,
-                                                               guard_flight_rest_calm_new_ground,
-                                                               guard_flight_rest_calm_falls,
-                                                               guard_flight_rest_calm_collapses,
-                                                               guard_flight_rest_calm_apex,
-                                                               guard_flight_rest_calm_touchdown,
-                                                               guard_flight_rest_calm_release,
-                                                               guard_flight_rest_calm_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_flight_rest_calm[] = {
-    d_observed_flight_rest_calm_power_of_hip};
+    guard_flight_rest_calm_passes_begin, guard_flight_rest_calm_next_segment_comes,
+    guard_flight_rest_calm_ramp_ends, guard_flight_rest_calm_wind_rises, guard_flight_rest_calm_new_ground,
+    guard_flight_rest_calm_falls, guard_flight_rest_calm_collapses, guard_flight_rest_calm_apex,
+    guard_flight_rest_calm_touchdown, guard_flight_rest_calm_release, guard_flight_rest_calm_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_rest_calm[] =
+    {d_observed_flight_rest_calm_power_of_hip};
 static const int moving_flight_rest_calm[] = {58, 59, 62, 65, 68, 77, 79, 96, 53, 54, 55, 83, 88, 0, 64, 67};
 static const int degrees_flight_rest_calm[] = {99, 99, 99, 2, 2, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1};
 static const int judged_flight_rest_calm[] = {1, 2, 5, 6, 7};
 static const int divisors_flight_rest_calm[] = {16};
 static const int integrals_flight_rest_calm[] = {7};
 static const int factors_flight_rest_calm[] = {21, -1};
-static const tdmf_polynomial polynomials_flight_retract_calm[] = {
-    guard_flight_retract_calm_passes_end,
-    guard_flight_retract_calm_passes_begin,
-    guard_flight_retract_calm_next_segment_comes,
-    guard_flight_retract_calm_ramp_ends,
-    guard_flight_retract_calm_wind_rises,
-    guard_flight_retract_calm_new_ground,
-    guard_flight_retract_calm_falls,
-    guard_flight_retract_calm_collapses,
-    guard_flight_retract_calm_apex,
-    guard_flight_retract_calm_touchdown,
-    guard_flight_retract_calm_clamp,
-    guard_flight_retract_calm_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_flight_retract_calm[] = {
-    d_observed_flight_retract_calm_power_of_hip};
-static const int moving_flight_retract_calm[] = {58, 59, 62, 65, 68, 77, 79, 96,
-                                                 53, 54, 55, 83, 88, 0,  64, 67};
+static const tdmf_polynomial polynomials_flight_retract_calm[] = {guard_flight_retract_calm_passes_end,
+    guard_flight_retract_calm_passes_begin, guard_flight_retract_calm_next_segment_comes,
+    guard_flight_retract_calm_ramp_ends, guard_flight_retract_calm_wind_rises,
+    guard_flight_retract_calm_new_ground, guard_flight_retract_calm_falls,
+    guard_flight_retract_calm_collapses, guard_flight_retract_calm_apex, guard_flight_retract_calm_touchdown,
+    guard_flight_retract_calm_clamp, guard_flight_retract_calm_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_retract_calm[] =
+    {d_observed_flight_retract_calm_power_of_hip};
+static const int moving_flight_retract_calm[] = {58, 59, 62, 65, 68, 77, 79, 96, 53, 54, 55, 83, 88, 0, 64,
+    67};
 static const int degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1};
 static const int judged_flight_retract_calm[] = {1, 2, 4, 5, 6, 7};
 static const int divisors_flight_retract_calm[] = {16};
@@ -7721,12 +7030,10 @@ static const int judged_fallen[] = {0};
 static const int divisors_fallen[] = {0};
 static const int integrals_fallen[] = {0};
 static const int factors_fallen[] = {0};
-static const tdmf_polynomial polynomials_graze_place[] = {
-    guard_graze_place_passes_end,       guard_graze_place_passes_begin,
-    guard_graze_place_ramp_ends,        guard_graze_place_falls,
-    guard_graze_place_collapses,        guard_graze_place_mid_stance,
-    guard_graze_place_graze_to_contact, guard_graze_place_graze_to_flight,
-    guard_graze_place_power_of_hip};
+static const tdmf_polynomial polynomials_graze_place[] = {guard_graze_place_passes_end,
+    guard_graze_place_passes_begin, guard_graze_place_ramp_ends, guard_graze_place_falls,
+    guard_graze_place_collapses, guard_graze_place_mid_stance, guard_graze_place_graze_to_contact,
+    guard_graze_place_graze_to_flight, guard_graze_place_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_graze_place[] = {d_observed_graze_place_power_of_hip};
 static const int moving_graze_place[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0, 91};
 static const int degrees_graze_place[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99};
@@ -7734,11 +7041,11 @@ static const int judged_graze_place[] = {2, 5, 6, 7, 8, 9, 17};
 static const int divisors_graze_place[] = {21, 0, 20};
 static const int integrals_graze_place[] = {9};
 static const int factors_graze_place[] = {32, 35};
-static const tdmf_polynomial polynomials_graze_rest[] = {
-    guard_graze_rest_passes_end,      guard_graze_rest_passes_begin, guard_graze_rest_ramp_ends,
-    guard_graze_rest_falls,           guard_graze_rest_collapses,    guard_graze_rest_apex_in_graze,
-    guard_graze_rest_release,         guard_graze_rest_mid_stance,   guard_graze_rest_graze_to_contact,
-    guard_graze_rest_graze_to_flight, guard_graze_rest_power_of_hip};
+static const tdmf_polynomial polynomials_graze_rest[] = {guard_graze_rest_passes_end,
+    guard_graze_rest_passes_begin, guard_graze_rest_ramp_ends, guard_graze_rest_falls,
+    guard_graze_rest_collapses, guard_graze_rest_apex_in_graze, guard_graze_rest_release,
+    guard_graze_rest_mid_stance, guard_graze_rest_graze_to_contact, guard_graze_rest_graze_to_flight,
+    guard_graze_rest_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_graze_rest[] = {d_observed_graze_rest_power_of_hip};
 static const int moving_graze_rest[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0};
 static const int degrees_graze_rest[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99};
@@ -7747,16 +7054,10 @@ static const int divisors_graze_rest[] = {20, 0, 19};
 static const int integrals_graze_rest[] = {9};
 static const int factors_graze_rest[] = {31, 34};
 static const tdmf_polynomial polynomials_graze_retract[] = {guard_graze_retract_passes_end,
-                                                            guard_graze_retract_passes_begin,
-                                                            guard_graze_retract_ramp_ends,
-                                                            guard_graze_retract_falls,
-                                                            guard_graze_retract_collapses,
-                                                            guard_graze_retract_apex_in_graze,
-                                                            guard_graze_retract_clamp,
-                                                            guard_graze_retract_mid_stance,
-                                                            guard_graze_retract_graze_to_contact,
-                                                            guard_graze_retract_graze_to_flight,
-                                                            guard_graze_retract_power_of_hip};
+    guard_graze_retract_passes_begin, guard_graze_retract_ramp_ends, guard_graze_retract_falls,
+    guard_graze_retract_collapses, guard_graze_retract_apex_in_graze, guard_graze_retract_clamp,
+    guard_graze_retract_mid_stance, guard_graze_retract_graze_to_contact, guard_graze_retract_graze_to_flight,
+    guard_graze_retract_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_graze_retract[] = {d_observed_graze_retract_power_of_hip};
 static const int moving_graze_retract[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0};
 static const int degrees_graze_retract[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99};
@@ -7765,316 +7066,153 @@ static const int divisors_graze_retract[] = {20, 0, 19};
 static const int integrals_graze_retract[] = {9};
 static const int factors_graze_retract[] = {31, 34};
 static const tdmf_polynomial polynomials_slip_falling[] = {guard_slip_falling_ramp_ends,
-                                                           guard_slip_falling_falls,
-                                                           guard_slip_falling_collapses,
-                                                           guard_slip_falling_greatest_compression,
-                                                           guard_slip_falling_mid_stance,
-                                                           guard_slip_falling_lift_off,
-                                                           guard_slip_falling_leaves_layer,
-                                                           guard_slip_falling_comes_to_rest,
-                                                           guard_slip_falling_crosses_border,
-                                                           guard_slip_falling_power_of_hip,
-                                                           guard_slip_falling_vertical_force_on_foot,
-                                                           guard_slip_falling_force_on_foot};
-static const tdmf_vary_polynomial vary_observed_slip_falling[] = {
-    d_observed_slip_falling_power_of_hip, d_observed_slip_falling_vertical_force_on_foot,
-    d_observed_slip_falling_force_on_foot};
+    guard_slip_falling_falls, guard_slip_falling_collapses, guard_slip_falling_greatest_compression,
+    guard_slip_falling_mid_stance, guard_slip_falling_lift_off, guard_slip_falling_leaves_layer,
+    guard_slip_falling_comes_to_rest, guard_slip_falling_crosses_border, guard_slip_falling_power_of_hip,
+    guard_slip_falling_vertical_force_on_foot, guard_slip_falling_force_on_foot};
+static const tdmf_vary_polynomial vary_observed_slip_falling[] = {d_observed_slip_falling_power_of_hip,
+    d_observed_slip_falling_vertical_force_on_foot, d_observed_slip_falling_force_on_foot};
 static const int moving_slip_falling[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 85, 96, 53, 54, 55, 83, 88, 0};
 static const int degrees_slip_falling[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99};
 static const int judged_slip_falling[] = {2, 3, 5, 6, 7, 8, 9, 10, 17};
 static const int divisors_slip_falling[] = {21, 20};
 static const int integrals_slip_falling[] = {10, -1, -1};
 static const int factors_slip_falling[] = {44, -1, -1, -1, -1, -1};
-static const tdmf_polynomial polynomials_flight_place_pushed[] = {
-    guard_flight_place_pushed_passes_end,         guard_flight_place_pushed_passes_begin,
-    guard_flight_place_pushed_next_segment_comes, guard_flight_place_pushed_ramp_ends,
-    guard_flight_place_pushed_new_ground,         guard_flight_place_pushed_falls,
-    guard_flight_place_pushed_collapses,          guard_flight_place_pushed_apex,
-    guard_flight_place_pushed_touchdown,          guard_flight_place_pushed_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_flight_place_pushed[] = {
-    d_observed_flight_place_pushed_power_of_hip};
-static const int moving_flight_place_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68, 77, 78,
-                                                 79, 96, 53, 54, 55, 83, 88, 0,  91};
-static const int degrees_flight_place_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99,
-                                                  99, 99, 1,  1, 1, 1, 1, 1,  1};
+static const tdmf_polynomial polynomials_flight_place_pushed[] = {guard_flight_place_pushed_passes_end,
+    guard_flight_place_pushed_passes_begin, guard_flight_place_pushed_next_segment_comes,
+    guard_flight_place_pushed_ramp_ends, guard_flight_place_pushed_new_ground,
+    guard_flight_place_pushed_falls, guard_flight_place_pushed_collapses, guard_flight_place_pushed_apex,
+    guard_flight_place_pushed_touchdown, guard_flight_place_pushed_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_place_pushed[] =
+    {d_observed_flight_place_pushed_power_of_hip};
+static const int moving_flight_place_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68, 77, 78, 79, 96, 53, 54, 55,
+    83, 88, 0, 91};
+static const int degrees_flight_place_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1,
+    1, 1};
 static const int judged_flight_place_pushed[] = {1, 2, 7, 8, 9, 10, 11};
 static const int divisors_flight_place_pushed[] = {19};
 static const int integrals_flight_place_pushed[] = {11};
 static const int factors_flight_place_pushed[] = {28, 20};
-static const tdmf_polynomial polynomials_flight_rest_pushed[] = {
-    guard_flight_rest_pushed_passes_end,         guard_flight_rest_pushed_passes_begin,
-    guard_flight_rest_pushed_next_segment_comes, guard_flight_rest_pushed_ramp_ends,
-    guard_flight_rest_pushed_new_ground,         guard_flight_rest_pushed_falls,
-    guard_flight_rest_pushed_collapses,          guard_flight_rest_pushed_apex,
-    guard_flight_rest_pushed_touchdown,          guard_flight_rest_pushed_release,
-    guard_flight_rest_pushed_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_flight_rest_pushed[] = {
-    d_observed_flight_rest_pushed_power_of_hip};
-static const int moving_flight_rest_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68, 77,
-                                                78, 79, 96, 53, 54, 55, 83, 88, 0};
-static const int degrees_flight_rest_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99,
-                                                 99, 99, 99, 1, 1, 1, 1, 1,  1};
+static const tdmf_polynomial polynomials_flight_rest_pushed[] = {guard_flight_rest_pushed_passes_end,
+    guard_flight_rest_pushed_passes_begin, guard_flight_rest_pushed_next_segment_comes,
+    guard_flight_rest_pushed_ramp_ends, guard_flight_rest_pushed_new_ground, guard_flight_rest_pushed_falls,
+    guard_flight_rest_pushed_collapses, guard_flight_rest_pushed_apex, guard_flight_rest_pushed_touchdown,
+    guard_flight_rest_pushed_release, guard_flight_rest_pushed_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_rest_pushed[] =
+    {d_observed_flight_rest_pushed_power_of_hip};
+static const int moving_flight_rest_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68, 77, 78, 79, 96, 53, 54, 55,
+    83, 88, 0};
+static const int degrees_flight_rest_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1,
+    1};
 static const int judged_flight_rest_pushed[] = {1, 2, 7, 8, 9, 10, 11};
 static const int divisors_flight_rest_pushed[] = {18};
 static const int integrals_flight_rest_pushed[] = {11};
 static const int factors_flight_rest_pushed[] = {36, -1};
-static const tdmf_polynomial polynomials_flight_retract_pushed[] = {
-    guard_flight_retract_pushed_passes_end,         guard_flight_retract_pushed_passes_begin,
-    guard_flight_retract_pushed_next_segment_comes, guard_flight_retract_pushed_ramp_ends,
-    guard_flight_retract_pushed_new_ground,         guard_flight_retract_pushed_falls,
-    guard_flight_retract_pushed_collapses,          guard_flight_retract_pushed_apex,
-    guard_flight_retract_pushed_touchdown,          guard_flight_retract_pushed_clamp,
-    guard_flight_retract_pushed_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_flight_retract_pushed[] = {
-    d_observed_flight_retract_pushed_power_of_hip};
-static const int moving_flight_retract_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68, 77,
-                                                   78, 79, 96, 53, 54, 55, 83, 88, 0};
-static const int degrees_flight_retract_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99,
-                                                    99, 99, 99, 1, 1, 1, 1, 1,  1};
+static const tdmf_polynomial polynomials_flight_retract_pushed[] = {guard_flight_retract_pushed_passes_end,
+    guard_flight_retract_pushed_passes_begin, guard_flight_retract_pushed_next_segment_comes,
+    guard_flight_retract_pushed_ramp_ends, guard_flight_retract_pushed_new_ground,
+    guard_flight_retract_pushed_falls, guard_flight_retract_pushed_collapses,
+    guard_flight_retract_pushed_apex, guard_flight_retract_pushed_touchdown,
+    guard_flight_retract_pushed_clamp, guard_flight_retract_pushed_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_retract_pushed[] =
+    {d_observed_flight_retract_pushed_power_of_hip};
+static const int moving_flight_retract_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68, 77, 78, 79, 96, 53, 54, 55,
+    83, 88, 0};
+static const int degrees_flight_retract_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1,
+    1};
 static const int judged_flight_retract_pushed[] = {1, 2, 7, 8, 9, 10, 11};
 static const int divisors_flight_retract_pushed[] = {18};
 static const int integrals_flight_retract_pushed[] = {11};
 static const int factors_flight_retract_pushed[] = {27, 19};
 
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
-    {.moving_count = 6,
-     .extra_count = 0,
-     .series_count = 6,
-     .constant_count = 7,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_start_of_run,
-     .degrees = degrees_start_of_run,
-     .judged = judged_start_of_run,
-     .divisors = divisors_start_of_run,
-     .integrals = integrals_start_of_run,
-     .factors = factors_start_of_run,
-     .polynomials = polynomials_start_of_run,
-     .vary_observed = vary_observed_start_of_run,
-     .expand = expand_start_of_run,
-     .vary = vary_start_of_run,
-     .bounds = bounds_start_of_run},
-    {.moving_count = 17,
-     .extra_count = 1,
-     .series_count = 40,
-     .constant_count = 26,
-     .judged_count = 9,
-     .divisor_count = 2,
-     .moving = moving_slip_constant,
-     .degrees = degrees_slip_constant,
-     .judged = judged_slip_constant,
-     .divisors = divisors_slip_constant,
-     .integrals = integrals_slip_constant,
-     .factors = factors_slip_constant,
-     .polynomials = polynomials_slip_constant,
-     .vary_observed = vary_observed_slip_constant,
-     .expand = expand_slip_constant,
-     .vary = vary_slip_constant,
-     .bounds = bounds_slip_constant},
-    {.moving_count = 15,
-     .extra_count = 1,
-     .series_count = 35,
-     .constant_count = 26,
-     .judged_count = 7,
-     .divisor_count = 2,
-     .moving = moving_stick,
-     .degrees = degrees_stick,
-     .judged = judged_stick,
-     .divisors = divisors_stick,
-     .integrals = integrals_stick,
-     .factors = factors_stick,
-     .polynomials = polynomials_stick,
-     .vary_observed = vary_observed_stick,
-     .expand = expand_stick,
-     .vary = vary_stick,
-     .bounds = bounds_stick},
-    {.moving_count = 17,
-     .extra_count = 0,
-     .series_count = 24,
-     .constant_count = 30,
-     .judged_count = 6,
-     .divisor_count = 1,
-     .moving = moving_flight_place_calm,
-     .degrees = degrees_flight_place_calm,
-     .judged = judged_flight_place_calm,
-     .divisors = divisors_flight_place_calm,
-     .integrals = integrals_flight_place_calm,
-     .factors = factors_flight_place_calm,
-     .polynomials = polynomials_flight_place_calm,
-     .vary_observed = vary_observed_flight_place_calm,
-     .expand = expand_flight_place_calm,
-     .vary = vary_flight_place_calm,
-     .bounds = bounds_flight_place_calm},
-    {.moving_count = 16,
-     .extra_count = 0,
-     .series_count = 22,
-     .constant_count = 29,
-     .judged_count = 5,
-     .divisor_count = 1,
-     .moving = moving_flight_rest_calm,
-     .degrees = degrees_flight_rest_calm,
-     .judged = judged_flight_rest_calm,
-     .divisors = divisors_flight_rest_calm,
-     .integrals = integrals_flight_rest_calm,
-     .factors = factors_flight_rest_calm,
-     .polynomials = polynomials_flight_rest_calm,
-     .vary_observed = vary_observed_flight_rest_calm,
-     .expand = expand_flight_rest_calm,
-     .vary = vary_flight_rest_calm,
-     .bounds = bounds_flight_rest_calm},
-    {.moving_count = 16,
-     .extra_count = 0,
-     .series_count = 23,
-     .constant_count = 29,
-     .judged_count = 6,
-     .divisor_count = 1,
-     .moving = moving_flight_retract_calm,
-     .degrees = degrees_flight_retract_calm,
-     .judged = judged_flight_retract_calm,
-     .divisors = divisors_flight_retract_calm,
-     .integrals = integrals_flight_retract_calm,
-     .factors = factors_flight_retract_calm,
-     .polynomials = polynomials_flight_retract_calm,
-     .vary_observed = vary_observed_flight_retract_calm,
-     .expand = expand_flight_retract_calm,
-     .vary = vary_flight_retract_calm,
-     .bounds = bounds_flight_retract_calm},
-    {.moving_count = 0,
-     .extra_count = 0,
-     .series_count = 0,
-     .constant_count = 0,
-     .judged_count = 0,
-     .divisor_count = 0,
-     .moving = moving_fallen,
-     .degrees = degrees_fallen,
-     .judged = judged_fallen,
-     .divisors = divisors_fallen,
-     .integrals = integrals_fallen,
-     .factors = factors_fallen,
-     .polynomials = polynomials_fallen,
-     .vary_observed = vary_observed_fallen,
-     .expand = expand_fallen,
-     .vary = vary_fallen,
-     .bounds = NULL},
-    {.moving_count = 17,
-     .extra_count = 1,
-     .series_count = 37,
-     .constant_count = 27,
-     .judged_count = 7,
-     .divisor_count = 3,
-     .moving = moving_graze_place,
-     .degrees = degrees_graze_place,
-     .judged = judged_graze_place,
-     .divisors = divisors_graze_place,
-     .integrals = integrals_graze_place,
-     .factors = factors_graze_place,
-     .polynomials = polynomials_graze_place,
-     .vary_observed = vary_observed_graze_place,
-     .expand = expand_graze_place,
-     .vary = vary_graze_place,
-     .bounds = bounds_graze_place},
-    {.moving_count = 16,
-     .extra_count = 1,
-     .series_count = 36,
-     .constant_count = 27,
-     .judged_count = 7,
-     .divisor_count = 3,
-     .moving = moving_graze_rest,
-     .degrees = degrees_graze_rest,
-     .judged = judged_graze_rest,
-     .divisors = divisors_graze_rest,
-     .integrals = integrals_graze_rest,
-     .factors = factors_graze_rest,
-     .polynomials = polynomials_graze_rest,
-     .vary_observed = vary_observed_graze_rest,
-     .expand = expand_graze_rest,
-     .vary = vary_graze_rest,
-     .bounds = bounds_graze_rest},
-    {.moving_count = 16,
-     .extra_count = 1,
-     .series_count = 36,
-     .constant_count = 27,
-     .judged_count = 7,
-     .divisor_count = 3,
-     .moving = moving_graze_retract,
-     .degrees = degrees_graze_retract,
-     .judged = judged_graze_retract,
-     .divisors = divisors_graze_retract,
-     .integrals = integrals_graze_retract,
-     .factors = factors_graze_retract,
-     .polynomials = polynomials_graze_retract,
-     .vary_observed = vary_observed_graze_retract,
-     .expand = expand_graze_retract,
-     .vary = vary_graze_retract,
-     .bounds = bounds_graze_retract},
-    {.moving_count = 17,
-     .extra_count = 1,
-     .series_count = 45,
-     .constant_count = 28,
-     .judged_count = 9,
-     .divisor_count = 2,
-     .moving = moving_slip_falling,
-     .degrees = degrees_slip_falling,
-     .judged = judged_slip_falling,
-     .divisors = divisors_slip_falling,
-     .integrals = integrals_slip_falling,
-     .factors = factors_slip_falling,
-     .polynomials = polynomials_slip_falling,
-     .vary_observed = vary_observed_slip_falling,
-     .expand = expand_slip_falling,
-     .vary = vary_slip_falling,
-     .bounds = bounds_slip_falling},
-    {.moving_count = 19,
-     .extra_count = 0,
-     .series_count = 39,
-     .constant_count = 31,
-     .judged_count = 7,
-     .divisor_count = 1,
-     .moving = moving_flight_place_pushed,
-     .degrees = degrees_flight_place_pushed,
-     .judged = judged_flight_place_pushed,
-     .divisors = divisors_flight_place_pushed,
-     .integrals = integrals_flight_place_pushed,
-     .factors = factors_flight_place_pushed,
-     .polynomials = polynomials_flight_place_pushed,
-     .vary_observed = vary_observed_flight_place_pushed,
-     .expand = expand_flight_place_pushed,
-     .vary = vary_flight_place_pushed,
-     .bounds = bounds_flight_place_pushed},
-    {.moving_count = 18,
-     .extra_count = 0,
-     .series_count = 37,
-     .constant_count = 30,
-     .judged_count = 7,
-     .divisor_count = 1,
-     .moving = moving_flight_rest_pushed,
-     .degrees = degrees_flight_rest_pushed,
-     .judged = judged_flight_rest_pushed,
-     .divisors = divisors_flight_rest_pushed,
-     .integrals = integrals_flight_rest_pushed,
-     .factors = factors_flight_rest_pushed,
-     .polynomials = polynomials_flight_rest_pushed,
-     .vary_observed = vary_observed_flight_rest_pushed,
-     .expand = expand_flight_rest_pushed,
-     .vary = vary_flight_rest_pushed,
-     .bounds = bounds_flight_rest_pushed},
-    {.moving_count = 18,
-     .extra_count = 0,
-     .series_count = 38,
-     .constant_count = 30,
-     .judged_count = 7,
-     .divisor_count = 1,
-     .moving = moving_flight_retract_pushed,
-     .degrees = degrees_flight_retract_pushed,
-     .judged = judged_flight_retract_pushed,
-     .divisors = divisors_flight_retract_pushed,
-     .integrals = integrals_flight_retract_pushed,
-     .factors = factors_flight_retract_pushed,
-     .polynomials = polynomials_flight_retract_pushed,
-     .vary_observed = vary_observed_flight_retract_pushed,
-     .expand = expand_flight_retract_pushed,
-     .vary = vary_flight_retract_pushed,
-     .bounds = bounds_flight_retract_pushed},
+    {.moving_count = 6, .extra_count = 0, .series_count = 6, .constant_count = 7, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_start_of_run, .degrees = degrees_start_of_run,
+        .judged = judged_start_of_run, .divisors = divisors_start_of_run, .integrals = integrals_start_of_run,
+        .factors = factors_start_of_run, .polynomials = polynomials_start_of_run,
+        .vary_observed = vary_observed_start_of_run, .expand = expand_start_of_run, .vary = vary_start_of_run,
+        .bounds = bounds_start_of_run},
+    {.moving_count = 17, .extra_count = 1, .series_count = 40, .constant_count = 26, .judged_count = 9,
+        .divisor_count = 2, .moving = moving_slip_constant, .degrees = degrees_slip_constant,
+        .judged = judged_slip_constant, .divisors = divisors_slip_constant,
+        .integrals = integrals_slip_constant, .factors = factors_slip_constant,
+        .polynomials = polynomials_slip_constant, .vary_observed = vary_observed_slip_constant,
+        .expand = expand_slip_constant, .vary = vary_slip_constant, .bounds = bounds_slip_constant},
+    {.moving_count = 15, .extra_count = 1, .series_count = 35, .constant_count = 26, .judged_count = 7,
+        .divisor_count = 2, .moving = moving_stick, .degrees = degrees_stick, .judged = judged_stick,
+        .divisors = divisors_stick, .integrals = integrals_stick, .factors = factors_stick,
+        .polynomials = polynomials_stick, .vary_observed = vary_observed_stick, .expand = expand_stick,
+        .vary = vary_stick, .bounds = bounds_stick},
+    {.moving_count = 17, .extra_count = 0, .series_count = 24, .constant_count = 30, .judged_count = 6,
+        .divisor_count = 1, .moving = moving_flight_place_calm, .degrees = degrees_flight_place_calm,
+        .judged = judged_flight_place_calm, .divisors = divisors_flight_place_calm,
+        .integrals = integrals_flight_place_calm, .factors = factors_flight_place_calm,
+        .polynomials = polynomials_flight_place_calm, .vary_observed = vary_observed_flight_place_calm,
+        .expand = expand_flight_place_calm, .vary = vary_flight_place_calm,
+        .bounds = bounds_flight_place_calm},
+    {.moving_count = 16, .extra_count = 0, .series_count = 22, .constant_count = 29, .judged_count = 5,
+        .divisor_count = 1, .moving = moving_flight_rest_calm, .degrees = degrees_flight_rest_calm,
+        .judged = judged_flight_rest_calm, .divisors = divisors_flight_rest_calm,
+        .integrals = integrals_flight_rest_calm, .factors = factors_flight_rest_calm,
+        .polynomials = polynomials_flight_rest_calm, .vary_observed = vary_observed_flight_rest_calm,
+        .expand = expand_flight_rest_calm, .vary = vary_flight_rest_calm, .bounds = bounds_flight_rest_calm},
+    {.moving_count = 16, .extra_count = 0, .series_count = 23, .constant_count = 29, .judged_count = 6,
+        .divisor_count = 1, .moving = moving_flight_retract_calm, .degrees = degrees_flight_retract_calm,
+        .judged = judged_flight_retract_calm, .divisors = divisors_flight_retract_calm,
+        .integrals = integrals_flight_retract_calm, .factors = factors_flight_retract_calm,
+        .polynomials = polynomials_flight_retract_calm, .vary_observed = vary_observed_flight_retract_calm,
+        .expand = expand_flight_retract_calm, .vary = vary_flight_retract_calm,
+        .bounds = bounds_flight_retract_calm},
+    {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_fallen, .degrees = degrees_fallen, .judged = judged_fallen,
+        .divisors = divisors_fallen, .integrals = integrals_fallen, .factors = factors_fallen,
+        .polynomials = polynomials_fallen, .vary_observed = vary_observed_fallen, .expand = expand_fallen,
+        .vary = vary_fallen, .bounds = NULL},
+    {.moving_count = 17, .extra_count = 1, .series_count = 37, .constant_count = 27, .judged_count = 7,
+        .divisor_count = 3, .moving = moving_graze_place, .degrees = degrees_graze_place,
+        .judged = judged_graze_place, .divisors = divisors_graze_place, .integrals = integrals_graze_place,
+        .factors = factors_graze_place, .polynomials = polynomials_graze_place,
+        .vary_observed = vary_observed_graze_place, .expand = expand_graze_place, .vary = vary_graze_place,
+        .bounds = bounds_graze_place},
+    {.moving_count = 16, .extra_count = 1, .series_count = 36, .constant_count = 27, .judged_count = 7,
+        .divisor_count = 3, .moving = moving_graze_rest, .degrees = degrees_graze_rest,
+        .judged = judged_graze_rest, .divisors = divisors_graze_rest, .integrals = integrals_graze_rest,
+        .factors = factors_graze_rest, .polynomials = polynomials_graze_rest,
+        .vary_observed = vary_observed_graze_rest, .expand = expand_graze_rest, .vary = vary_graze_rest,
+        .bounds = bounds_graze_rest},
+    {.moving_count = 16, .extra_count = 1, .series_count = 36, .constant_count = 27, .judged_count = 7,
+        .divisor_count = 3, .moving = moving_graze_retract, .degrees = degrees_graze_retract,
+        .judged = judged_graze_retract, .divisors = divisors_graze_retract,
+        .integrals = integrals_graze_retract, .factors = factors_graze_retract,
+        .polynomials = polynomials_graze_retract, .vary_observed = vary_observed_graze_retract,
+        .expand = expand_graze_retract, .vary = vary_graze_retract, .bounds = bounds_graze_retract},
+    {.moving_count = 17, .extra_count = 1, .series_count = 45, .constant_count = 28, .judged_count = 9,
+        .divisor_count = 2, .moving = moving_slip_falling, .degrees = degrees_slip_falling,
+        .judged = judged_slip_falling, .divisors = divisors_slip_falling, .integrals = integrals_slip_falling,
+        .factors = factors_slip_falling, .polynomials = polynomials_slip_falling,
+        .vary_observed = vary_observed_slip_falling, .expand = expand_slip_falling, .vary = vary_slip_falling,
+        .bounds = bounds_slip_falling},
+    {.moving_count = 19, .extra_count = 0, .series_count = 39, .constant_count = 31, .judged_count = 7,
+        .divisor_count = 1, .moving = moving_flight_place_pushed, .degrees = degrees_flight_place_pushed,
+        .judged = judged_flight_place_pushed, .divisors = divisors_flight_place_pushed,
+        .integrals = integrals_flight_place_pushed, .factors = factors_flight_place_pushed,
+        .polynomials = polynomials_flight_place_pushed, .vary_observed = vary_observed_flight_place_pushed,
+        .expand = expand_flight_place_pushed, .vary = vary_flight_place_pushed,
+        .bounds = bounds_flight_place_pushed},
+    {.moving_count = 18, .extra_count = 0, .series_count = 37, .constant_count = 30, .judged_count = 7,
+        .divisor_count = 1, .moving = moving_flight_rest_pushed, .degrees = degrees_flight_rest_pushed,
+        .judged = judged_flight_rest_pushed, .divisors = divisors_flight_rest_pushed,
+        .integrals = integrals_flight_rest_pushed, .factors = factors_flight_rest_pushed,
+        .polynomials = polynomials_flight_rest_pushed, .vary_observed = vary_observed_flight_rest_pushed,
+        .expand = expand_flight_rest_pushed, .vary = vary_flight_rest_pushed,
+        .bounds = bounds_flight_rest_pushed},
+    {.moving_count = 18, .extra_count = 0, .series_count = 38, .constant_count = 30, .judged_count = 7,
+        .divisor_count = 1, .moving = moving_flight_retract_pushed, .degrees = degrees_flight_retract_pushed,
+        .judged = judged_flight_retract_pushed, .divisors = divisors_flight_retract_pushed,
+        .integrals = integrals_flight_retract_pushed, .factors = factors_flight_retract_pushed,
+        .polynomials = polynomials_flight_retract_pushed,
+        .vary_observed = vary_observed_flight_retract_pushed, .expand = expand_flight_retract_pushed,
+        .vary = vary_flight_retract_pushed, .bounds = bounds_flight_retract_pushed},
 };
 
 #ifdef TDMF_LANES
