@@ -1,5 +1,5 @@
 /* A run of any page: its start, events in Model Exchange, and the driver's work in Co-Simulation. */
-#include "instant.h"
+#include "page_instant.h"
 
 #include "run_state.h"
 #include "variables.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LOG_SIZE = 32, METHOD_NATIVE = 1 };
+enum { LOG_SIZE = 32 };
 
 static const long step_limit = 1000000, event_limit = 100000; /* of a call */
 static const double largest_time = 1e100, finest_tolerance = 1e-16;
@@ -30,7 +30,7 @@ void fmu_reset(fmu *fmu) {
         .is_exchange = fmu->is_exchange,
         .memory = fmu->memory,
         .settings =
-            {[SETTING_TOLERANCE] = 1e-11, [SETTING_TERMINATES] = 1.0, [SETTING_METHOD] = METHOD_NATIVE},
+            {[SETTING_TOLERANCE] = 1e-11, [SETTING_TERMINATES] = 1.0, [SETTING_METHOD] = SOLVER_NATIVE},
         .importer_tolerance = INFINITY,
         .stop_time = INFINITY};
     *fmu = kept;
@@ -66,7 +66,7 @@ void fmu_set_time(fmu *fmu, double time) {
 }
 
 const char *fmu_settings_obstacle(const fmu *fmu) {
-    if (fmu->settings[SETTING_METHOD] != METHOD_NATIVE) {
+    if (fmu->settings[SETTING_METHOD] != SOLVER_NATIVE) {
         return "solver.method = cvode is refused: this unit was built without SUNDIALS; allowed: native";
     }
     return NULL;
@@ -391,6 +391,20 @@ fmu_resolution fmu_update(fmu *fmu, const fmu_observer *observer) {
 
 /* ---- Co-Simulation ------------------------------------------------------------------------------------- */
 
+/* An input that its ramp has brought out of its range; NULL: there is none. */
+static const char *input_out_of_range(const fmu *fmu, char text[FMU_TEXT]) {
+    char refusal[FMU_TEXT];
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
+        const fmu_variable *input = &fmu_variables[i];
+        if (input->storage == STORED_INPUT && fmu_get_number_rate(fmu, input) != 0.0 &&
+            fmu_refuse_value(input, fmu_get_number(fmu, NULL, input), refusal) != NULL) {
+            snprintf(text, FMU_TEXT, "its rate brings an input out of range: %.200s", refusal);
+            return text;
+        }
+    }
+    return NULL;
+}
+
 /* Completes a run that the driver has brought to its end or to `until`. */
 static const char *conclude(fmu *fmu, tdmf_run_outcome outcome, double until, char text[FMU_TEXT]) {
     if (outcome == TDMF_RUN_ENDED) {
@@ -402,6 +416,9 @@ static const char *conclude(fmu *fmu, tdmf_run_outcome outcome, double until, ch
     }
     show_to_world(fmu);
     account_for_all(fmu);
+    if (input_out_of_range(fmu, text) != NULL) {
+        return text;
+    }
     return has_arrived(outcome) ? NULL : message(fmu, outcome, text);
 }
 
@@ -511,4 +528,9 @@ void fmu_differentiate_start(const fmu *given, const struct fmu *started, struct
     run.shift = &shift;
     tdmf_page_run_to(unit_model, &run, run.time);
     vary_at(started, parameters_of(seed), dx, variation);
+    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+        if (!unit_states[i].has_start) { /* the start calculates it */
+            states_of(seed)[unit_states[i].index] = dx[unit_states[i].index];
+        }
+    }
 }

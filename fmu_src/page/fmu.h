@@ -16,6 +16,8 @@ enum {
 };
 
 /* Settings of the unit rather than of the page. */
+typedef enum { SOLVER_NATIVE = 1, SOLVER_CVODE } solver_method;
+
 typedef enum { SETTING_TOLERANCE, SETTING_TERMINATES, SETTING_METHOD, SETTING_COUNT } fmu_setting;
 
 /* What the solver of Co-Simulation has done. */

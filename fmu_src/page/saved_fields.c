@@ -2,7 +2,7 @@
  * bytes, so that what is written and what is read cannot differ. What follows from the rest is left out. */
 #include "saved_fields.h"
 
-#include "instant.h"
+#include "page_instant.h"
 
 #include <float.h>
 #include <math.h>

@@ -202,6 +202,16 @@ def test_refusals_name_the_variable_its_value_and_what_is_allowed():
     assert any("touchdown at 0.2 s: flight -> stance" in message for message in run.messages)
 
 
+@pytest.mark.parametrize("rate", [1e3, 1e150, 1e300])
+def test_an_input_that_is_ramped_out_of_its_range_ends_the_step_with_a_message(rate):
+    run = UnitRun(units_of(Hopper)[2], "cs", logs=True)
+    run.fmu.setRealInputDerivatives([run.of["push"].valueReference], [1], [rate])
+    with pytest.raises(FMICallException):
+        run.to(1.0)
+    assert "out of range" in run.messages[-1] or "finite result" in run.messages[-1]
+    assert "push" in run.messages[-1] or rate > 1e3
+
+
 def test_a_run_that_ends_stays_readable_and_model_exchange_may_terminate():
     ends = {"spring__stiffness": 5.0, "y": 2.0}
     simulation = UnitRun(units_of(Hopper)[2], "cs", **ends).to(3.0)

@@ -1,5 +1,5 @@
 /* Rates, guards, outputs and their variations at an instant. */
-#include "instant.h"
+#include "page_instant.h"
 
 #include "page_margins.h"
 #include "run_state.h"

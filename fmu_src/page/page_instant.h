@@ -1,6 +1,6 @@
 /* An instant of a run: what follows from parameters and states, by the derived functions of the page. */
-#ifndef TDMF_PAGE_INSTANT_H
-#define TDMF_PAGE_INSTANT_H
+#ifndef TDMF_PAGE_PAGE_INSTANT_H
+#define TDMF_PAGE_PAGE_INSTANT_H
 
 #include "unit.h"
 #include "unit_tables.h"
