@@ -6,7 +6,7 @@ from pathlib import Path
 import fmpy
 import numpy as np
 import pytest
-from conftest import some_of
+from conftest import RELEASE, some_of
 from fmpy import extract, read_model_description
 from fmpy.fmi1 import FMICallException
 from fmpy.fmi3 import FMU3Slave
@@ -307,3 +307,21 @@ def test_two_units_link_into_one_program(tmp_path):
     said = subprocess.run([program, *given], capture_output=True, text=True, check=True).stdout.split()
     assert float(said[0]) == pytest.approx(ball_at(2.0)[0], abs=1e-12)
     assert float(said[1]) == pytest.approx(UnitRun(units_of(Hopper)[2], "cs").to(2.0)["y"], abs=1e-12)
+
+
+def test_no_random_calls_crash_a_unit_or_give_nan(tmp_path):
+    """With the sanitizers, in both interfaces, hostile values and forged saved states among them."""
+    sanitizers = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-g"]
+    write_unit(Hopper, tmp_path)
+    objects = compile_unit(tmp_path, compiler(), ["-DUNIT_IS_STATIC", "-O1", *sanitizers]).values()
+    program, source = tmp_path / "program", Path(__file__).with_name("hostile_calls.c")
+    command = [*compiler(), "-std=c99", *sanitizers, "-isystem", fmi_headers(), source, *objects]
+    subprocess.run([*command, "-o", program, "-lm"], check=True)
+    description = read_model_description(units_of(Hopper)[2])
+    counts = (
+        description.numberOfContinuousStates,
+        description.numberOfEventIndicators,
+        20000 if RELEASE else 1000,
+    )
+    done = subprocess.run([program, description.guid, *map(str, counts)], capture_output=True, text=True)
+    assert done.stdout == "survived\n", done.stdout + done.stderr
