@@ -496,3 +496,17 @@ def test_gaits_on_compliant_ground_are_those_of_the_reference(compliant, gait):
 def test_jacobians_on_compliant_ground_are_differences(compliant):
     own = {"ground_stiffness": 100.0, "dissipation": 20.0}
     assert_jacobians_are_differences(compliant, own, APEX)
+
+
+def test_gaits_approach_those_of_rigid_ground_as_in_the_reference(compliant):
+    """As the ground stiffens, up to a million leg stiffnesses, with damping by which no foot bounces."""
+    rigid = {gait["friction"]: gait["apex"] for gait in reference_gaits(True)}
+    assert len(COMPLIANT["convergence"]) == 40
+    for case in COMPLIANT["convergence"]:
+        given = on_compliant_ground(case)
+        at = compliant.section("at_apex", **given, **TIGHT)
+        at.after(at.fixed_point(rigid[given["friction"]]), varies=True)
+        largest = np.abs(np.linalg.eigvals(at.jacobian)).max()
+        found = at.state("speed"), at.state("cost_of_transport"), largest
+        wanted = case["speed"], case["cost_of_transport"], case["largest_eigenvalue"]
+        assert found == pytest.approx(wanted, abs=1e-8 + 1e-8 * 1e3 / case["given"]["ground.stiffness"]), case

@@ -6,6 +6,8 @@ import pathlib
 import numpy as np
 import pytest
 import tdmf_slip
+from conftest import release
+from own_pages import loaded
 from tdmf_slip.fitting.measurements import read_measurements
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
@@ -178,3 +180,11 @@ def test_a_bounce_of_the_force_is_no_step(load):
     force[100:104], force[290:293] = 0.0, 200.0
     down, up = example.contacts(force)
     assert len(down) == 6 and np.all(up - down == 70)
+
+
+@release
+def test_the_tables_of_compliant_ground_on_the_results_page_are_what_the_example_prints(load):
+    example = load("compliant_ground")
+    page = (EXAMPLES.parent / "documentation" / "results.md").read_text(encoding="utf-8")
+    for table in example.tables(*example.computed(loaded(example.PAGE))):
+        assert example.in_markdown(table) in page
