@@ -32,8 +32,8 @@ def main():
     """Run without and with the controller, and print each stride."""
     found = tdmf_slip.viability(RUNNER, axes=RANGES, vary=CHOICE, n=48, model="full")
     gait = tdmf_slip.find_gait(RUNNER)
-    law = found.controller()
-    print(found)
+    law = tdmf_slip.ViableController(found)
+    print(f"{found.inner_share:.1%} to {found.outer_share:.1%} of the states are viable")
     alone, _ = run(Unchanged(), pushed(gait, PUSH), STRIDES)
     print(f"with its own settings it makes {len(alone) - 1} of {STRIDES} strides")
     apices, settings = run(law, pushed(gait, PUSH), STRIDES)

@@ -1,12 +1,13 @@
 from .analysis.basin import basin
-from .analysis.branches import Branch, continue_branch
-from .analysis.comparison import Comparison, compare
-from .analysis.curves import Curve, continue_curves
+from .analysis.branches import continue_branch
+from .analysis.comparison import compare
+from .analysis.curves import continue_curves
 from .analysis.first_passage import FirstPassage, strides_to_fall
 from .analysis.rare_falls import RareFalls, rare_falls
 from .analysis.stride_map import stride_map
 from .analysis.sweeps import Sweep, gait_at, sweep
 from .analysis.targeted import TargetNotMetError, find_gait
+from .analysis.trajectories import trajectory
 from .building.build import build
 from .building.new import new
 from .errors import GaitNotFoundError, InputError, RunError, TdmfSlipError
@@ -28,7 +29,7 @@ from .library.own_model import load_model
 from .library.runner import Runner
 from .optimization.optimize import optimize
 from .optimization.optimum import Optimum
-from .optimization.pareto import Front, pareto_front
+from .optimization.pareto import pareto_front
 from .paper.validation import Validation, validate
 from .pictures.plot import plot
 from .proof.proof import Proof
@@ -37,7 +38,6 @@ from .proof.prove_attraction import Attraction, prove_attraction
 from .proof.prove_border import BorderProof, prove_border
 from .version import __version__
 from .viable_sets.controller import ViableController
-from .viable_sets.result import Viability
 from .viable_sets.viability import viability
 
 __all__ = [
@@ -45,15 +45,11 @@ __all__ = [
     "Attraction",
     "Batch",
     "BorderProof",
-    "Branch",
-    "Comparison",
     "Controllability",
-    "Curve",
     "Feedback",
     "FirstPassage",
     "Fit",
     "Fmu",
-    "Front",
     "Gait",
     "GaitNotFoundError",
     "InputError",
@@ -69,7 +65,6 @@ __all__ = [
     "TargetNotMetError",
     "TdmfSlipError",
     "Validation",
-    "Viability",
     "ViableController",
     "__version__",
     "apex_covariance",
@@ -101,6 +96,7 @@ __all__ = [
     "stride_map",
     "strides_to_fall",
     "sweep",
+    "trajectory",
     "validate",
     "viability",
 ]

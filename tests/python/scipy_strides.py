@@ -48,6 +48,7 @@ class Stride:
         self.friction, self.swing_clamp, self.tolerance = friction, swing_clamp, tolerance
         self.mode, self.sign, self.phase, self.liftoff_angle = "flight", 0, "place", 0.0
         self.word, self.time = "", 0.0
+        self.path = []  # start and SciPy's interpolation of each mode
 
     # ---- forces ----
 
@@ -175,12 +176,19 @@ class Stride:
                 rtol=self.tolerance,
                 atol=1e-14,
                 events=events,
+                dense_output=True,
             )
+            self.path.append((self.time, found.sol))
             fired = next(n for n, times in zip(guards, found.t_events, strict=True) if len(times))
             self.time, z = self.time + found.t[-1], found.y[:, -1]
             if fired == "apex":
                 return self.closed(z)
             self.take(fired, z)
+
+    def at(self, time):
+        """Foot and body with their velocities at a time of the stride that has been run."""
+        begin, solution = next(piece for piece in reversed(self.path) if piece[0] <= time)
+        return solution(time - begin)[:8]
 
     def closed(self, z):
         leg = Leg(z)

@@ -130,7 +130,7 @@ def test_the_viable_controller_is_tested_for_falls():
         vary={ANGLE: (0.3, 1.1, 12), TORQUE: (0.05, 0.4, 6)},
         n=16,
     )
-    law = found.controller()
+    law = tdmf_slip.ViableController(found)
     passage = strides_to_fall(runner, 0.6, 50, 1, 12, law=law)
     batch = Batch(gait, np.tile(gait.apex, (50, 1)), RoughGround(0.6, 1), tolerance=1e-5)
     runs, strides = np.full(50, True), 0

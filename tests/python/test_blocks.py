@@ -101,7 +101,6 @@ ANALYSES = {
         **how,
     ),
     "viability": lambda _, how: tdmf_slip.viability(None, n=12, **PLACES, **how),
-    "loss of friction": lambda _, how: tdmf_slip.viability(None, n=6, **PLACES).friction_loss([0.3], **how),
     "attraction": lambda gait, how: attraction.measure_all([gait], **how),
     "judgement": lambda gait, how: judgement.judge_all([judgement.Trial(gait, lqr(gait), (0.1,))], **how),
     "proof": lambda _, how: proved(how),

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from conftest import CLAMPED, some_of
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from tdmf_slip import Batch, InputError, Runner, continue_branch, plot
+from tdmf_slip import Batch, InputError, Runner, continue_branch, gait_at, plot
 from tdmf_slip.analysis.branch_problem import gaits_over
+from tdmf_slip.analysis.branches import branch_dataset, branch_over
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.pictures.branch_diagram import figure_of, values_of
@@ -29,19 +30,19 @@ def runner():
 @pytest.fixture(scope="module")
 def over_low_angle(runner):
     """A branch over falling angles that passes a period doubling."""
-    return continue_branch(runner, {ANGLE: (0.575, 0.56)})
+    return branch_over(runner, {ANGLE: (0.575, 0.56)})
 
 
 @pytest.fixture(scope="module")
 def over_angle(runner):
     """The branch goes from 40 degrees upwards, around two folds."""
-    return continue_branch(runner, {ANGLE: (np.radians(40.0), np.radians(53.0))}, max_step=1.0)
+    return branch_over(runner, {ANGLE: (np.radians(40.0), np.radians(53.0))}, max_step=1.0)
 
 
 @pytest.fixture(scope="module")
 def over_rate():
     """A branch over the rate of retraction, on friction 0.2 and with the clamp of the swing."""
-    return continue_branch({FRICTION: 0.2, **CLAMPED}, {"hip.retraction_rate": (0.0, 0.03)})
+    return branch_over({FRICTION: 0.2, **CLAMPED}, {"hip.retraction_rate": (0.0, 0.03)})
 
 
 def settled(runner, apex, strides=STRIDES):
@@ -155,7 +156,7 @@ def test_where_the_foot_just_touches_the_ground_the_branch_turns_back(over_rate)
 def test_a_branch_does_not_jump_to_another_sheet():
     """At 0.7335 rad its gaits end; others, which it has been at before, are 0.064 away."""
     runner = {"gravity": 0.015, "foot.mass": 0.03, FRICTION: 0.8, **CLAMPED}
-    branch = continue_branch(runner, {ANGLE: (0.76, 0.72)}, switch=False)
+    branch = branch_over(runner, {ANGLE: (0.76, 0.72)}, switch=False)
     assert branch.ended.startswith(f"no convergence at {ANGLE}") and 0.7332 < branch.values[-1] < 0.734
     met = [(s.kind, s.words) for s in branch.specials if s.kind in ("word border", "fold", "Neimark-Sacker")]
     assert len(met) == len(set(met)) >= 2
@@ -167,18 +168,18 @@ def test_a_branch_does_not_jump_to_another_sheet():
         assert nearest > 0.5 * min(before, after), number
 
 
-def test_a_doubled_gait_is_reported_like_any_other(over_low_angle):
-    (doubled,) = over_low_angle.branches
-    printed = doubled.as_json()
-    assert printed["strides"] == 2 and printed["began"].startswith(
-        "period doubling at hip.touchdown_angle = 0.565"
-    )
+def test_a_doubled_gait_is_reported_like_any_other(over_low_angle, command):
+    status, out, _ = command("continue", "--vary", f"{ANGLE}=0.575:0.56", "--json")
+    (printed,) = json.loads(out)["branches"]
+    assert status == 0 and printed["strides"] == 2
+    assert printed["began"].startswith("period doubling at hip.touchdown_angle = 0.565")
     point = printed["points"][-1]
     assert point["strides"] == 2 and len(point["apexes"]) == 2 and point["apexes"][0] == point["apex"]
     assert point["word"].count(" ") == 1 and len(point["eigenvalues"]) == 6
+    (doubled,) = over_low_angle.branches
     gait = doubled.gaits[-1]
-    strides = [gait.apex, gait.following[0]]
-    assert values_of(gait, "com_speed") == [apex[1] for apex in strides]
+    values = values_of(branch_dataset(over_low_angle), "com_speed")
+    assert values[-1].tolist() == [apex[1] for apex in (gait.apex, gait.following[0])]
     assert gait.stride["speed"] == pytest.approx(gait.stride["length"] / gait.stride["period"], rel=1e-14)
 
 
@@ -207,7 +208,7 @@ def code_of(word):
 def test_a_word_border_is_where_plain_strides_change_their_word(preset, name, begin, end, smallest):
     """On both sides, also of words that hold over 3e-6 of the parameter: side by side in the ensemble."""
     runner = Runner(read_parameters(preset) if preset else {})
-    branch = continue_branch(runner, {name: (begin, end)}, switch=False)
+    branch = branch_over(runner, {name: (begin, end)}, switch=False)
     borders = [(special.value, special) for special in branch.specials if special.kind == "word border"]
     values = [branch.values[0], *(value for value, _ in borders), branch.values[-1]]
     gaits, words = [], []
@@ -230,7 +231,7 @@ def test_a_word_border_is_where_plain_strides_change_their_word(preset, name, be
 def test_the_fast_humans_fold_is_where_plain_strides_lose_the_gait():
     """Beside a word border, on the friction; the runner falls beyond it."""
     human = Runner(read_parameters(FAST_HUMAN))
-    branch = continue_branch(human, {FRICTION: (0.6, 0.38)}, switch=False)
+    branch = branch_over(human, {FRICTION: (0.6, 0.38)}, switch=False)
     fold = one(branch, "fold")
     before = next(gait for gait in branch.gaits[fold.index :: -1] if gait.lambda_max < 0.97)
     gait = next(gaits_over(human, FRICTION, [fold.value + 1e-3], before))
@@ -265,7 +266,7 @@ def test_a_neimark_sacker_point_is_where_plain_strides_spiral_in_or_out(over_ang
 def test_a_range_without_a_gait_at_its_beginning_is_followed_both_ways():
     """The fast human falls at 0.35: the branch begins above its fold."""
     human = Runner(read_parameters(FAST_HUMAN))
-    branch = continue_branch(human, {FRICTION: (0.35, 0.5)})
+    branch = branch_over(human, {FRICTION: (0.35, 0.5)})
     assert branch.began == branch.ended == "end of the range"
     assert branch.values[0] == branch.values[-1] == 0.5
     assert [s.kind for s in branch.specials if s.kind != "word border"] == ["fold"]
@@ -282,8 +283,14 @@ def test_a_diagram_and_a_dataset_are_one_command(command, tmp_path):
 
     data = xarray.load_dataset(tmp_path / "a.nc")
     assert data.attrs["ended"] == "end of the range" and data[ANGLE].attrs["units"] == "rad"
-    assert data["special_kind"].values.tolist() == ["period doubling"]
+    assert [kind for kind in data["special"].values if kind] == ["period doubling"]
     assert set(data["unstable"].values.tolist()) == {0, 1}
+    assert data["branch_strides"].values.tolist() == [1, 2]
+    again = continue_branch(None, {ANGLE: (0.57, 0.563)})
+    for name in ("speed", "apexes", "branch_number", "special"):
+        assert data[name].equals(again[name])
+    gait = gait_at(data.isel(point=-1))
+    assert gait.strides == 2 and gait.speed == data["speed"].values[-1]
     data.assign_attrs(result="basin").to_netcdf(tmp_path / "map.nc")
     status, _, complaint = command(
         "continue", "--vary", "hip.touchdown_angle=0.57:0.563", "--output", "map.nc"
@@ -305,7 +312,7 @@ def test_the_reduced_map_is_followed_as_well(command):
 
 
 def test_lines_are_solid_where_gaits_are_stable(over_low_angle):
-    axes = plot(over_low_angle).axes[0]
+    axes = plot(branch_dataset(over_low_angle)).axes[0]
     lines = {line.get_label(): line for line in axes.get_lines()}
     assert {"stable, 1 stride", "unstable, 1 stride", "stable, 2 strides", "period doubling"} <= set(lines)
     assert lines["stable, 1 stride"].get_linestyle() == "-"
@@ -316,11 +323,11 @@ def test_lines_are_solid_where_gaits_are_stable(over_low_angle):
     words = {" ".join(sorted(text.get_text().split())) for text in axes.texts}  # either stride may come first
     assert words == {"+0−", "+−", "+0− +0−", "+0− +−"}
     with pytest.raises(InputError, match=r"quantity 'sped' is not allowed.*speed"):
-        figure_of(over_low_angle, "sped")
+        figure_of(branch_dataset(over_low_angle), "sped")
 
 
 def test_words_are_beside_their_lines_and_hide_nothing(over_angle):
-    figure = plot(over_angle)
+    figure = plot(branch_dataset(over_angle))
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     axes = figure.axes[0]

@@ -10,7 +10,7 @@ from tdmf_slip import InputError, RunError, Runner, find_gait
 from tdmf_slip.analysis.branch_problem import BranchProblem, gaits_over
 from tdmf_slip.analysis.branches import trace
 from tdmf_slip.analysis.search import periodic_gait
-from tdmf_slip.analysis.special_points import SHORTEST, special_points
+from tdmf_slip.analysis.special_points import SHORTEST, Border, special_points
 from tdmf_slip.variables.parameters import read_parameters
 from tdmf_slip.variables.table import FRICTION
 
@@ -29,6 +29,10 @@ def runner():
 @pytest.fixture(scope="module")
 def human():
     return Runner(read_parameters(FAST_HUMAN))
+
+
+def borders(branch):
+    return [Border(s.value, *s.words) for s in branch.specials if s.kind == "word border"]
 
 
 def kinds(branch):
@@ -98,8 +102,8 @@ def test_a_fold_beside_word_borders_is_found(human):
     assert special_points_met(branch) >= 1
     assert branch.gaits[0].stable and not branch.gaits[-1].stable
     assert branch.ended == "back at ground.friction = 0.6"
-    words = [branch.gaits[0].word, *(border.after for border in branch.borders)]
-    assert [border.before for border in branch.borders] == words[:-1] and words[-1] == branch.gaits[-1].word
+    words = [branch.gaits[0].word, *(border.after for border in borders(branch))]
+    assert [border.before for border in borders(branch)] == words[:-1] and words[-1] == branch.gaits[-1].word
     (fold,) = [special for special in branch.specials if special.kind == "fold"]
     assert_judged_rightly(fold)
     assert fold.value == pytest.approx(0.3836020818, abs=1e-9) and fold.value < min(branch.values)
@@ -160,8 +164,8 @@ def test_a_border_is_where_the_word_changes(preset, name, end):
     runner = Runner(read_parameters(preset) if preset else preset)
     branch = trace(runner, name, find_gait(runner), end, max_step=0.1)
     met = [special for special in branch.specials if special.kind == "word border"]
-    assert len(met) == len(branch.borders) >= 2
-    for border, special in zip(branch.borders, met, strict=True):
+    assert len(met) == len(borders(branch)) >= 2
+    for border, special in zip(borders(branch), met, strict=True):
         words = {
             find_gait(runner.replace({name: border.value * (1.0 + off)}), guess=special.gait.apex).word
             for off in (-3e-10, 3e-10)

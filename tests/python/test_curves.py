@@ -6,11 +6,11 @@ from itertools import combinations
 import numpy as np
 import pytest
 from closed_form_maps import MapProblem, henon
-from tdmf_slip import InputError, Runner, continue_branch, continue_curves
-from tdmf_slip.analysis.curves import BifurcationProblem, curve_through
+from tdmf_slip import InputError, Runner, continue_curves, plot
+from tdmf_slip.analysis.branches import branch_over
+from tdmf_slip.analysis.curves import BifurcationProblem, curve_through, curves_in
 from tdmf_slip.analysis.special_points import bialternate
 from tdmf_slip.numerics.following import Limits
-from tdmf_slip.pictures.curve_diagram import figure_of
 
 ANGLE, DAMPING, FRICTION = "hip.touchdown_angle", "leg.damping", "ground.friction"
 
@@ -116,14 +116,14 @@ def test_period_doublings_over_two_parameters(command, tmp_path):
     assert sorted(damping for _, damping in ends) == pytest.approx([0.199, 0.201], abs=1e-9)
     angle, damping = curve["points"][len(curve["points"]) // 4]
     runner = Runner({DAMPING: damping})
-    branch = continue_branch(runner, {ANGLE: (angle + 2e-3, angle - 2e-3)}, switch=False)
+    branch = branch_over(runner, {ANGLE: (angle + 2e-3, angle - 2e-3)}, switch=False)
     (doubling,) = (special for special in branch.specials if special.kind == "period doubling")
     assert doubling.value == pytest.approx(angle, rel=1e-8)
     assert (tmp_path / "curves.png").read_bytes()[:4] == b"\x89PNG"
 
 
 def test_word_borders_cross_the_ranges_of_two_parameters():
-    curves = continue_curves({}, {FRICTION: (1.2, 0.4), DAMPING: (0.15, 0.25)})
+    curves = curves_in(continue_curves({}, {FRICTION: (1.2, 0.4), DAMPING: (0.15, 0.25)}))
     words = [("+0+", "+0-0+"), ("+0-0+", "+0-+"), ("+0-+", "+0-")]
     assert [(curve.kind, curve.words) for curve in curves] == [("word border", pair) for pair in words]
     for curve in curves:
@@ -131,8 +131,8 @@ def test_word_borders_cross_the_ranges_of_two_parameters():
         assert sorted(curve.points[[0, -1], 1]) == pytest.approx([0.15, 0.25])
         friction, damping = curve.points[len(curve.points) // 4]
         runner = Runner({DAMPING: damping})
-        branch = continue_branch(runner, {FRICTION: (friction + 0.001, friction - 0.001)}, switch=False)
-        (value,) = (of.value for of in branch.borders if (of.before, of.after) == curve.words)
+        branch = branch_over(runner, {FRICTION: (friction + 0.001, friction - 0.001)}, switch=False)
+        (value,) = (of.value for of in branch.specials if of.words == curve.words)
         assert value == pytest.approx(friction, rel=1e-8)
 
 
@@ -142,12 +142,12 @@ def test_a_border_has_each_word_on_its_side(turned):
     span = (1.2, 1.1)[:: -1 if turned else 1]
     over = {FRICTION: span, DAMPING: (0.198, 0.202)}
     curves = continue_curves({}, over)
-    figure = figure_of(curves, over)
+    figure = plot(curves)
     figure.canvas.draw()
     axes = figure.axes[0]
     texts = sorted(axes.texts, key=lambda text: text.get_window_extent().x0)
     assert [text.get_text() for text in texts] == ["+0−0+", "+0+"]
-    line = axes.transData.transform(curves[0].points)
+    line = axes.transData.transform(curves_in(curves)[0].points)
     for text in texts:
         assert not any(text.get_window_extent().contains(*point) for point in line)
 

@@ -287,7 +287,11 @@ def test_the_regulator_is_the_limit_of_the_recursion_backwards_in_time(gaits):
     for _ in range(500):
         gain = -np.linalg.solve(r + b.T @ cost @ b, b.T @ cost @ a)
         cost = np.eye(6) + gain.T @ r @ gain + (a + b @ gain).T @ cost @ (a + b @ gain)
-    assert riccati_gain(a, b, np.eye(6), r) == pytest.approx(gain, rel=1e-8, abs=1e-10)
+    assert riccati_gain(a, b, np.eye(6), r)[0] == pytest.approx(gain, rel=1e-8, abs=1e-10)
+    law = lqr(gaits[0.2], [ANGLE, TORQUE], input_weight=[1.0, 0.1])
+    assert pytest.approx(cost, rel=1e-8, abs=1e-10) == law.S and np.array_equal(law.K, -np.asarray(law.gain))
+    closed = a - b @ (law.K / model.setting_scales[:, None] * model.scales)
+    assert np.sort(np.abs(np.linalg.eigvals(closed))) == pytest.approx(np.sort(np.abs(law.E)), abs=1e-12)
 
 
 def test_the_cost_of_a_small_push_is_that_of_the_simulated_strides(gaits):

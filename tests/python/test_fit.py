@@ -9,11 +9,12 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
+import pandas
 import pytest
 from tdmf_slip import InputError, Runner, find_gait, fit
 from tdmf_slip.fitting import problem as problem_module
 from tdmf_slip.fitting.conclusion import is_met
-from tdmf_slip.fitting.measurements import Measured, Measurements, read_measurements, shipped
+from tdmf_slip.fitting.measurements import Measured, Measurements, measurements_of, read_measurements, shipped
 from tdmf_slip.fitting.problem import Problem
 from tdmf_slip.fitting.result import QUANTILE, identified
 from tdmf_slip.fitting.search import Across
@@ -321,7 +322,7 @@ def test_semicolons_and_tabulators_may_be_between_cells(tmp_path, separator, row
         ("# nothing\n\n", "the header and the rows are missing"),
         (TABLE, "the rows are missing"),
         ("speed,speed_error [m/s]\n1,0.1\n", "has no unit; allowed: speed [m/s]"),
-        ("speed [km/h],speed_error [m/s]\n1,0.1\n", "allowed: speed [m/s]"),
+        ("speed [kg],speed_error [m/s]\n1,0.1\n", "'kg' is no unit of speed; allowed: speed [m/s]"),
         ("sped [m/s],speed_error [m/s]\n1,0.1\n", "near matches: speed"),
         ("speed [m/s]\n1\n", "column speed without speed_error"),
         ("speed_error [m/s]\n1\n", "column speed_error without speed"),
@@ -464,3 +465,43 @@ def test_one_leg_runs_at_eight_speeds():
 def test_a_file_that_does_not_come_with_the_package_is_refused():
     with pytest.raises(InputError, match="human_running"):
         shipped("horse.csv")
+
+
+UNITS, ERRORS = {"speed": "km/h", "stance_time": "ms"}, {"speed": "1 %", "stance_time": [100.0, 200.0]}
+COLUMNS = {"speed": [3.6, 3.96], "stance_time": [3500.0, 3400.0]}
+
+
+@pytest.mark.parametrize("kind", ["mapping", "table", "file", "titles"])
+def test_units_and_errors_may_be_given_beside_the_data(kind, tmp_path):
+    data = {
+        "mapping": lambda: COLUMNS,
+        "table": lambda: pandas.DataFrame(COLUMNS),
+        "file": lambda: written(tmp_path, "speed,stance_time\n3.6,3500\n3.96,3400\n"),
+        "titles": lambda: written(tmp_path, "speed [km/h],stance_time [ms]\n3.6,3500\n3.96,3400\n"),
+    }[kind]()
+    units = {} if kind == "titles" else UNITS
+    rows = measurements_of(data, units, ERRORS).rows
+    assert [row["speed"].value for row in rows] == pytest.approx([1.0, 1.1], rel=1e-12)
+    assert [row["speed"].error for row in rows] == pytest.approx([0.01, 0.011], rel=1e-12)
+    assert [row["stance_time"].value for row in rows] == pytest.approx([3.5, 3.4], rel=1e-12)
+    assert [row["stance_time"].error for row in rows] == pytest.approx([0.1, 0.2], rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("data", "units", "errors", "words"),
+    [
+        (COLUMNS, {"speed": "kg"}, ERRORS, "'kg' is no unit of speed"),
+        (COLUMNS, {"speed": 3}, ERRORS, "no unit of speed"),
+        (COLUMNS, {"sped": "m/s"}, ERRORS, "units: 'sped' is no quantity.*speed"),
+        (COLUMNS, {}, {"speed": "1 %"}, "stance_time without stance_time_error.*errors="),
+        (COLUMNS, {}, ERRORS | {"speed": "1 m/s"}, "errors: speed = '1 m/s' is not allowed"),
+        (COLUMNS, {}, ERRORS | {"speed": [0.1]}, "errors: speed"),
+        (COLUMNS, {}, ERRORS | {"frequency": 0.1}, "errors: frequency has no column"),
+        (COLUMNS | {"speed_error": [1.0, 1.0]}, {}, ERRORS, "errors: speed has a column of errors"),
+        ({"speed": [1.0], "stance_time": [1.0, 2.0]}, {}, ERRORS, "columns of different lengths"),
+        ({}, {}, {}, "columns of different lengths, or none"),
+    ],
+)
+def test_units_and_errors_that_do_not_fit_are_refused(data, units, errors, words):
+    with pytest.raises(InputError, match=words):
+        measurements_of(data, units, errors)

@@ -171,7 +171,7 @@ def test_a_grid_has_each_gait_with_its_units(runner):
         with pytest.raises(InputError, match=message):
             gait_at(gaits, **where)
     for given in (None, sweep, borders, gaits.drop_attrs(), gaits.drop_vars("apex_com_height")):
-        with pytest.raises(InputError, match=r"gaits = .* allowed: gaits of a sweep"):
+        with pytest.raises(InputError, match=r"gaits = .* allowed: a dataset of gaits"):
             gait_at(given, friction=0.6)
 
 

@@ -87,7 +87,7 @@ ANALYSES = {
     "strides_to_fall": "tdmf_slip.strides_to_fall({}, 0.05, 20, max_strides=5)",
     "feedback": "tdmf_slip.lqr(tdmf_slip.find_gait(), ['torque'])",
     "optimize": "tdmf_slip.optimize(None, vary={'torque': (0.15, 0.25)}, minimize='cost_of_transport')",
-    "compare": "tdmf_slip.compare([{'friction': 0.5}, {}], hold=['speed'], vary=['torque']).table()",
+    "compare": "tdmf_slip.compare([{'friction': 0.5}, {}], hold=['speed'], vary=['torque'])",
     "fit": "tdmf_slip.fit(None, FITTED, ['torque'])",
 }
 

@@ -38,7 +38,9 @@ def test_a_gait_is_the_same_by_either_name_and_by_keyword():
     "call",
     [
         lambda name: tdmf_slip.sweep(None, {name: ["40 deg", "41 deg"]}).gaits["speed"].to_dict()["data"],
-        lambda name: tdmf_slip.continue_branch(None, {name: (0.69, 0.7)}, max_points=4).values,
+        lambda name: tdmf_slip.continue_branch(None, {name: (0.69, 0.7)}, max_points=4)[
+            "speed"
+        ].values.tolist(),
         lambda name: find_gait(target={"speed": 1.05}, vary=[name]).runner,
         lambda name: tdmf_slip.lqr(find_gait(), [name]).inputs,
         lambda name: tdmf_slip.stride_map(None, find_gait().apex, inputs={name: 0.7})[

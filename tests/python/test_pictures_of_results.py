@@ -166,8 +166,7 @@ def test_a_front_shows_one_objective_over_the_other():
     )
     (axes,) = tdmf_slip.plot(front).axes
     assert labels(axes) == ("cost of transport", "speed (l₀√(k/m))")
-    speeds = [best.gait.speed for best in front.optima]
-    assert np.allclose(axes.lines[0].get_ydata(), speeds, rtol=1e-12)
+    assert np.allclose(axes.lines[0].get_ydata(), front["speed"], rtol=1e-12)
 
 
 def test_strides_to_fall_show_who_is_still_up():
@@ -191,14 +190,6 @@ def test_rare_falls_are_drawn_also_where_the_interval_is_open():
     (axes,) = tdmf_slip.plot(found).axes
     strides, still_up = line(axes, "mean 1e+06 strides until the fall")
     assert np.allclose(still_up, np.exp(-1e-6 * strides), rtol=1e-4)
-
-
-def test_a_curve_lies_over_its_two_parameters():
-    points = np.array([[0.5, 0.1], [0.6, 0.2], [0.7, 0.25]])
-    curve = tdmf_slip.Curve(Runner(), "fold", (FRICTION, "leg.damping"), points, "edge", "edge")
-    (axes,) = tdmf_slip.plot(curve).axes
-    assert labels(axes) == (FRICTION, "leg.damping (√(k m))")
-    assert np.array_equal(np.transpose(axes.lines[0].get_data()), points)
 
 
 def test_a_proved_gait_shows_its_eigenvalues_and_enclosures():

@@ -46,9 +46,10 @@ MADE = {
         points=2,
         starts=1,
     ),
-    "curve": lambda gait: tdmf_slip.Curve(
-        gait.runner, "fold", (TORQUE, ANGLE), np.array([[0.2, 0.6], [0.3, 0.7]]), "edge", "edge"
+    "curves": lambda gait: tdmf_slip.continue_curves(
+        {}, {"ground.friction": (0.51, 0.49), "leg.damping": (0.199, 0.201)}, max_points=3
     ),
+    "branch": lambda gait: tdmf_slip.continue_branch(gait.runner, {TORQUE: (0.2, 0.21)}),
     "comparison": lambda gait: tdmf_slip.compare(
         [{"ground.friction": 0.6}, {"ground.friction": 0.7}], hold=["speed"], vary=[TORQUE]
     ),
@@ -69,10 +70,12 @@ def result_of(gait):
 DATASETS = {
     "run": lambda run: run.to_dataset(),
     "gait": lambda gait: gait.to_dataset(),
-    "viability": lambda found: found.to_dataset(),
     "sweep": lambda found: found.gaits,
     "grid": lambda found: found.gaits,
-    **dict.fromkeys(("basin", "runs", "strides"), lambda data: data),
+    **dict.fromkeys(
+        ("basin", "branch", "comparison", "curves", "front", "runs", "strides", "viability"),
+        lambda data: data,
+    ),
 }
 """Datasets of results."""
 
@@ -82,7 +85,7 @@ def test_a_result_is_the_same_made_anew_and_after_a_pickle(name, gait, result_of
     result = result_of(name)
     assert_same(MADE[name](gait), result)
     assert_same(pickle.loads(pickle.dumps(result)), result)
-    if name not in DATASETS or name in ("gait", "run", "viability"):
+    if name not in DATASETS or name in ("gait", "run"):
         text = repr(result)
         assert text.startswith("<") and len(text) < 400 and "\n" not in text
 
@@ -91,7 +94,10 @@ VARIES = {
     "runs": {"ground.friction"},
     "grid": {"leg.damping", "ground.friction"},
     "sweep": {"ground.friction"},
-    "curve": {TORQUE, ANGLE},
+    "curves": {"ground.friction", "leg.damping"},
+    "branch": {TORQUE},
+    "front": {TORQUE},
+    "comparison": {TORQUE, "ground.friction"},
 }
 """By result: names whose values are its coordinates."""
 
@@ -111,10 +117,6 @@ def test_a_dataset_says_what_it_is_who_ran_and_by_which_version(name, gait, resu
     assert netcdf_of(data)
 
 
-ROWS = {"front": "front", "comparison": "runners"}
-"""Entries whose rows have a runner each."""
-
-
 @pytest.mark.parametrize("name", MADE)
 def test_json_records_them_too(name, gait, result_of):
     result = result_of(name)
@@ -122,13 +124,11 @@ def test_json_records_them_too(name, gait, result_of):
         assert name in DATASETS
         return
     plain = json.loads(json_text(result.as_json()))
-    model = "reduced" if name == "viability" else "full"
-    assert plain["version"] == tdmf_slip.__version__ and plain["model"] == model
-    for row in plain[ROWS[name]] if name in ROWS else [plain]:
-        values = row.get("runner") or row["start_values"]
-        same = {of for of, value in gait.runner.items() if values.get(of) == value}
-        assert set(values) >= {*gait.runner} - VARIES.get(name, set()) - {ANGLE, TORQUE}, name
-        assert len(same) >= len(gait.runner) - len(STATES) - 2
+    assert plain["version"] == tdmf_slip.__version__ and plain["model"] == "full"
+    values = plain.get("runner") or plain["start_values"]
+    same = {of for of, value in gait.runner.items() if values.get(of) == value}
+    assert set(values) >= {*gait.runner} - {ANGLE, TORQUE}, name
+    assert len(same) >= len(gait.runner) - len(STATES) - 2
 
 
 def test_the_columns_of_a_run_go_by_their_names(gait):

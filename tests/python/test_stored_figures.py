@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from conftest import ROOT
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from tdmf_slip import Runner, compare, find_gait, strides_to_fall
+from tdmf_slip import Runner, compare, find_gait, gait_at, strides_to_fall
 from tdmf_slip import viability as find_viable
 from tdmf_slip.library.quantities import quantities_of
 from tdmf_slip.paper.figures import columns, optimal, rough, slippery_patch, slope, thrust, viability
@@ -39,7 +39,7 @@ def test_matched_runners_on_rough_ground_are_what_is_kept():
     runners = compare(
         [{"ground.friction": mu} for mu in (rough.REFERENCE, 10.0)], hold=rough.HOLD, vary=rough.VARY
     )
-    runner = Runner(runners.gaits[1].runner)
+    runner = gait_at(runners.sel(runner=1, step="after")).runner
     found = strides_to_fall(runner, rough.MATCHED_ROUGHNESS, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES)
     (row,) = np.flatnonzero(matched & (data["friction"] == 10.0))
     assert found.mean_strides == pytest.approx(data["mean_strides"][row], rel=0.1)
@@ -137,7 +137,7 @@ def test_viable_shares_of_matched_runners_are_what_is_kept():
         assert value == pytest.approx(wanted, rel=1e-6)
     found = find_viable(values, axes=viability.AXES, vary=viability.CHOSEN, n=viability.CELLS)
     assert found.inner_share == pytest.approx(data["inner_share"][row], abs=1e-3)
-    assert found.outer_robustness.mean() == pytest.approx(data["outer_robustness"][row], abs=1e-3)
+    assert float(found["outer_robustness"].mean()) == pytest.approx(data["outer_robustness"][row], abs=1e-3)
 
 
 def test_optimal_runners_are_what_is_kept():

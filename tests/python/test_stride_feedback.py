@@ -113,7 +113,7 @@ def test_a_viable_controller_keeps_the_unit_up_where_its_own_settings_do_not(exa
     viable = importlib.import_module("viable_controller")
     found = tdmf_slip.viability(viable.RUNNER, axes=viable.RANGES, vary=viable.CHOICE, n=48, model="full")
     gait = tdmf_slip.find_gait(viable.RUNNER)
-    law = found.controller()
+    law = tdmf_slip.ViableController(found)
     alone, _ = viable.run(viable.Unchanged(), viable.pushed(gait, viable.PUSH), strides=6)
     apices, settings = viable.run(law, viable.pushed(gait, viable.PUSH), strides=6)
     assert len(alone) < 6

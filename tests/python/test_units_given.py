@@ -1,5 +1,6 @@
 """Units as their user gave them: read in any spelling, and told again in tables and pictures."""
 
+import importlib
 import json
 import math
 import re
@@ -9,7 +10,7 @@ import numpy as np
 import pytest
 import xarray
 from tdmf_slip import InputError, continue_branch, continue_curves, load_fmu, sweep
-from tdmf_slip.cli.main import COMMANDS
+from tdmf_slip.cli.main import COMMANDS, module_of
 from tdmf_slip.pictures import branch_diagram, curve_diagram, sweep_diagram
 from tdmf_slip.variables.display_units import DisplayUnits
 
@@ -91,7 +92,7 @@ def test_pictures_are_marked_in_the_unit_that_was_given():
 def test_curves_are_marked_in_the_units_that_were_given():
     spans = {ANGLE: (math.radians(40.0), math.radians(42.0)), FRICTION: (0.45, 0.5)}
     display = DisplayUnits({ANGLE: "40 deg:42 deg"})
-    figure = curve_diagram.figure_of(continue_curves({}, spans, max_points=3), spans, display)
+    figure = curve_diagram.figure_of(continue_curves({}, spans, max_points=3), display)
     axes = figure.axes[0]
     check_degrees(axes.xaxis, axes.get_xlabel())
     assert axes.get_ylabel() == FRICTION
@@ -174,7 +175,11 @@ def test_the_help_has_whole_sentences(command):
     assert status == 0 and "..." not in commands
     summaries = re.split(r"\n  (?=\S)", commands)
     assert len(summaries) == len(COMMANDS)
-    assert all(summary.strip().endswith(".") for summary in summaries), summaries
+    for name, summary in COMMANDS.items():
+        assert f"{name} " in commands and summary.endswith(".")
+        module = importlib.import_module(f"tdmf_slip.cli.{module_of(name)}")
+        text = " ".join((getattr(module, f"{name}_command").help or "").split())
+        assert text.startswith(summary.removesuffix(".")), name
 
 
 def test_a_key_of_twenty_thousand_dots_is_answered_at_once(command, tmp_path):

@@ -19,7 +19,12 @@ SETTINGS = {
 def test_the_command_finds_what_the_function_finds(command):
     status, out, _ = command("viability", "--friction", 0.3, *GRID, "--n", 6, "--json")
     assert status == 0
-    assert json.loads(out) == tdmf_slip.viability({"ground.friction": 0.3}, **SETTINGS).as_json()
+    printed, found = json.loads(out), tdmf_slip.viability({"ground.friction": 0.3}, **SETTINGS)
+    assert printed["runner"] == json.loads(found.runner)
+    assert (printed["cells"], printed["actions"], printed["strides"]) == ([6, 6], 6, 7 * 7 * 6)
+    for name in ("inner", "outer"):
+        assert printed[f"{name}_share"] == found.attrs[f"{name}_share"]
+        assert printed[f"{name}_robustness"] == float(found[f"{name}_robustness"].mean())
 
 
 def test_the_command_draws_writes_and_goes_on(command, tmp_path):
@@ -45,13 +50,12 @@ def test_the_command_tells_of_the_gait_and_writes_a_controller(command, tmp_path
         axes={"com_height": (0.5, 2), "com_speed": (0, 2)},
         vary=SETTINGS["vary"],
         n=24,
+        gait=tdmf_slip.find_gait(model="reduced"),
     )
-    gait = tdmf_slip.find_gait(model="reduced")
-    reached = found.reached(gait)
-    assert printed["reached"] == reached.as_json()
-    assert printed["reached"]["outer_share"] == (reached.outer >= 0).mean() > 0
-    assert printed["largest_drop"]["outer"] == found.largest_drop()[1][reached.target].min()
-    law = found.controller()
+    assert printed["reached"]["cells"] == int(found["at_gait"].sum())
+    assert printed["reached"]["outer_share"] == (found["outer_strides"].values >= 0).mean() > 0
+    assert printed["largest_drop"]["outer"] == found["outer_drop"].values[found["at_gait"].values == 1].min()
+    law = tdmf_slip.ViableController(found)
     with file.open(encoding="utf-8") as opened:
         rows = list(csv.DictReader(opened))
     assert len(rows) == 24 * 24
@@ -114,10 +118,10 @@ def test_the_picture_tells_the_three_kinds_of_cells_apart():
     assert axes.get_xlim() == (0, 3)
     assert axes.get_ylim() == (0.3, 3)
     none, opened, viable = axes.collections
-    states = found.inner_states + found.outer_states.astype(int)
+    states = found["viable"].values
     for mesh, level in ((none, 0), (opened, 1), (viable, 2)):
         assert ((states == level) == ~mesh.get_array().mask).all()
         assert (states == level).any()
-    assert viable.get_clim() == (0, found.inner_robustness.max())
+    assert viable.get_clim() == (0, found["inner_robustness"].max())
     assert "share" in bar.get_ylabel()
     assert viability_map.OPEN != viability_map.NOT_VIABLE

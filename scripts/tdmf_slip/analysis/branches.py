@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -25,7 +25,7 @@ from ..variables.table import Model
 from ..variables.variable import Given
 from .branch_problem import BranchProblem, gaits_over
 from .search import periodic_gait
-from .special_points import PERIOD_DOUBLING, WORD_BORDER, Border, Special, special_points
+from .special_points import PERIOD_DOUBLING, Special, special_points
 
 if TYPE_CHECKING:
     import xarray
@@ -65,72 +65,57 @@ class Branch:
     branches: tuple[Branch, ...] = ()
     """Branches of gaits of twice as many strides, from the period doublings."""
 
-    @property
-    def borders(self) -> tuple[Border, ...]:
-        """Changes of the word, in the branch's order."""
-        return tuple(Border(s.value, *s.words) for s in self.specials if s.kind == WORD_BORDER and s.words)
 
-    def __repr__(self) -> str:
-        """One line: the parameter, the length, the special points, and why the branch stops."""
-        kinds = [special.kind for special in self.specials]
-        counts = (
-            ", ".join(f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds)) or "nothing special"
-        )
-        return (
-            f"<Branch over {self.name} {self.values[0]:.6g} to {self.values[-1]:.6g}: "
-            f"{len(self.gaits)} gaits of {self.strides} strides; {counts}; {self.ended}>"
-        )
-
-    def as_json(self) -> dict[str, object]:
-        """The branch as a plain object; a point is a gait's `as_json` with its `value`."""
-        found = zip(self.values, self.gaits, strict=True)
-        return {
-            **self.gaits[0].runner.record(self.name),
-            "over": self.name,
-            "strides": self.strides,
-            "points": [
-                {"value": value, "unstable": gait.unstable, **gait.as_json()} for value, gait in found
-            ],
-            "specials": [special.as_json() for special in self.specials],
-            "began": self.began,
-            "ended": self.ended,
-            "branches": [branch.as_json() for branch in self.branches],
-        }
-
-    def to_dataset(self) -> xarray.Dataset:
-        """The branch as a dataset with units, over `point` and, for its special points, over `special`.
-
-        Returns
-        -------
-        xarray.Dataset
-            By point the parameter under its name, all numbers of a gait as in a sweep's dataset, the `word`,
-            and `unstable`, how many eigenvalues are outside the unit circle; by special point `special_kind`,
-            `special_value` and `special_why`.
-        """
-        points = {"point": np.arange(len(self.gaits), dtype=float)}
-        data = gaits_dataset(
-            "branch",
-            self.gaits[0].runner.record(self.name),
-            self.gaits,
-            points,
-            over=self.name,
-            strides=self.strides,
-            began=self.began,
-            ended=self.ended,
-        )
-        data[self.name] = ("point",), np.array(self.values)
-        about = self.gaits[0].runner.model.variables[self.name].attributes
-        data[self.name].attrs = about
-        data["unstable"] = ("point",), np.array([gait.unstable for gait in self.gaits])
-        data["unstable"].attrs = {"units": "1", "long_name": "eigenvalues outside the unit circle"}
-        data["special_kind"] = ("special",), np.array([s.kind for s in self.specials], dtype=object)
-        data["special_value"] = ("special",), np.array([s.value for s in self.specials], dtype=float)
-        data["special_why"] = ("special",), np.array([s.why for s in self.specials], dtype=object)
-        data["special_value"].attrs = about
-        return data
+def branch_dataset(branch: Branch) -> xarray.Dataset:
+    """A branch and the branches of more strides that begin on it as a dataset, see `continue_branch`."""
+    branches, name = list(_with_branches(branch)), branch.name
+    rows = [(number, *row) for number, of in enumerate(branches) for row in _rows(of)]
+    numbers, values, gaits, specials = zip(*rows, strict=True)
+    runner, points = branch.gaits[0].runner, {"point": np.arange(len(rows), dtype=float)}
+    data = gaits_dataset("branch", runner.record(name), gaits, points, over=name)
+    apexes = np.full((len(rows), max(of.strides for of in branches), len(runner.coordinates)), np.nan)
+    for row, gait in zip(apexes, gaits, strict=True):
+        row[: gait.strides] = gait.apexes
+    words = [("", "") if of is None or of.words is None else of.words for of in specials]
+    texts = {
+        "special": ("point", ["" if of is None else of.kind for of in specials]),
+        "why": ("point", ["" if of is None else of.why for of in specials]),
+        "before": ("point", [before for before, _ in words]),
+        "after": ("point", [after for _, after in words]),
+        "branch_began": ("branch", [of.began for of in branches]),
+        "branch_ended": ("branch", [of.ended for of in branches]),
+    }
+    variables: dict[str, Any] = {
+        "unstable": ("point", [gait.unstable for gait in gaits]),
+        "branch_number": ("point", list(numbers)),
+        "branch_strides": ("branch", [of.strides for of in branches]),
+        "apexes": (("point", "stride", "coordinate"), apexes),
+        **{of: (over, np.array(row, dtype=object)) for of, (over, row) in texts.items()},
+    }
+    labels: dict[str, Any] = {
+        name: ("point", np.array(values), runner.model.variables[name].attributes),
+        "coordinate": list(runner.coordinates),
+    }
+    ends = {"began": branch.began, "ended": branch.ended}
+    return data.assign(variables).assign_coords(labels).assign_attrs(ends)
 
 
-@shares_steps
+def _with_branches(branch: Branch) -> Iterator[Branch]:
+    yield branch
+    for other in branch.branches:
+        yield from _with_branches(other)
+
+
+def _rows(branch: Branch) -> Iterator[tuple[float, Gait, Special | None]]:
+    """Gaits and special points in the branch's order."""
+    specials = list(branch.specials)
+    for index, (value, gait) in enumerate(zip(branch.values, branch.gaits, strict=True)):
+        yield value, gait, None
+        while specials and specials[0].index == index:
+            special = specials.pop(0)
+            yield special.value, special.gait, special
+
+
 def continue_branch(
     runner: RunnerLike,
     vary: Mapping[str, tuple[float, float]],
@@ -140,7 +125,7 @@ def continue_branch(
     max_points: int = 1000,
     switch: bool = True,
     progress: bool = False,
-) -> Branch:
+) -> xarray.Dataset:
     """The branch of gaits over a range of a parameter, through folds, with every special point classified.
 
     The branch begins at the first end of the range with the gait that `find_gait` gives. Where there is
@@ -165,8 +150,17 @@ def continue_branch(
 
     Returns
     -------
-    Branch
-        The gaits in their order, with borders and bifurcations, and the branches of more strides.
+    xarray.Dataset
+        Over `point`, in the branch's order: the parameter, all quantities of a gait as in a sweep,
+        `unstable`, how many eigenvalues are outside the unit circle, and `special`. Most points have the
+        empty text there. Special points are `fold`, `period doubling`, `Neimark-Sacker`, `word border` or
+        `unclassified`; `why` says why, and `before` and `after` are the words where they change. At a word
+        border or an unclassified point the gait is the one just beyond.
+
+        Branches of more strides follow in the same table. `branch_number` says of which branch a point is.
+        Over `branch`, `branch_strides`, `branch_began` and `branch_ended` say after how many strides its
+        gaits repeat themselves, why it has no earlier points, and why it stops. `apexes` are those of all
+        strides. `gait_at(branch.isel(point=...))` is the gait of a point.
 
     Raises
     ------
@@ -179,9 +173,34 @@ def continue_branch(
     --------
     >>> import tdmf_slip
     >>> branch = tdmf_slip.continue_branch({}, {"ground.friction": (0.6, 0.2)})
-    >>> branch.ended, [special.kind for special in branch.specials]
+    >>> branch.ended, [str(special) for special in branch["special"].values if special]
     ('end of the range', ['word border', 'word border', 'word border'])
     """
+    return branch_dataset(
+        branch_over(
+            runner,
+            vary,
+            model=model,
+            max_step=max_step,
+            max_points=max_points,
+            switch=switch,
+            progress=progress,
+        )
+    )
+
+
+@shares_steps
+def branch_over(
+    runner: RunnerLike,
+    vary: Mapping[str, tuple[float, float]],
+    *,
+    model: str | Model | None = None,
+    max_step: float = 0.2,
+    max_points: int = 1000,
+    switch: bool = True,
+    progress: bool = False,
+) -> Branch:
+    """The branch of gaits over a range of a parameter, with those of more strides."""
     runner = Runner(runner, model=model)
     allowed = "both ends of a range, by the name of one parameter or input"
     name, ends = varied_alone(vary, allowed, runner.model)

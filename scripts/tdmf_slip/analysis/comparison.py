@@ -8,23 +8,28 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
 from ..given import row_of
-from ..library.gait import Gait
+from ..library.gait import Gait, gaits_dataset
 from ..library.members import MOVING, check_varied
-from ..library.quantities import check_quantities, known_quantities, quantities_of, unit_of
+from ..library.quantities import check_quantities, known_quantities, quantities_of
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
-from ..record import origin_of
 from ..terminal.progress import progress_bar
-from ..terminal.text import headed, table
 from ..variables.parameters import RunnerLike
-from ..variables.table import VARIABLES, full_names
+from ..variables.table import full_names
 from ..variables.variable import Given
 from .search import periodic_gait
 from .targeted import TargetNotMetError, find_gait
+
+if TYPE_CHECKING:
+    import xarray
 
 MATCHED = 1e-8
 """Over its size: a quantity as near to the reference's is held."""
@@ -45,18 +50,6 @@ class NotHeld:
 
 
 @dataclass(frozen=True, eq=False)
-class MatchedRunner:
-    """A runner as it was given, and as it was matched to the reference."""
-
-    parameters: Mapping[str, float]
-    """Values of the matched runner, in the unit's units, that were varied or tell the runners apart."""
-    before: Gait
-    """The gait that it had."""
-    after: Gait
-    """The gait that it has with what is held as the reference has it, or as near to it as was found."""
-
-
-@dataclass(frozen=True, eq=False, repr=False)
 class Comparison:
     """Runners with the same speed, clearance or the like, whose differences have fewer causes."""
 
@@ -64,90 +57,22 @@ class Comparison:
     """Quantities that are to be equal."""
     vary: tuple[str, ...]
     """Names of the parameters that may change for it."""
-    runners: tuple[MatchedRunner, ...]
-    """In the order in which they were given; the first is as it was."""
+    before: tuple[Gait, ...]
+    """The gaits of the runners as they were given; the first is the reference."""
+    after: tuple[Gait, ...]
+    """The gaits with what is held as the reference has it, or as near to it as was found."""
     not_held: tuple[NotHeld, ...]
     """Quantities that could not be made equal: empty where all runners are matched."""
 
     @property
-    def gaits(self) -> tuple[Gait, ...]:
-        """Values of the matched runners."""
-        return tuple(matched.after for matched in self.runners)
-
-    def __repr__(self) -> str:
-        """In a line: how many runners, what is held equal by what, and what could not be."""
-        missed = f", {len(self.not_held)} not held" if self.not_held else ""
-        hold, vary = ", ".join(self.hold), ", ".join(self.vary)
-        return f"<Comparison of {len(self.runners)} runners, {hold} held by {vary}{missed}>"
-
-    def as_json(self) -> dict[str, object]:
-        """The comparison as a plain object."""
-        return {
-            **origin_of(self.gaits[0].runner),
-            "hold": list(self.hold),
-            "vary": list(self.vary),
-            "runners": [
-                {
-                    "parameters": dict(matched.parameters),
-                    "runner": dict(matched.after.runner),
-                    "before": _reported(matched.before),
-                    "after": _reported(matched.after),
-                }
-                for matched in self.runners
-            ],
-            "not_held": [
-                {"runner": of.runner, "quantity": of.quantity, "wanted": of.wanted, "has": of.has}
-                for of in self.not_held
-            ],
-        }
-
-    def table(self) -> str:
-        """Every quantity of every runner, before and after, and what could not be held.
-
-        Returns
-        -------
-        str
-            Lines; a star marks what is held.
-        """
-        variables, label = VARIABLES, self.runners[0].after.runner.label
-        columns = [
-            (f"runner {number}{'' if step == 'after' else ' as given'}", getattr(matched, step))
-            for number, matched in enumerate(self.runners)
-            for step in (("after",) if number == 0 else ("before", "after"))
-        ]
-        rows = [
-            (
-                headed(name, label(variables[name].unit)),
-                *(f"{gait.runner[name]:.6g}" for _, gait in columns),
-            )
-            for name in self.runners[0].parameters
-        ]
-        rows.append(("word", *(gait.word for _, gait in columns)))
-        rows.append(("stable", *("yes" if gait.stable else "no" for _, gait in columns)))
-        for name in known_quantities(self.runners[0].after.runner):
-            mark = " *" if name in self.hold else ""
-            values = (quantities_of(gait, [name])[name] for _, gait in columns)
-            rows.append((headed(name, label(unit_of(name))) + mark, *(f"{value:.6g}" for value in values)))
-        rows.append(("lambda_max", *(f"{gait.lambda_max:.6g}" for _, gait in columns)))
-        lines = [table(("", *(title for title, _ in columns)), rows), "", "* held"]
-        lines += [
-            f"not held: {of.quantity} of runner {of.runner} is {of.has:.6g}, not {of.wanted:.6g}"
-            for of in self.not_held
-        ]
-        return "\n".join(lines)
+    def names(self) -> tuple[str, ...]:
+        """Parameters and inputs that are varied, or of which the runners have different values."""
+        gaits = (*self.before, *self.after)
+        return tuple(
+            name for name in MOVING if name in self.vary or len({gait.runner[name] for gait in gaits}) > 1
+        )
 
 
-def _reported(gait: Gait) -> dict[str, object]:
-    """A gait by its quantities."""
-    return {
-        "word": gait.word,
-        "stable": gait.stable,
-        "lambda_max": gait.lambda_max,
-        **quantities_of(gait, known_quantities(gait.runner)),
-    }
-
-
-@shares_steps
 def compare(
     runners: Sequence[RunnerLike],
     *,
@@ -155,12 +80,12 @@ def compare(
     vary: Sequence[str],
     model: str | None = None,
     progress: bool = False,
-) -> Comparison:
+) -> xarray.Dataset:
     """Runners made equal in what could confound a comparison.
 
     The first runner is the reference and stays as it is. Of each other one, what `vary` names is changed
     until its gait has what `hold` names as the reference has it, as `find_gait` does it; where no such gait
-    is found, the nearest is taken and `not_held` says what differs.
+    is found, the nearest is taken and `held` says what differs.
 
     Parameters
     ----------
@@ -180,8 +105,11 @@ def compare(
 
     Returns
     -------
-    Comparison
-        Each runner before and after, and what could not be held.
+    xarray.Dataset
+        Over `runner` and `step`, which is `before` or `after`: all quantities of the gaits, and as
+        coordinates the parameters that are varied or tell the runners apart. `held`, over `runner`
+        and `quantity`, is 1 where a quantity could be made equal. `gait_at(matched.isel(runner=1, step=1))`
+        is a gait.
 
     Raises
     ------
@@ -199,9 +127,41 @@ def compare(
     ...     hold=["speed", "apex_height", "apex_leg_angle"],
     ...     vary=["hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor"],
     ... )
-    >>> matched.not_held, round(matched.gaits[1].stride["speed"], 6)
-    ((), 0.83453)
+    >>> bool(matched["held"].all()), matched["speed"].sel(runner=1, step="after").item().__round__(6)
+    (True, 0.83453)
     """
+    return _dataset(match_runners(runners, hold, vary, model, progress))
+
+
+def _dataset(found: Comparison) -> xarray.Dataset:
+    gaits = [gait for pair in zip(found.before, found.after, strict=True) for gait in pair]
+    numbers = np.arange(len(found.after))
+    places: dict[str, Any] = {"runner": numbers, "step": np.array(["before", "after"], dtype=object)}
+    texts = {"hold": ", ".join(found.hold), "vary": ", ".join(found.vary)}
+    data = gaits_dataset("comparison", gaits[0].runner.record(*found.names), gaits, places, **texts)
+    missed = {(of.runner, of.quantity) for of in found.not_held}
+    held = [[(number, name) not in missed for name in found.hold] for number in numbers.tolist()]
+    values: dict[str, Any] = {
+        name: (("runner", "step"), _values(gaits, name), gaits[0].runner.model.variables[name].attributes)
+        for name in found.names
+    }
+    held_by: dict[str, Any] = {"held": (("runner", "quantity"), np.array(held, np.int8))}
+    return data.assign(held_by).assign_coords(values | {"quantity": list(found.hold)})
+
+
+def _values(gaits: Sequence[Gait], name: str) -> NDArray[np.float64]:
+    return np.array([gait.runner[name] for gait in gaits], float).reshape(-1, 2)
+
+
+@shares_steps
+def match_runners(
+    runners: Sequence[RunnerLike],
+    hold: Sequence[str],
+    vary: Sequence[str],
+    model: str | None = None,
+    progress: bool = False,
+) -> Comparison:
+    """Runners made equal in quantities, see `compare`."""
     given = row_of(runners, "runners", "a list of two runners or more")
     if len(given) < 2:
         raise InputError(f"runners: {len(given)} given; allowed: two or more, the first is the reference")
@@ -221,16 +181,7 @@ def compare(
             matched.append(after)
             not_held += missing
             bar.update()
-    reported = _telling([*before, *matched], varied)
-    return Comparison(
-        names,
-        varied,
-        tuple(
-            MatchedRunner({name: after.runner[name] for name in reported}, one, after)
-            for one, after in zip(before, matched, strict=True)
-        ),
-        tuple(not_held),
-    )
+    return Comparison(names, varied, tuple(before), tuple(matched), tuple(not_held))
 
 
 def _checked_hold(hold: object) -> tuple[str, ...]:
@@ -278,8 +229,3 @@ def _lacking(gait: Gait, goal: Mapping[str, float], number: int) -> list[NotHeld
         for name, wanted in goal.items()
         if abs(has[name] - wanted) > MATCHED * max(abs(wanted), abs(has[name]))
     ]
-
-
-def _telling(gaits: Sequence[Gait], vary: Sequence[str]) -> tuple[str, ...]:
-    """Parameters and inputs that are varied, or of which the runners have different values."""
-    return tuple(name for name in MOVING if name in vary or len({gait.runner[name] for gait in gaits}) > 1)

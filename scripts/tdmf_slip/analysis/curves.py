@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,11 +18,12 @@ from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..numerics.following import RETURNED, Limits, Point, both_ways
 from ..numerics.newton import Matrix, Vector
+from ..record import dataset
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model, by_full_name
 from .branch_problem import GaitProblem
-from .branches import continue_branch
+from .branches import branch_over
 from .special_points import (
     BORDER_ACCURACY,
     NEIMARK_SACKER,
@@ -30,6 +32,9 @@ from .special_points import (
     Special,
     bialternate,
 )
+
+if TYPE_CHECKING:
+    import xarray
 
 DIFFERENCE = 1e-6
 """Difference of points, over the scales, by which the test function is differentiated."""
@@ -51,12 +56,8 @@ FIRST_STEPS = (1e-4, 1e-5, 1e-6)
 class Curve:
     """Special points of one kind over two parameters."""
 
-    runner: Runner
-    """The runner; its own values of the two parameters do not matter."""
     kind: str
     """fold, period doubling, Neimark-Sacker, or word border."""
-    names: tuple[str, str]
-    """Names of the parameters or inputs."""
     points: NDArray[np.float64]
     """Both parameters at each point, in their units, shape (points, 2), in the curve's order."""
     began: str
@@ -65,18 +66,6 @@ class Curve:
     """Why it has no more."""
     words: tuple[str, str] | None = None
     """Words on both sides of a word border."""
-
-    def __repr__(self) -> str:
-        """One line: the kind, the parameters, and the number of points."""
-        names = " and ".join(self.names)
-        return f"<Curve of a {self.kind} over {names}: {len(self.points)} points, {self.ended}>"
-
-    def as_json(self) -> dict[str, object]:
-        """The curve as a plain object; a point is a pair in the order of `over`."""
-        words = {"from": self.words[0], "to": self.words[1]} if self.words else {}
-        ends = {"began": self.began, "ended": self.ended}
-        record = {**self.runner.record(*self.names), "over": list(self.names)}
-        return {**record, "kind": self.kind, **words, "points": self.points.tolist(), **ends}
 
 
 class BifurcationProblem(GaitProblem):
@@ -267,7 +256,6 @@ class BorderProblem(GaitProblem):
         return tangent if sizes[-2] > KINK * sizes[-3] else None
 
 
-@shares_steps
 def continue_curves(
     runner: RunnerLike,
     vary: Mapping[str, tuple[float, float]],
@@ -275,7 +263,7 @@ def continue_curves(
     model: str | Model | None = None,
     max_points: int = 200,
     progress: bool = False,
-) -> tuple[Curve, ...]:
+) -> xarray.Dataset:
     """Curves of special points over two parameters, each followed both ways to the ranges' edges.
 
     They begin at the special points of the branch over the first parameter, at the runner's value of the
@@ -296,8 +284,11 @@ def continue_curves(
 
     Returns
     -------
-    tuple of Curve
-        Curves of folds, period doublings, Neimark-Sacker points and word borders.
+    xarray.Dataset
+        Over `curve`: its `kind`, which is `fold`, `period doubling`, `Neimark-Sacker` or `word border`, the
+        words `before` and `after` on both sides of a word border, and why it has no points before its first
+        and after its last, `began` and `ended`. Over `point`: both parameters in the curve's order, and
+        `curve_number`.
 
     Raises
     ------
@@ -311,19 +302,68 @@ def continue_curves(
     >>> import tdmf_slip
     >>> vary = {"ground.friction": (0.45, 0.55), "leg.damping": (0.19, 0.21)}
     >>> curves = tdmf_slip.continue_curves({}, vary, max_points=5)
-    >>> print({curve.kind for curve in curves})
+    >>> print({str(kind) for kind in curves["kind"].values})
     {'word border'}
     """
     runner = Runner(runner, model=model)
-    checked_whole("max_points", max_points, 1, MAX_POINTS)
     names, spans = _checked_ranges(vary, runner.model)
+    return _dataset(runner, names, spans, _curves(runner, names, spans, max_points, progress))
+
+
+def curves_in(data: xarray.Dataset) -> list[Curve]:
+    """Curves of a dataset that `continue_curves` gives."""
+    first, second = str(data.over).split(", ")
+    points = np.column_stack([data[first].values, data[second].values])
+    texts = [[str(of) for of in data[name].values] for name in ("kind", "began", "ended", "before", "after")]
+    return [
+        Curve(
+            kind,
+            points[data["curve_number"].values == number],
+            began,
+            ended,
+            (before, after) if before else None,
+        )
+        for number, (kind, began, ended, before, after) in enumerate(zip(*texts, strict=True))
+    ]
+
+
+def _dataset(
+    runner: Runner, names: tuple[str, str], spans: NDArray[np.float64], curves: Sequence[Curve]
+) -> xarray.Dataset:
+    points = np.concatenate([np.empty((0, 2)), *(curve.points for curve in curves)])
+    numbers = np.repeat(np.arange(len(curves)), [len(curve.points) for curve in curves])
+    texts: dict[str, list[str]] = {
+        "kind": [curve.kind for curve in curves],
+        "began": [curve.began for curve in curves],
+        "ended": [curve.ended for curve in curves],
+        "before": [curve.words[0] if curve.words else "" for curve in curves],
+        "after": [curve.words[1] if curve.words else "" for curve in curves],
+    }
+    variables: dict[str, Any] = {name: ("curve", np.array(of, dtype=object)) for name, of in texts.items()}
+    variables["curve_number"] = "point", numbers
+    coordinates = {
+        name: ("point", column, runner.model.variables[name].attributes)
+        for name, column in zip(names, points.T, strict=True)
+    }
+    ranges = {
+        f"{axis}_range": list(map(float, of)) for axis, of in zip(("first", "second"), spans, strict=True)
+    }
+    data = dataset("curves", runner.record(*names), variables, coordinates, over=", ".join(names))
+    return data.assign_attrs(ranges)
+
+
+@shares_steps
+def _curves(
+    runner: Runner, names: tuple[str, str], spans: NDArray[np.float64], max_points: int, progress: bool
+) -> list[Curve]:
+    checked_whole("max_points", max_points, 1, MAX_POINTS)
     first, second = names
     if np.any(spans[:, 0] == spans[:, 1]):
         raise InputError(f"vary {first} and {second}: allowed: ranges whose ends differ")
     home = runner[second]
     if not spans[1].min() <= home <= spans[1].max():
         runner = runner.replace({second: float(spans[1, 0])})
-    branch = continue_branch(runner, {first: (float(spans[0, 0]), float(spans[0, 1]))}, switch=False)
+    branch = branch_over(runner, {first: (float(spans[0, 0]), float(spans[0, 1]))}, switch=False)
     limits = Limits(spans.min(axis=1), spans.max(axis=1), MAX_STEP, max_points, parts=PARTS)
     found: list[Curve] = []
     with progress_bar("curves", None, "points", progress) as bar:
@@ -337,7 +377,7 @@ def continue_curves(
                 continue
             if special.kind == WORD_BORDER or special.words is None:  # else on a border, whose curve has it
                 found.append(curve_of(runner, names, special, at, limits, tell))
-    return tuple(found)
+    return found
 
 
 def _checked_ranges(vary: object, model: Model) -> tuple[tuple[str, str], NDArray[np.float64]]:
@@ -389,7 +429,7 @@ def curve_of(
             problem = BifurcationProblem(runner, names, special.kind)
             start = problem.start(special.gait, np.eye(len(problem.scales))[-1])
     except (InputError, RunError) as why:
-        return Curve(runner, special.kind, names, at[None, :], str(why), str(why), special.words)
+        return Curve(special.kind, at[None, :], str(why), str(why), special.words)
     return curve_through(problem, start, limits, special.kind, special.words, step_finished)
 
 
@@ -403,6 +443,5 @@ def curve_through(
 ) -> Curve:
     """The curve of a problem through a point, both ways."""
     points, began, ended = both_ways(problem, start, limits, step_finished)
-    first, second = problem.names
     values = np.array([problem.values(point.x) for point in points])
-    return Curve(problem.runner, kind, (first, second), values, began, ended, words)
+    return Curve(kind, values, began, ended, words)

@@ -24,7 +24,7 @@ from ..library.gait import Gait, gaits_dataset
 from ..library.members import check_has_gaits, check_varied
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
-from ..library.strides import strides_from
+from ..library.strides import BETWEEN_WORDS, strides_from
 from ..numerics.following import Limits, Point, follow
 from ..record import dataset, runner_in
 from ..terminal.progress import Bar, progress_bar
@@ -44,6 +44,8 @@ LARGEST_STEP = 0.2
 """Longest step along a branch that is followed to learn why it ends, over the scales."""
 MAX_POINTS = 200
 """Largest number of its gaits."""
+HAVE_GAITS = ("sweep", "branch", "comparison", "front", "gait")
+"""Kinds of datasets of which single gaits are given."""
 NAMES = "values by the names of parameters or inputs"
 """Names that `vary` accepts."""
 
@@ -233,12 +235,12 @@ def _finished(runner: Runner, data: xarray.Dataset, along: str) -> Sweep:
 
 
 def gait_at(gaits: xarray.Dataset, **where: Given) -> Gait:
-    """A gait of a sweep, with its Jacobian, events and quantities.
+    """A gait of a sweep, a branch, a comparison or a front, with its Jacobian, events and quantities.
 
     Parameters
     ----------
     gaits : xarray.Dataset
-        Gaits of a sweep, or one point of it, as `gaits.isel(...)` gives it.
+        Gaits of such a result, or one point of it, as `gaits.isel(...)` gives it.
     **where : float or str
         Values of the varied names, as in `friction=0.6`; names with a point go in a mapping, as in
         `**{"leg.damping": 0.2}`.
@@ -251,7 +253,7 @@ def gait_at(gaits: xarray.Dataset, **where: Given) -> Gait:
     Raises
     ------
     InputError
-        The values do not name one point of the sweep, there is no gait, or the dataset is no sweep.
+        The values do not name one point, there is no gait, or the dataset has no gaits.
 
     Examples
     --------
@@ -263,8 +265,10 @@ def gait_at(gaits: xarray.Dataset, **where: Given) -> Gait:
     attributes = getattr(gaits, "attrs", {})
     model = model_named(attributes.get("model", "full"))
     needed = ["word", *(f"apex_{name}" for name in model.coordinates)]
-    if attributes.get("result") != "sweep" or any(name not in gaits for name in needed):
-        raise refusal("gaits", gaits, "gaits of a sweep, with all their variables and attributes")
+    kind = attributes.get("result")
+    if kind not in HAVE_GAITS or any(name not in gaits for name in needed):
+        allowed = f"a dataset of gaits ({', '.join(HAVE_GAITS)}), with all its variables and attributes"
+        raise refusal("gaits", gaits, allowed)
     wanted = by_full_name(where, "gait_at", "values by the names of the sweep", model.aliases)
     point = gaits
     for name, given in wanted.items():
@@ -273,15 +277,16 @@ def gait_at(gaits: xarray.Dataset, **where: Given) -> Gait:
         value = model.variables[name].value_of(given, "gait_at")
         (index,) = np.nonzero(np.isclose(gaits[name], value, rtol=1e-9, atol=0.0))
         if not len(index):
-            raise InputError(f"gait_at: {name} = {value:g} is not in the sweep; give one of its values")
+            raise InputError(f"gait_at: {name} = {value:g} is not in the {kind}; give one of its values")
         point = point.isel({name: int(index[0])})
     if point["word"].ndim:
         raise InputError(f"gait_at: give a value of {', '.join(map(str, point['word'].dims))}, too")
     if not point["word"].item():
-        raise InputError("gait_at: the sweep has no gait there")
+        raise InputError(f"gait_at: the {kind} has no gait there")
+    strides = point["word"].item().count(BETWEEN_WORDS) + 1
     values = {str(name): point[name].item() for name in point.coords if name in model.variables}
     apex = [point[f"apex_{name}"].item() for name in model.coordinates]
-    return strides_from(Runner({**runner_in(gaits), **values}, model=model), apex)
+    return strides_from(Runner({**runner_in(gaits), **values}, model=model), apex, strides)
 
 
 def _checked_axes(vary: object, model: Model) -> dict[str, NDArray[np.float64]]:

@@ -1,12 +1,18 @@
 """The command `compare`: runners matched in what could confound a comparison."""
 
+from collections.abc import Iterable
+from dataclasses import asdict
+
 import click
 
-from ..analysis.comparison import compare
+from ..analysis.comparison import Comparison, match_runners
 from ..errors import InputError
-from ..library.quantities import QUANTITIES
+from ..library.gait import Gait
+from ..library.quantities import QUANTITIES, known_quantities, quantities_of, unit_of
 from ..library.runner import Runner
-from ..variables.table import FRICTION
+from ..record import origin_of
+from ..terminal.text import headed, table
+from ..variables.table import FRICTION, VARIABLES
 from .options import JSON_OPTION, Command, json_text
 from .runner import MODEL_OPTION, SET_OPTION, Asked, values_given
 
@@ -55,14 +61,61 @@ def compare_command(
 
     The first runner is the reference. A quantity that could not be matched is reported; it is not an error.
     """
-    found = compare(
-        _runners(frictions, files, settings, model),
-        hold=_names(hold),
-        vary=_names(vary),
-        model=model,
-        progress=True,
-    )
-    print(json_text(found.as_json()) if as_json_object else found.table())
+    runners = _runners(frictions, files, settings, model)
+    found = match_runners(runners, _names(hold), _names(vary), model, progress=True)
+    print(json_text(_plain(found)) if as_json_object else _table(found))
+
+
+def _plain(found: Comparison) -> dict[str, object]:
+    """The comparison as a plain object."""
+    return {
+        **origin_of(found.after[0].runner),
+        "hold": list(found.hold),
+        "vary": list(found.vary),
+        "runners": [
+            {
+                "parameters": {name: after.runner[name] for name in found.names},
+                "runner": dict(after.runner),
+                "before": _reported(before),
+                "after": _reported(after),
+            }
+            for before, after in zip(found.before, found.after, strict=True)
+        ],
+        "not_held": [asdict(of) for of in found.not_held],
+    }
+
+
+def _reported(gait: Gait) -> dict[str, object]:
+    about = {"word": gait.word, "stable": gait.stable, "lambda_max": gait.lambda_max}
+    return about | quantities_of(gait, known_quantities(gait.runner))
+
+
+def _table(found: Comparison) -> str:
+    """Every quantity of every runner, before and after, and what could not be held; a star marks what is."""
+    runner = found.after[0].runner
+    columns = [("runner 0", found.after[0])]
+    for number, gaits in enumerate(list(zip(found.before, found.after, strict=True))[1:], start=1):
+        columns += zip((f"runner {number} as given", f"runner {number}"), gaits, strict=True)
+
+    def row(name: str, unit: str, mark: str, values: Iterable[float]) -> tuple[str, ...]:
+        return (headed(name, runner.label(unit)) + mark, *(f"{value:.6g}" for value in values))
+
+    rows = [
+        row(name, VARIABLES[name].unit, "", (gait.runner[name] for _, gait in columns))
+        for name in found.names
+    ]
+    rows.append(("word", *(gait.word for _, gait in columns)))
+    rows.append(("stable", *("yes" if gait.stable else "no" for _, gait in columns)))
+    for name in known_quantities(runner):
+        mark = " *" if name in found.hold else ""
+        values = (quantities_of(gait, [name])[name] for _, gait in columns)
+        rows.append(row(name, unit_of(name), mark, values))
+    rows.append(("lambda_max", *(f"{gait.lambda_max:.6g}" for _, gait in columns)))
+    missed = [
+        f"not held: {of.quantity} of runner {of.runner} is {of.has:.6g}, not {of.wanted:.6g}"
+        for of in found.not_held
+    ]
+    return "\n".join([table(("", *(title for title, _ in columns)), rows), "", "* held", *missed])
 
 
 def _names(text: str) -> list[str]:

@@ -1,17 +1,16 @@
 """The command `continue`: a branch of gaits along a parameter, with all that happens on it."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 import click
 
-from ..analysis.branches import LARGEST_STEP, MAX_POINTS, SHORTEST_STEP, Branch, continue_branch
-from ..analysis.curves import continue_curves
+from ..analysis.branches import LARGEST_STEP, MAX_POINTS, SHORTEST_STEP, Branch, branch_dataset, branch_over
+from ..analysis.curves import Curve, continue_curves, curves_in
 from ..analysis.special_points import Special
 from ..errors import InputError
 from ..library.members import check_varied
 from ..library.runner import Runner
-from ..record import without_record
 from ..terminal.text import headed, table
 from ..variables.display_units import DisplayUnits
 from ..variables.table import VARIABLES
@@ -92,7 +91,7 @@ def continue_command(
 
         refuse_resumable(output)
     ((name, (begin, end)),) = spans.items()
-    branch = continue_branch(
+    branch = branch_over(
         runner,
         {name: (begin, end)},
         max_step=step,
@@ -103,12 +102,12 @@ def continue_command(
     if output is not None:
         from ..files.netcdf import write_dataset  # xarray is slow to load
 
-        write_dataset(output, branch.to_dataset())
+        write_dataset(output, branch_dataset(branch))
     if plot is not None:
         from ..pictures import branch_diagram
 
-        branch_diagram.draw(plot, branch, quantity, display)
-    print(json_text(branch.as_json()) if as_json_object else _branch_text(branch, display))
+        branch_diagram.draw(plot, branch_dataset(branch), quantity, display)
+    print(json_text(_branch_object(branch)) if as_json_object else _branch_text(branch, display))
 
 
 def _curves(
@@ -123,24 +122,46 @@ def _curves(
     if plot is not None:
         from ..pictures import curve_diagram
 
-        curve_diagram.draw(plot, found, spans, display)
+        curve_diagram.draw(plot, found, display)
     if as_json_object:
         print(
             json_text(
                 {
                     **runner.record(*spans),
                     "over": list(spans),
-                    "curves": [without_record(curve.as_json()) for curve in found],
+                    "curves": [_curve_object(curve, spans) for curve in curves_in(found)],
                 }
             )
         )
         return
-    for curve in found:
+    for curve in curves_in(found):
         words = f" {' to '.join(curve.words)}" if curve.words else ""
         print(f"{curve.kind}{words}: {len(curve.points)} points ({curve.began}; {curve.ended})")
         header = tuple(headed(name, display.unit(name)) for name in spans)
         scales = [display.factor(name) for name in spans]
         print(table(header, [tuple(f"{v:.10g}" for v in pair) for pair in curve.points * scales]))
+
+
+def _curve_object(curve: Curve, over: Iterable[str]) -> dict[str, object]:
+    """A curve as a plain object; a point is a pair in the order of `over`."""
+    words = {"from": curve.words[0], "to": curve.words[1]} if curve.words else {}
+    ends = {"began": curve.began, "ended": curve.ended}
+    return {"over": list(over), "kind": curve.kind, **words, "points": curve.points.tolist(), **ends}
+
+
+def _branch_object(branch: Branch) -> dict[str, object]:
+    """A branch as a plain object; a point is a gait's `as_json` with its `value`."""
+    found = zip(branch.values, branch.gaits, strict=True)
+    return {
+        **branch.gaits[0].runner.record(branch.name),
+        "over": branch.name,
+        "strides": branch.strides,
+        "points": [{"value": value, "unstable": gait.unstable, **gait.as_json()} for value, gait in found],
+        "specials": [special.as_json() for special in branch.specials],
+        "began": branch.began,
+        "ended": branch.ended,
+        "branches": [_branch_object(other) for other in branch.branches],
+    }
 
 
 def span_of(name: str, span: str) -> tuple[float, float]:

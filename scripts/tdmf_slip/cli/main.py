@@ -4,13 +4,12 @@ Results go to stdout (with --json one JSON object and nothing else), progress an
 status 0: done; 1: a run failed, or a gait drifted from its reference; 2: something asked for is not possible.
 """
 
-import ast
 import contextlib
 import importlib
 import os
 import sys
 import warnings
-from pathlib import Path
+from collections.abc import Mapping
 from typing import TextIO
 
 import click
@@ -20,27 +19,30 @@ from ..errors import Note, TdmfSlipError
 from ..terminal import encoding
 from . import interrupts
 
-COMMANDS = (
-    "animate",
-    "basin",
-    "bench",
-    "build",
-    "compare",
-    "continue",
-    "figures",
-    "fit",
-    "gait",
-    "new",
-    "optimize",
-    "prove",
-    "rough",
-    "simulate",
-    "sweep",
-    "validate",
-    "variables",
-    "viability",
-)
-"""Each in the module of its name, but for the following."""
+COMMANDS: Mapping[str, str] = {
+    "animate": "Animate one stride of a runner's gait, in a loop.",
+    "basin": "Compute the region of attraction of a gait: a map of a slice, its volume and its robustness.",
+    "bench": "Time the solvers and the ensemble engine against other programs at equal accuracy.",
+    "build": "Make a library and FMI units of a page: of a folder with page.py, or of a file in Python.",
+    "compare": "Match runners in speed, foot clearance or other quantities, to rule these out as causes.",
+    "continue": "Follow a branch of gaits along a parameter, past folds, and locate its bifurcations.",
+    "figures": "Draw the paper's figures and our own, each with its data as CSV.",
+    "fit": "Fit parameters of the runner to measured gaits, with 95 % intervals.",
+    "gait": "Find the periodic gait, stable or not, and the eigenvalues of its return map.",
+    "new": "Begin a page of your own: a folder with a page, parameters, a test and a README.",
+    "optimize": "Find the parameters within bounds whose gait minimizes or maximizes a quantity.",
+    "prove": "Prove that exactly one gait lies in a box, with its word, stability and enclosures.",
+    "rough": "Estimate the mean number of strides until a runner falls on rough ground, with its confidence "
+    "interval.",
+    "simulate": "Simulate one run of the FMI unit through FMPy.",
+    "sweep": "Find gaits over a range of one or two parameters, and the borders between gait words.",
+    "validate": "Compare the paper's gaits and statements with both readings of (12); with --long also our "
+    "own claims.",
+    "variables": "List every variable of the unit with its short name, unit, range, default and meaning.",
+    "viability": "Compute the viable set: the apices from which some choice of actions avoids a fall for "
+    "ever.",
+}
+"""Summaries by the names of commands; each is the first sentence of the command's help."""
 MODULES = {"continue": "continuation"}
 """Modules of commands whose name is a word of Python."""
 
@@ -48,15 +50,6 @@ MODULES = {"continue": "continuation"}
 def module_of(name: str) -> str:
     """The module of a command, without this package's name."""
     return MODULES.get(name, name)
-
-
-def summary_of(name: str) -> str:
-    """The first sentence of what a command says of itself, read without loading what the command needs."""
-    source = Path(__file__).with_name(f"{module_of(name)}.py").read_text(encoding="utf-8")
-    functions = (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef))
-    text = next(ast.get_docstring(node) for node in functions if node.name == f"{name}_command") or ""
-    sentence = " ".join(text.partition("\n\n")[0].split())
-    return sentence.partition(". ")[0].removesuffix(".") + "."
 
 
 class LazyGroup(click.Group):
@@ -78,7 +71,7 @@ class LazyGroup(click.Group):
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Each command with its whole first sentence."""
         with formatter.section("Commands"):
-            formatter.write_dl([(name, summary_of(name)) for name in self.list_commands(ctx)])
+            formatter.write_dl(list(COMMANDS.items()))
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """The command of a name, or None."""

@@ -1,5 +1,6 @@
 """The command `optimize`: the best runner over parameters within bounds."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import click
@@ -9,7 +10,8 @@ from ..errors import InputError
 from ..library.quantities import QUANTITIES, unit_of
 from ..optimization.optimize import MAX_STARTS, STARTS, optimize
 from ..optimization.optimum import Optimum, reported
-from ..optimization.pareto import MAX_POINTS, POINTS, Front, pareto_front
+from ..optimization.pareto import MAX_POINTS, POINTS, best_compromises
+from ..record import origin_of
 from ..terminal.text import headed, table
 from ..variables.display_units import DisplayUnits
 from .continuation import span_of
@@ -88,8 +90,11 @@ def optimize_command(
         raise InputError("--minimize, --maximize: more than two quantities; allowed: one or two")
     try:
         if len(minimize) + len(maximize) == 2:
-            front = pareto_front(runner, vary, minimize=minimize, maximize=maximize, points=points, **common)
-            print(json_text(front.as_json()) if as_json_object else _front_text(front, display))
+            sought: dict[str, Any] = {"minimize": minimize, "maximize": maximize, "points": points}
+            objectives, optima = best_compromises(runner, vary, **sought, **common)
+            plain = {"objectives": list(objectives), "front": [best.as_json() for best in optima]}
+            plain = {**origin_of(runner), **plain}
+            print(json_text(plain) if as_json_object else _front_text(objectives, optima, display))
             return
         minimum, maximum = (next(iter(names), None) for names in (minimize, maximize))
         best = optimize(runner, vary, minimize=minimum, maximize=maximum, **common)
@@ -123,21 +128,21 @@ def _text(best: Optimum, display: DisplayUnits) -> str:
     return f"{table(header, rows)}\n\n{_judgement(best)}"
 
 
-def _front_text(front: Front, display: DisplayUnits) -> str:
+def _front_text(objectives: Sequence[str], optima: Sequence[Optimum], display: DisplayUnits) -> str:
     """A row for each runner."""
-    names = list(front.optima[0].parameters)
+    names = list(optima[0].parameters)
     rows = [
         (
-            *(f"{reported(best.gait)[name]:.9g}" for name in front.objectives),
+            *(f"{reported(best.gait)[name]:.9g}" for name in objectives),
             *(f"{display.value(name, best.parameters[name]):.9g}" for name in names),
             best.word,
             "yes" if best.stable else "no",
             best.why,
         )
-        for best in front.optima
+        for best in optima
     ]
     heads = [headed(name, display.unit(name)) for name in names]
-    return table((*front.objectives, *heads, "word", "stable", "not shown to be an optimum"), rows)
+    return table((*objectives, *heads, "word", "stable", "not shown to be an optimum"), rows)
 
 
 def _judgement(best: Optimum) -> str:

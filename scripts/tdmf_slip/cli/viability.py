@@ -1,28 +1,33 @@
 """The command `viability`: from which apices some choice of actions avoids a fall."""
 
 import csv
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from math import isnan
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from ..analysis.targeted import find_gait
 from ..errors import InputError
 from ..files.whole import whole
-from ..library.gait import Gait
+from ..library.batch_tables import CLOSED
+from ..library.runner import Runner
 from ..library.section import REDUCED
 from ..library.settings import setting_number
+from ..record import runner_in
 from ..terminal.text import columns
 from ..variables.table import MODELS, VARIABLES
+from ..viable_sets.controller import ViableController
 from ..viable_sets.grid import MAX_CELLS, VALUES
-from ..viable_sets.result import Viability
 from ..viable_sets.viability import FACTOR, LARGEST_FACTOR, viability
 from .options import JSON_OPTION, Command, NewFile, Number, ends_of, json_text, pairs_given, plot_option
 from .runner import Asked, runner_options
 from .workers import executor_of, workers_options
+
+if TYPE_CHECKING:
+    import xarray
 
 
 @click.command("viability", cls=Command)
@@ -120,6 +125,7 @@ def viability_command(
             n=count,
             model=model,
             factor=factor,
+            gait=gait,
             path=output,
             executor=executor,
             progress=True,
@@ -130,22 +136,43 @@ def viability_command(
         viability_map.draw(plot, found)
     if controller is not None:
         with whole(controller) as path, path.open("w", encoding="utf-8", newline="") as file:
-            csv.writer(file).writerows(found.controller().as_table())
-    result = found.as_json() | ({} if gait is None else _around(found, gait))
+            csv.writer(file).writerows(ViableController(found).as_table())
+    result = _plain(found)
     print(json_text(result) if as_json_object else _text(result))
 
 
-def _around(found: Viability, gait: Gait) -> dict[str, object]:
-    """Which cells lead to a gait, and what drop all of those at its apex stand."""
-    reached = found.reached(gait)
-    drops = {
-        name: float(drop[reached.target].min())
-        for name, drop in zip(("inner", "outer"), found.largest_drop(), strict=True)
+def _plain(found: "xarray.Dataset") -> dict[str, Any]:
+    """The viable set in a few numbers, as a plain object."""
+    settings = found["viable_pair"].dims[len(REDUCED) :]
+    edges = {axis: found[f"{axis}_edge"].values for axis in REDUCED}
+    values = {str(name): found[name].values for name in settings}
+    plain: dict[str, Any] = {
+        **Runner(runner_in(found), model=found.attrs["model"]).record(),
+        "axes": {axis: [float(of[0]), float(of[-1])] for axis, of in edges.items()},
+        "vary": {name: [float(of[0]), float(of[-1]), len(of)] for name, of in values.items()},
+        "cells": list(found["viable"].shape),
+        "actions": math.prod(map(len, values.values())),
+        "strides": found["fate"].size,
+        "closed": int((found["fate"] == CLOSED).sum()),
+        "factor": found.factor,
     }
-    return {
-        "reached": reached.as_json(),
-        "largest_drop": {name: None if isnan(drop) else drop for name, drop in drops.items()},
-    }
+    for kind in ("share", "robustness", "passes"):
+        for name in ("inner", "outer"):
+            of = f"{name}_{kind}"
+            plain[of] = float(found[of].mean()) if kind == "robustness" else found.attrs[of]
+    if "at_gait" in found:
+        at_gait, drops = found["at_gait"] == 1, [found[f"{name}_drop"] for name in ("inner", "outer")]
+        strides = {name: found[f"{name}_strides"] for name in ("inner", "outer")}
+        plain["reached"] = {
+            "cells": int(at_gait.sum()),
+            **{f"{name}_share": float((of >= 0).mean()) for name, of in strides.items()},
+            **{f"{name}_strides": int(of.max()) for name, of in strides.items()},
+        }
+        least = [float(of.values[at_gait.values].min()) for of in drops]
+        plain["largest_drop"] = {
+            name: None if math.isnan(drop) else drop for name, drop in zip(strides, least, strict=True)
+        }
+    return plain
 
 
 def _axes_given(texts: Sequence[str]) -> dict[str, tuple[float, float]]:

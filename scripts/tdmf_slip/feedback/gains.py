@@ -11,7 +11,7 @@ S_(j-1) for some u. The gain takes each S_j into S_(j-1), with the least setting
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -94,6 +94,8 @@ class Feedback(AffineLaw):
     """The gait and its settings, to first order."""
     eigenvalues: NDArray[Any]
     """Eigenvalues of the closed loop within its limits, shape (n,), largest first; complex where any is."""
+    S: NDArray[np.float64] | None = None
+    """Solution of the Riccati equation over the scales, shape (n, n); None of laws other than `lqr`."""
     strides: int | None = None
     """After so many a dead-beat law has moved every mode that it does not leave alone; None of another."""
 
@@ -122,6 +124,16 @@ class Feedback(AffineLaw):
             **law,
             "eigenvalues": [[float(value.real), float(value.imag)] for value in eigenvalues],
         }
+
+    @property
+    def K(self) -> NDArray[np.float64]:  # noqa: N802
+        """Gain as control texts have it, shape (inputs, n): settings are nominal - K (apex - gait's apex)."""
+        return -np.asarray(self.gain)
+
+    @property
+    def E(self) -> NDArray[Any]:  # noqa: N802
+        """Eigenvalues of the closed loop, largest first."""
+        return self.eigenvalues
 
     @property
     def closed_loop(self) -> NDArray[np.float64]:
@@ -325,7 +337,8 @@ def lqr(
     Returns
     -------
     Feedback
-        An affine law, under which the gait is stable.
+        An affine law, under which the gait is stable, with `S`, the solution of the Riccati equation over the
+        scales.
 
     Raises
     ------
@@ -346,8 +359,9 @@ def lqr(
     model = linearize(gait, inputs)
     state = _weight("state_weight", state_weight, len(model.scales), 0.0)
     setting = _weight("input_weight", input_weight, len(model.inputs), np.finfo(float).tiny)
-    gain = riccati_gain(model.scaled_state_matrix, model.scaled_input_matrix, state, setting)
-    return feedback_of(model, gain * model.setting_scales[:, None] / model.scales, limits)
+    gain, cost = riccati_gain(model.scaled_state_matrix, model.scaled_input_matrix, state, setting)
+    found = feedback_of(model, gain * model.setting_scales[:, None] / model.scales, limits)
+    return replace(found, S=cost)
 
 
 def riccati_gain(
@@ -355,8 +369,8 @@ def riccati_gain(
     input_matrix: NDArray[np.float64],
     state_weight: NDArray[np.float64],
     input_weight: NDArray[np.float64],
-) -> NDArray[np.float64]:
-    """The gain G of the linear quadratic regulator of x' = A x + B u, in u = G x."""
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Gain G of the linear quadratic regulator of x' = A x + B u, in u = G x, and S: x' S x is the cost."""
     from scipy.linalg import solve_discrete_are  # slow to load
 
     try:
@@ -370,7 +384,7 @@ def riccati_gain(
             f"inputs: no feedback of theirs makes the cost finite ({problem}); allowed: inputs that move "
             "every mode that does not decay, and weights that see it"
         ) from None
-    return gain
+    return gain, cost
 
 
 def _movable(modes: Modes, model: Linearization) -> Controllability:

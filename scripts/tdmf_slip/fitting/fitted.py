@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +22,7 @@ from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import VARIABLES, full_names
 from .conclusion import BetterFitError, Conclusion, is_met
-from .measurements import Measurements, measurements_of
+from .measurements import Data, Errors, Measurements, Units, measurements_of
 from .problem import PriorGiven, Problem, Request, bounds_of, checked_priors
 from .result import Fit
 from .search import Bounds, Ended, cross, past_kinks, searched
@@ -76,10 +75,12 @@ AGAIN = 3
 @shares_steps
 def fit(
     runner: RunnerLike,
-    data: Measurements | str | Path,
+    data: Data,
     vary: Sequence[str] = (),
     *,
     vary_each: Sequence[str] = (),
+    units: Units | None = None,
+    errors: Errors | None = None,
     priors: Mapping[str, PriorGiven] | None = None,
     guess: Apex | None = None,
     model: str | None = None,
@@ -102,14 +103,22 @@ def fit(
     runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
         What does not vary: a runner, or start values by the unit's names and in its units, over the unit's
         own.
-    data : Measurements, str or Path
-        What was measured, a CSV file, see `read_measurements`, or the name of one that comes with the
-        package, as `human_running`. Each row is a condition with a gait of its own.
+    data : DataFrame, mapping of str to sequence of float, str, Path or Measurements
+        What was measured: columns by the names of quantities, such as `speed`, and of their standard errors,
+        such as `speed_error`; a CSV file with these titles and units, such as `speed [m/s]`; or the name of
+        a file that comes with the package, as `human_running`. Each row is a condition with a gait of its
+        own.
     vary : sequence of str
         Names of parameters and inputs to be found, of which all rows share one value. They begin with the
         values that the runner has.
     vary_each : sequence of str, optional
         Names of those of which each row has its own value, as what a runner changes to run faster.
+    units : mapping of str to str, optional
+        Units of columns whose title has none, by quantity, such as `{"speed": "km/h"}`. Columns of a
+        DataFrame or a mapping are otherwise in the quantity's own unit.
+    errors : mapping of str to float, str or sequence of float, optional
+        Standard errors of quantities without a column of errors: a number in the unit of the column, one for
+        each row, or a share of the value, such as `"2 %"`.
     priors : mapping of str to pair of float, optional
         What is known beside the data: value and standard error of parameters that all rows share, in the
         unit's units. One that is not among `vary` is an assumed constant: it begins with this value, is
@@ -149,13 +158,13 @@ def fit(
     Examples
     --------
     >>> import tdmf_slip
-    >>> from tdmf_slip.fitting.measurements import Measured, Measurements
-    >>> row = {"speed": Measured(1.0, 0.01)}
-    >>> found = tdmf_slip.fit(None, Measurements((row,), "one gait"), ["hip.stance_torque"])
-    >>> round(found.residuals[0].fitted, 6)
-    1.0
+    >>> data = {"speed": [3.6], "stance_time": [1.4]}
+    >>> units, errors = {"speed": "km/h"}, {"speed": "1 %", "stance_time": 0.1}
+    >>> found = tdmf_slip.fit(None, data, ["torque", "damping"], units=units, errors=errors)
+    >>> [round(residual.fitted, 6) for residual in found.residuals]
+    [1.0, 1.4]
     """
-    measurements = measurements_of(data)
+    measurements = measurements_of(data, units, errors)
     shared, each = checked_names(vary, "vary"), checked_names(vary_each, "vary_each")
     known = checked_priors(priors, each)
     alone = [prior for prior in known if prior.name not in shared]

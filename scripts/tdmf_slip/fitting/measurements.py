@@ -4,13 +4,18 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, TypeAlias
+
+import numpy as np
 
 from ..analysis.targeted import MAXIMUM, MINIMUM
-from ..checks import near_matches, number_in, number_of, path_of, shown
+from ..checks import is_one_of, near_matches, number_in, number_of, path_of, refusal, shown
 from ..errors import InputError, reason
 from ..files.whole import cells_of
-from ..given import is_table, mapping_of
+from ..given import is_table, mapping_of, numbers_of, row_of
 from ..library.quantities import MEASURES, SIGNED, unit_of
+from ..variables.units import factor as factor_of
+from ..variables.units import spelled, split
 
 USUAL = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance", "peak_force")
 """Quantities that are usually measured, by names of `library.quantities.QUANTITIES`. The frequency is 1
@@ -43,6 +48,10 @@ class Measured:
 
 Row = Mapping[str, Measured]
 """Measurements in one condition, by the quantities' names."""
+Units: TypeAlias = Mapping[str, str]
+"""Units of columns by the names of quantities."""
+Errors: TypeAlias = Mapping[str, float | str | Sequence[float]]
+"""Standard errors of columns by the names of quantities: in the column's unit, or shares as `2 %`."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +69,10 @@ class Measurements:
         return sum(len(row) for row in self.rows)
 
 
+Data: TypeAlias = "Measurements | Mapping[str, Sequence[float]] | str | Path | Any"
+"""What a fit takes as data; a DataFrame is known by what it can do."""
+
+
 def shipped_names() -> list[str]:
     """Names of the files that come with the package."""
     return sorted(path.name for path in DATA.iterdir())
@@ -72,29 +85,47 @@ def shipped(name: str) -> Path:
     return DATA / name
 
 
-def measurements_of(given: "Measurements | str | Path") -> Measurements:
-    """Measurements as they are given, or those of a file."""
+def measurements_of(given: Data, units: Units | None = None, errors: Errors | None = None) -> Measurements:
+    """Measurements as they are given, or those of a table, of columns by name, or of a file."""
     if isinstance(given, Measurements):
+        if units or errors:
+            raise InputError("units, errors: Measurements have both; allowed: with a table or a file")
         return given
-    if is_table(given):
-        return _of_table(given)
-    path = path_of(given, "data", "the path of a CSV file, a DataFrame, or Measurements")
+    units, errors = (_by_quantity(of, name) for of, name in ((units, "units"), (errors, "errors")))
+    if is_table(given) or isinstance(given, Mapping):
+        return _of_table(given, units, errors)
+    path = path_of(given, "data", "the path of a CSV file, a DataFrame, columns by name, or Measurements")
     if str(path) in [known.stem for known in DATA.glob("*.csv")]:
-        return read_measurements(shipped(f"{path}.csv"), str(path))
-    return read_measurements(path)
+        return read_measurements(shipped(f"{path}.csv"), units, errors, name=str(path))
+    return read_measurements(path, units, errors)
 
 
-def _of_table(given: object) -> Measurements:
-    """Measurements from a DataFrame with the titles that a file has; durations are converted to seconds."""
-    titles = mapping_of(given, "data", "a table with the titles that a file has")
-    columns = [_column(str(title).strip(), "data") for title in titles]
-    _check_columns(columns, "data")
-    units = [unit_of(name.removesuffix(ERROR)) for name in columns]
+def _by_quantity(given: object, what: str) -> dict[str, Any]:
+    """Units or errors by the names of quantities."""
+    found = mapping_of(given, what, "a mapping of quantities")
+    for name in found:
+        if not is_one_of(name, MEASURABLE):
+            near = near_matches(name, MEASURABLE)
+            raise InputError(f"{what}: {shown(name)} is no quantity{near}; allowed: {', '.join(MEASURABLE)}")
+    return found
+
+
+def _of_table(given: object, units: Units, errors: Errors) -> Measurements:
+    """Measurements from columns by name; durations are converted to seconds."""
+    columns = mapping_of(given, "data", "columns by the names of quantities")
+    own = {name: unit_of(name) for name in MEASURABLE} | dict(units)
+    kept = [_column(str(title).strip(), "data", own) for title in columns]
+    rows = [row_of(of, f"data {title}", "a column of numbers") for title, of in columns.items()]
+    if len({len(row) for row in rows}) != 1:
+        raise InputError("data: columns of different lengths, or none; allowed: one or more, of one length")
     cells = [
-        [_cell_of(value, unit) for value, unit in zip(row, units, strict=True)]
-        for row in zip(*titles.values(), strict=True)
+        [
+            _cell_of(value, unit_of(name.removesuffix(ERROR)))
+            for value, (name, _) in zip(row, kept, strict=True)
+        ]
+        for row in zip(*rows, strict=True)
     ]
-    return Measurements(tuple(_rows(columns, cells, "data")), "data")
+    return Measurements(tuple(_rows(kept, cells, "data", errors)), "data")
 
 
 def _cell_of(value: object, unit: str) -> str:
@@ -105,14 +136,16 @@ def _cell_of(value: object, unit: str) -> str:
     return value if isinstance(value, str) else shown(value)
 
 
-def read_measurements(path: Path, name: str | None = None) -> Measurements:
+def read_measurements(
+    path: Path, units: Units | None = None, errors: Errors | None = None, *, name: str | None = None
+) -> Measurements:
     """Measurements from a CSV file.
 
     The header has any of `speed [m/s]`, `frequency [Hz]`, `stance_time [s]`, `duty_factor [1]`,
-    `slip_distance [m]`, `peak_force [N]`, and for each its standard error, as in `speed_error [m/s]`. Each
-    row is a condition; a quantity that was not measured in it has both of its cells empty, or NaN. Between
-    cells is a comma, or a semicolon, and then the decimal sign may be a comma. Lines that begin with `#` are
-    skipped.
+    `slip_distance [m]`, `peak_force [N]`, or another unit of the quantity, and for each its standard error,
+    as in `speed_error [m/s]`. `units` and `errors` give what the header does not, see `fit`. Each row is a
+    condition; a quantity that was not measured in it has both of its cells empty, or NaN. Between cells is a
+    comma, or a semicolon, and then the decimal sign may be a comma. Lines that begin with `#` are skipped.
     """
     where = f"table {name or path}"
     try:
@@ -125,13 +158,12 @@ def read_measurements(path: Path, name: str | None = None) -> Measurements:
         missing = "the header and the rows" if not lines else "the rows"
         raise InputError(f"{where}: {missing} are missing; allowed: a header, and a row for each condition")
     header, *cells = [row for _, row in cells_of(lines, where)]
-    columns = [_column(name, where) for name in header]
-    _check_columns(columns, where)
-    return Measurements(tuple(_rows(columns, cells, where)), where)
+    columns = [_column(title, where, units or {}) for title in header]
+    return Measurements(tuple(_rows(columns, cells, where, errors or {})), where)
 
 
-def _column(title: str, where: str) -> str:
-    """The name of a column, whose unit is as it has to be."""
+def _column(title: str, where: str, units: Units) -> tuple[str, float]:
+    """The name of a column, and how many of its unit make one of the quantity's."""
     name, bracket, rest = title.partition("[")
     name = name.strip()
     quantity = name.removesuffix(ERROR)
@@ -142,56 +174,89 @@ def _column(title: str, where: str) -> str:
             f"{where}: column {shown(title)} is unknown; allowed: {', '.join(USUAL)}, or another of "
             f"{', '.join(MEASURES)}, each with {ERROR} as well{hint}"
         )
-    allowed = f"{name} [{unit_of(quantity)}]"
-    if not bracket:
-        raise InputError(f"{where}: column {shown(title)} has no unit; allowed: {allowed}")
-    if rest.strip() != f"{unit_of(quantity)}]":
+    own = unit_of(quantity)
+    unit = rest.strip().removesuffix("]") if bracket else units.get(quantity)
+    if unit is None:
+        raise InputError(f"{where}: column {shown(title)} has no unit; allowed: {name} [{own}], or units=")
+    factor = factor_of(spelled(unit), own, {}) if isinstance(unit, str) and unit else None
+    if factor is None or (bracket and not rest.rstrip().endswith("]")):
         raise InputError(
-            f"{where}: column {shown(title)} is not in the unit that it has to be in; allowed: {allowed}"
+            f"{where}: column {shown(title)}: {shown(unit)} is no unit of {quantity}; allowed: {name} "
+            f"[{own}], or another unit of the same dimension"
         )
-    return name
+    return name, factor
 
 
-def _check_columns(columns: Sequence[str], where: str) -> None:
-    """Each once, and each quantity with its error."""
+def _check_columns(columns: Sequence[str], where: str, errors: Errors) -> None:
+    """Each once, and each quantity with its error, in one place."""
+    for name in errors:
+        if name not in columns or f"{name}{ERROR}" in columns:
+            has = "a column of errors" if name in columns else "no column"
+            raise InputError(f"errors: {name} has {has} in {where}; allowed: a quantity without errors there")
     for name in columns:
         if columns.count(name) > 1:
             raise InputError(f"{where}: column {name} is there twice; allowed: once")
         other = name.removesuffix(ERROR) if name.endswith(ERROR) else f"{name}{ERROR}"
-        if other not in columns:
+        if other not in columns and name not in errors:
             unit = unit_of(other.removesuffix(ERROR))
             raise InputError(
-                f"{where}: column {name} without {other}; allowed: with a column {other} [{unit}]"
+                f"{where}: column {name} without {other}; allowed: with a column {other} [{unit}], or errors="
             )
 
 
-def _rows(columns: Sequence[str], cells: Sequence[Sequence[str]], where: str) -> Iterator[Row]:
+def _rows(
+    columns: Sequence[tuple[str, float]], cells: Sequence[Sequence[str]], where: str, errors: Errors
+) -> Iterator[Row]:
+    factors = dict(columns)
+    names = list(factors)
+    _check_columns([name for name, _ in columns], where, errors)
+    given = {name: _errors_of(name, of, len(cells)) for name, of in errors.items()}
     for number, row in enumerate(cells, start=1):
         here = f"{where}, row {number}"
         if len(row) != len(columns):
             raise InputError(f"{here}: {len(row)} cells under {len(columns)} columns; allowed: as many")
-        by_name = dict(zip(columns, row, strict=True))
-        measured = {
-            name: Measured(*_pair(name, by_name[name], by_name[f"{name}{ERROR}"], here))
-            for name in columns
-            if not name.endswith(ERROR)
-            and not {by_name[name].lower(), by_name[f"{name}{ERROR}"].lower()} <= {*NOTHING}
-        }
+        by_name = dict(zip(names, row, strict=True))
+        measured = {}
+        for name in names:
+            value, error = by_name[name], by_name.get(f"{name}{ERROR}", "")
+            if name.endswith(ERROR) or {value.lower(), error.lower()} <= {*NOTHING}:
+                continue
+            factor, error_factor = factors[name], factors.get(f"{name}{ERROR}", factors[name])
+            if name in given:
+                share, each = given[name]
+                error = repr(abs(_number(value)) * each[number - 1] if share else each[number - 1])
+            measured[name] = Measured(*_pair(name, value, error, here, factor, error_factor))
         if not measured:
             raise InputError(f"{here}: nothing is measured; allowed: one quantity or more")
         yield measured
 
 
-def _pair(name: str, value: str, error: str, here: str) -> tuple[float, float]:
-    """A quantity and its error."""
+def _errors_of(name: str, given: object, rows: int) -> tuple[bool, list[float]]:
+    """Whether errors are shares of the values, and the error of each row."""
+    allowed = f"a number in the unit of the column, {rows} of them, or a text such as '2 %'"
+    if isinstance(given, str):
+        number, unit = split(given)
+        if unit != "%" or not math.isfinite(_number(number)):
+            raise refusal(f"errors: {name}", given, allowed)
+        return True, [0.01 * _number(number)] * rows
+    each = numbers_of(f"errors: {name}", given, allowed)
+    if each.shape not in ((), (rows,)):
+        raise refusal(f"errors: {name}", given, allowed)
+    return False, np.broadcast_to(each, rows).tolist()
+
+
+def _pair(
+    name: str, value: str, error: str, here: str, factor: float, error_factor: float
+) -> tuple[float, float]:
+    """A quantity and its error, in the quantity's unit."""
     high = 1.0 if name == "duty_factor" else MAXIMUM
-    measured = _number(value)
+    measured = _number(value) / factor
     low = -MAXIMUM if name in SIGNED else 0.0
     if not low <= measured <= high:
         raise InputError(
             f"{here}: {name} = {value or 'nothing'} is not allowed; allowed: a number {low:g} to {high:g}"
         )
-    spread = _number(error)
+    spread = _number(error) / error_factor
     minimum = SMALLEST_ERROR * max(abs(measured), MINIMUM)
     if not minimum <= spread <= MAXIMUM:
         raise InputError(

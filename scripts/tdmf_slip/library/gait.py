@@ -64,8 +64,15 @@ class Gait:
     """Last apex minus first, shape (n,), where the strides need not lead back; else zero."""
 
     @property
-    def _apexes(self) -> list[list[float]]:
+    def apexes(self) -> list[list[float]]:
+        """The apex at which each of its strides begins."""
         return [[float(value) for value in apex] for apex in (self.apex, *self.following)]
+
+    @cached_property
+    def reported(self) -> dict[str, float]:
+        """All quantities by name, with the frequency and the lift-off angle where the stride has a period."""
+        more = {"frequency": 1.0 / self.stride["period"]} if self.stride.get("period") else {}
+        return {**self.stride, **more, "liftoff_angle": self.liftoff_angle}
 
     @property
     def strides(self) -> int:
@@ -238,7 +245,7 @@ class Gait:
             "eigenvalues": [[float(v.real), float(v.imag)] for v in self.eigenvalues.astype(complex)],
             "stable": self.stable,
             "start_values": self.start_values,
-            **({"strides": self.strides, "apexes": self._apexes} if self.following else {}),
+            **({"strides": self.strides, "apexes": self.apexes} if self.following else {}),
         }
 
 
@@ -295,15 +302,14 @@ def gaits_dataset(
         return over, np.array(values, float).reshape(shape), attributes
 
     def quantity(name: str) -> tuple[Any, ...]:
-        return column(lambda gait: gait.stride.get(name, np.nan), model.quantities[name].attributes)
+        return column(lambda gait: gait.reported.get(name, np.nan), model.quantities[name].attributes)
 
     def coordinate(number: int) -> tuple[Any, ...]:
         about = model.coordinate(model.coordinates[number]).attributes
         return column(lambda gait: float(gait.section[number]), about)
 
-    names = (
-        dict.fromkeys((*STRIDE_QUANTITIES, *LEDGER, *MEASURES)) if model.name in MODELS else known.quantities
-    )
+    own = (*STRIDE_QUANTITIES, "frequency", *LEDGER, "liftoff_angle", *MEASURES)
+    names = dict.fromkeys(own) if model.name in MODELS else known.quantities
     variables = {name: quantity(name) for name in names}
     variables |= {f"apex_{name}": coordinate(number) for number, name in enumerate(model.coordinates)}
     variables["lambda_max"] = column(lambda gait: gait.lambda_max, {"units": "1"})

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,45 +12,24 @@ from ..analysis.targeted import TargetNotMetError
 from ..checks import checked_whole
 from ..errors import InputError
 from ..given import row_of
+from ..library.gait import gaits_dataset
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
-from ..record import origin_of
 from ..terminal.progress import Bar, progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model
-from ..variables.values import model_of
 from ..variables.variable import Given
 from .optimize import MAX_STARTS, STARTS
 from .optimizer import Optimizer, Start
 from .optimum import Optimum, reported
 from .problem import Goal, check_action, checked_quantity, checked_radius, checked_space, checked_values
 
+if TYPE_CHECKING:
+    import xarray
+
 POINTS, MAX_POINTS = 7, 1000
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Front:
-    """Runners of which none is better in one quantity without being worse in the other."""
-
-    objectives: tuple[str, str]
-    """The two quantities."""
-    optima: tuple[Optimum, ...]
-    """From the best in the first to the best in the second."""
-
-    def __repr__(self) -> str:
-        """In a line: how many runners, between which two quantities."""
-        return f"<Front of {' and '.join(self.objectives)}: {len(self.optima)} runners>"
-
-    def as_json(self) -> dict[str, object]:
-        """As a plain object."""
-        return {
-            **origin_of(self.optima[0].gait.runner),
-            "objectives": list(self.objectives),
-            "front": [best.as_json() for best in self.optima],
-        }
-
-
-@shares_steps
 def pareto_front(
     runner: RunnerLike,
     vary: Mapping[str, tuple[Given, Given]],
@@ -63,7 +42,7 @@ def pareto_front(
     starts: int = STARTS,
     model: str | Model | None = None,
     progress: bool = False,
-) -> Front:
+) -> xarray.Dataset:
     """The best compromises between two quantities, from the best in one to the best in the other.
 
     Each is an optimum of the first quantity as `optimize` finds it, with a limit on the second; the limits
@@ -92,8 +71,10 @@ def pareto_front(
 
     Returns
     -------
-    Front
-        The runners that were found.
+    xarray.Dataset
+        Over `optimum`, from the best in the first quantity to the best in the second: all quantities of the
+        gaits, the parameters that are varied, and of each optimum `active_bounds`, `limits`, and `why` it is
+        not shown to be one, or an empty text. `gait_at(front.isel(optimum=0))` is a gait.
 
     Raises
     ------
@@ -111,16 +92,62 @@ def pareto_front(
     >>> front = tdmf_slip.pareto_front(
     ...     {}, vary, minimize=["cost_of_transport"], maximize=["speed"], points=2, starts=1
     ... )
-    >>> [best.parameters["hip.stance_torque"] for best in front.optima]
+    >>> front["hip.stance_torque"].values.tolist()
     [0.15, 0.25]
     """
+    objectives, optima = best_compromises(
+        Runner(runner, model=model),
+        vary,
+        minimize=minimize,
+        maximize=maximize,
+        target=target,
+        stable=stable,
+        points=points,
+        starts=starts,
+        progress=progress,
+    )
+    names, gaits = list(optima[0].parameters), [best.gait for best in optima]
+    numbers = {"optimum": np.arange(len(optima), dtype=float)}
+    record = gaits[0].runner.record(*names)
+    data = gaits_dataset("front", record, gaits, numbers, objectives=", ".join(objectives))
+    texts = {
+        "active_bounds": [", ".join(map(": ".join, best.active_bounds.items())) for best in optima],
+        "limits": [", ".join(best.limits) for best in optima],
+        "why": [best.why for best in optima],
+    }
+    variables: dict[str, Any] = {name: ("optimum", np.array(of, dtype=object)) for name, of in texts.items()}
+    values: dict[str, Any] = {
+        name: (
+            "optimum",
+            [best.parameters[name] for best in optima],
+            gaits[0].runner.model.variables[name].attributes,
+        )
+        for name in names
+    }
+    return data.assign(variables).assign_coords(values)
+
+
+@shares_steps
+def best_compromises(
+    runner: Runner,
+    vary: Mapping[str, tuple[Given, Given]],
+    *,
+    minimize: Sequence[str] = (),
+    maximize: Sequence[str] = (),
+    target: Mapping[str, float] | None = None,
+    stable: bool | float = False,
+    points: int = POINTS,
+    starts: int = STARTS,
+    progress: bool = False,
+) -> tuple[tuple[str, str], tuple[Optimum, ...]]:
+    """The two quantities, and the optima from the best in the first to the best in the second."""
     signs = _checked_objectives(minimize, maximize)
-    (first, second), space = tuple(signs), checked_space(vary, model_of(runner, model))
+    (first, second), space = tuple(signs), checked_space(vary, runner.model)
     prescribed = checked_values(target, (first, second), space)
     radius = checked_radius(stable)
     goals = [Goal(name, signs[name], prescribed, radius=radius) for name in (first, second)]
     count = checked_whole("points", points, 2, MAX_POINTS)
-    before = periodic_gait(Runner(runner, model=model))
+    before = periodic_gait(runner)
     optimizer = Optimizer(before, space, checked_whole("starts", starts, 1, MAX_STARTS))
     check_action(optimizer.candidate(goals[0]), space)
     total = 2 * optimizer.count + 2 * (count - 2)
@@ -128,7 +155,7 @@ def pareto_front(
         ends = [optimizer.best(goal, bar) for goal in goals]
         inside = _between(optimizer, goals, ends[0].start, ends[1].start, count, bar)
         found = [optimizer.optimum(goals[0], ends[0]), *inside, optimizer.optimum(goals[1], ends[1])]
-    return Front((first, second), tuple(found))
+    return (first, second), tuple(found)
 
 
 def _between(

@@ -9,16 +9,18 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import xarray
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from ..analysis.branches import Branch
 from ..analysis.special_points import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING, UNCLASSIFIED, WORD_BORDER
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
-from ..library.gait import Gait
+from ..library.quantities import QUANTITIES
+from ..library.runner import Runner
 from ..library.section import COORDINATES
+from ..record import runner_in
 from ..variables.display_units import DisplayUnits
 from ..variables.table import VARIABLES
 from . import style
@@ -44,25 +46,30 @@ WORD_PLACES = 21
 """Places along a line where its word may stand."""
 
 
-def values_of(gait: Gait, quantity: str) -> list[float]:
-    """A quantity of a gait: for each of its apexes, or one for all of its strides."""
-    coordinates = gait.runner.coordinates
+def values_of(data: xarray.Dataset, quantity: str) -> NDArray[np.float64]:
+    """A quantity of a branch's points, of each apex or of all strides: shape (points, apexes)."""
+    coordinates = [str(name) for name in data["coordinate"].values]
     if is_one_of(quantity, coordinates):
-        return [float(apex[coordinates.index(quantity)]) for apex in (gait.apex, *gait.following)]
-    numbers = {**gait.stride, "lambda_max": gait.lambda_max, "liftoff_angle": gait.liftoff_angle}
-    if not is_one_of(quantity, numbers):
-        known = (*coordinates, *numbers)
+        values: NDArray[np.float64] = data["apexes"].sel(coordinate=quantity).values
+        return values
+    known = [
+        str(name) for name, of in data.data_vars.items() if of.dims == ("point",) and of.dtype.kind == "f"
+    ]
+    known = [name for name in known if not name.startswith("apex_") or name in QUANTITIES]
+    if not is_one_of(quantity, known):
+        names = (*coordinates, *known)
         raise InputError(
-            f"quantity {shown(quantity)} is not allowed; allowed: {', '.join(known)}"
-            f"{near_matches(quantity, known)}"
+            f"quantity {shown(quantity)} is not allowed; allowed: {', '.join(names)}"
+            f"{near_matches(quantity, names)}"
         )
-    return [numbers[quantity]]
+    return np.asarray(data[quantity].values, float)[:, None]
 
 
-def figure_of(branch: Branch, quantity: str = DRAWN, display: DisplayUnits | None = None) -> Figure:
+def figure_of(data: xarray.Dataset, quantity: str = DRAWN, display: DisplayUnits | None = None) -> Figure:
     """A quantity of the gaits, and the size of their largest eigenvalue, over the parameter."""
-    values_of(branch.gaits[0], quantity)
-    display = display or DisplayUnits(values=branch.gaits[0].runner)
+    values_of(data, quantity)
+    name = data.over
+    display = display or DisplayUnits(values=Runner(runner_in(data), model=data.model))
     with style.styled():
         figure, panels = style.subplots(2, 1, figsize=(8.2, 7.0), sharex=True, height_ratios=(2, 1))
         kind = "apex" if quantity in COORDINATES else "stride"
@@ -70,21 +77,34 @@ def figure_of(branch: Branch, quantity: str = DRAWN, display: DisplayUnits | Non
         label = f"{kind}.{quantity}" if variable else quantity
         panels[0].set_ylabel(style.with_unit(label, display.label(variable.unit) if variable else ""))
         panels[1].set_ylabel("modulus of the largest eigenvalue")
-        panels[1].set_xlabel(style.tell_in(panels[1].xaxis, branch.name, display))
-        begin = display.value(branch.name, branch.values[0])
-        panels[0].set_title(f"{branch.name} from {begin:g}: {branch.ended}", wrap=True)
+        panels[1].set_xlabel(style.tell_in(panels[1].xaxis, name, display))
+        begin = display.value(name, float(data[name].values[0]))
+        panels[0].set_title(f"{name} from {begin:g}: {data.ended}", wrap=True)
         for axes, drawn in zip(panels, (quantity, "lambda_max"), strict=True):
-            _draw(axes, branch, drawn, 0)
+            for branch in _branches(data):
+                _draw(axes, branch, drawn)
         panels[1].axhline(1.0, **style.LIMIT_LINE)
         _bound(panels[1])
-        _write_words(panels[0], branch, quantity)
+        for branch in _branches(data):
+            _write_words(panels[0], branch, quantity)
         _legend(panels[0])
     return figure
 
 
-def draw(path: Path, branch: Branch, quantity: str, display: DisplayUnits | None = None) -> None:
+def draw(path: Path, data: xarray.Dataset, quantity: str, display: DisplayUnits | None = None) -> None:
     """Draw a branch into a file."""
-    style.save(figure_of(branch, quantity, display), path)
+    style.save(figure_of(data, quantity, display), path)
+
+
+def _branches(data: xarray.Dataset) -> Iterator[xarray.Dataset]:
+    """Each branch by itself, with its number of strides as a number."""
+    for number in range(data.sizes["branch"]):
+        yield data.isel(point=data["branch_number"].values == number, branch=number)
+
+
+def _colour(branch: xarray.Dataset) -> str:
+    depth = int(branch["branch_strides"]).bit_length() - 1
+    return COLOURS[min(depth, len(COLOURS) - 1)]
 
 
 def _bound(axes: Axes) -> None:
@@ -92,78 +112,69 @@ def _bound(axes: Axes) -> None:
     axes.set_ylim(0.0, float(np.clip(axes.get_ylim()[1], MIN_SHOWN, LARGEST_SHOWN)))
 
 
-def _draw(axes: Axes, branch: Branch, quantity: str, depth: int) -> None:
-    """The lines of a branch and of those from it, and their special points."""
-    colour = COLOURS[min(depth, len(COLOURS) - 1)]
-    for stable, run in groupby(_segments(branch, quantity), key=lambda segment: segment[0]):
-        segments = list(run)
-        x = [segments[0][1][0], *(end[0] for _, _, end in segments)]
-        y = np.array([segments[0][1][1], *(end[1] for _, _, end in segments)])
+def _draw(axes: Axes, branch: xarray.Dataset, quantity: str) -> None:
+    """The lines of a branch, and its special points."""
+    strides = int(branch["branch_strides"])
+    x, specials = branch[branch.over].values, branch["special"].values
+    y = values_of(branch, quantity)[:, :strides]
+    line = specials != UNCLASSIFIED
+    for stable, run in groupby(enumerate(_stable_segments(branch.isel(point=line))), key=lambda one: one[1]):
+        numbers = [number for number, _ in run]
+        part = slice(numbers[0], numbers[-1] + 2)
         kind = "stable" if stable else "unstable"
-        label = f"{kind}, {branch.strides} stride{'s' if branch.strides > 1 else ''}"
-        for number, line in enumerate(y.T):
-            look: dict[str, Any] = {
-                "color": colour,
-                "linestyle": "-" if stable else (0, (4, 2)),
-                "linewidth": 1.6,
-            }
-            axes.plot(x, line, label=label if number == 0 else "_", zorder=2 + depth, **look)
-    for special in branch.specials:
-        for value in values_of(special.gait, quantity):
-            label = special.kind
-            axes.plot([special.value], [value], linestyle="", label=label, zorder=6, **MARKS[special.kind])
-    for other in branch.branches:
-        _draw(axes, other, quantity, depth + 1)
+        label = f"{kind}, {strides} stride{'s' if strides > 1 else ''}"
+        look: dict[str, Any] = {"linestyle": "-" if stable else (0, (4, 2)), "linewidth": 1.6}
+        for number, column in enumerate(y[line][part].T):
+            label = label if number == 0 else "_"
+            axes.plot(x[line][part], column, color=_colour(branch), label=label, zorder=1 + strides, **look)
+    for row in np.flatnonzero(specials != ""):
+        for value in y[row]:
+            kind = specials[row]
+            axes.plot([x[row]], [value], linestyle="", label=kind, zorder=6, **MARKS[kind])
 
 
-def _segments(
-    branch: Branch, quantity: str
-) -> list[tuple[bool, tuple[float, list[float]], tuple[float, list[float]]]]:
-    """Straight segments between neighbouring gaits, special ones too: whether stable, begin and end."""
-    found = []
-    by_index = {index: list(of) for index, of in groupby(branch.specials, key=lambda s: s.index)}
-    gaits = list(zip(branch.values, branch.gaits, strict=True))
-    for index, ((low, before), (high, after)) in enumerate(pairwise(gaits)):
-        met = [special for special in by_index.get(index, []) if special.kind != UNCLASSIFIED]
-        points = [(low, before), *((s.value, s.gait) for s in met), (high, after)]
-        changes = [number for number, s in enumerate(met, 1) if s.kind != WORD_BORDER]
-        change = changes[0] if changes else len(points) - 1
-        for number, (begin, end) in enumerate(pairwise(points)):
-            stable = before.stable if number < change else after.stable
+def _stable_segments(branch: xarray.Dataset) -> Iterator[bool]:
+    """Whether the gaits between neighbouring points are stable, by the gaits and bifurcations around them."""
+    specials, unstable = branch["special"].values, branch["unstable"].values
+    gaits = np.flatnonzero(specials == "")
+    for before, after in pairwise(gaits):
+        changes = [row for row in range(before + 1, after) if specials[row] != WORD_BORDER]
+        for row in range(before, after):
             if not changes:
-                stable = before.stable and after.stable
-            ends = [(value, values_of(gait, quantity)) for value, gait in (begin, end)]
-            found.append((stable, ends[0], ends[1]))
-    return found
+                yield bool(unstable[before] == unstable[after] == 0)
+            else:
+                yield bool(unstable[before if row < changes[0] else after] == 0)
 
 
-def _write_words(axes: Axes, branch: Branch, quantity: str, depth: int = 0) -> None:
+def _write_words(axes: Axes, branch: xarray.Dataset, quantity: str) -> None:
     """Each word beside the middle of where it holds, unless that is too short to be seen."""
-    for word, run in _runs_of_words(branch, quantity):
+    first = int(branch["branch_strides"]) == 1
+    points = np.column_stack([branch[branch.over].values, values_of(branch, quantity)[:, 0]])
+    for word, run in _runs_of_words(branch, points):
         box = axes.get_window_extent()
         seen = axes.transData.transform(run)
         lengths = np.append(0.0, np.cumsum(np.hypot(*np.diff(seen, axis=0).T)))
         if lengths[-1] < SHORT_RUN * np.hypot(box.width, box.height):
             continue
         evenly = np.linspace(0.0, lengths[-1], WORD_PLACES)
-        points = np.column_stack([np.interp(evenly, lengths, column) for column in run.T])
-        colour = style.INK if depth == 0 else COLOURS[min(depth, len(COLOURS) - 1)]
-        CurveLabel(axes, style.word(word), points, fontsize=8.5, color=colour)
-    for other in branch.branches:
-        _write_words(axes, other, quantity, depth + 1)
+        places = np.column_stack([np.interp(evenly, lengths, column) for column in run.T])
+        colour = style.INK if first else _colour(branch)
+        CurveLabel(axes, style.word(word), places, fontsize=8.5, color=colour)
 
 
-def _runs_of_words(branch: Branch, quantity: str) -> Iterator[tuple[str, NDArray[np.float64]]]:
+def _runs_of_words(
+    branch: xarray.Dataset, points: NDArray[np.float64]
+) -> Iterator[tuple[str, NDArray[np.float64]]]:
     """Each word with the points of its gaits, from one border to the next, in the branch's order."""
-    gaits = list(zip(branch.values, branch.gaits, strict=True))
-    borders = {s.index: (s.value, s.gait) for s in branch.specials if s.kind == WORD_BORDER}
-    begin = 0
-    for word, run in groupby(gaits, key=lambda gait: gait[1].word):
-        end = begin + len(list(run))
-        ends = [borders.get(begin - 1), *gaits[begin:end], borders.get(end - 1)]
-        points = [(gait[0], values_of(gait[1], quantity)[0]) for gait in ends if gait is not None]
-        yield word, np.array(points)
-        begin = end
+    specials, words = branch["special"].values, branch["word"].values
+    rows = [row for row, kind in enumerate(specials) if kind in ("", WORD_BORDER)]
+    for is_border, run in groupby(rows, key=lambda row: (specials[row] == WORD_BORDER, words[row])):
+        numbers = list(run)
+        if not is_border[0]:
+            first, last = rows.index(numbers[0]), rows.index(numbers[-1])
+            ends = [row for row in rows[max(0, first - 1) : first] if specials[row] == WORD_BORDER]
+            ends += numbers + [row for row in rows[last + 1 : last + 2] if specials[row] == WORD_BORDER]
+            yield is_border[1], points[ends]
 
 
 def _legend(axes: Axes) -> None:

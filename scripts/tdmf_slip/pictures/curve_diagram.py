@@ -1,15 +1,16 @@
 """Curves of special points over two parameters, in a file."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+import xarray
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..analysis.curves import Curve
+from ..analysis.curves import Curve, curves_in
 from ..analysis.special_points import WORD_BORDER
+from ..library.runner import Runner
+from ..record import runner_in
 from ..variables.display_units import DisplayUnits
 from . import style
 from .branch_diagram import MARKS
@@ -18,16 +19,15 @@ BESIDE, ASLANT = 6.0, 0.35
 """Distance of a word from its curve, in points, and the slope from which the word stands beside it."""
 
 
-def figure_of(
-    curves: Sequence[Curve], over: Mapping[str, tuple[float, float]], display: DisplayUnits | None = None
-) -> Figure:
+def figure_of(data: xarray.Dataset, display: DisplayUnits | None = None) -> Figure:
     """The curves in the plane of the parameters: borders thin, with each word on its side."""
-    display = display or DisplayUnits()
+    curves, names = curves_in(data), str(data.over).split(", ")
+    display = display or DisplayUnits(values=Runner(runner_in(data), model=data.model))
     with style.styled():
         figure, axes = style.subplots(figsize=(7.6, 5.4))
         labels = [
             style.tell_in(axis, name, display)
-            for axis, name in zip((axes.xaxis, axes.yaxis), over, strict=True)
+            for axis, name in zip((axes.xaxis, axes.yaxis), names, strict=True)
         ]
         shown = set()
         for curve in curves:
@@ -42,23 +42,9 @@ def figure_of(
         style.label(axes, *labels)
         if shown:
             axes.legend()
-        begin, end = over[curves[0].names[0]] if curves else (0.0, 0.0)
+        begin, end = data.first_range
         for curve in curves:
             _write_words(axes, curve, begin < end)
-    return figure
-
-
-def figure_of_one(curve: Curve) -> Figure:
-    """A curve alone: its legend names the words on its sides."""
-    bounds = {
-        name: (float(row.min()), float(row.max()))
-        for name, row in zip(curve.names, curve.points.T, strict=True)
-    }
-    display = DisplayUnits(values=curve.runner)
-    figure = figure_of([replace(curve, words=None)], bounds, display)
-    (axes,) = figure.axes
-    words = "" if curve.words is None else f": {style.word(curve.words[0])} | {style.word(curve.words[1])}"
-    axes.legend([curve.kind + words])
     return figure
 
 
@@ -90,11 +76,6 @@ def _write_words(axes: Axes, curve: Curve, rises: bool) -> None:
         )
 
 
-def draw(
-    path: Path,
-    curves: Sequence[Curve],
-    over: Mapping[str, tuple[float, float]],
-    display: DisplayUnits | None = None,
-) -> None:
+def draw(path: Path, data: xarray.Dataset, display: DisplayUnits | None = None) -> None:
     """Draw the curves into a file."""
-    style.save(figure_of(curves, over, display), path)
+    style.save(figure_of(data, display), path)

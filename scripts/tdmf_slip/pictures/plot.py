@@ -13,14 +13,10 @@ from ..errors import InputError
 PICTURES: Mapping[str, str] = {
     "Attraction": "decay_diagram.of_attraction",
     "BorderProof": "eigenvalue_diagram.of_border",
-    "Branch": "branch_diagram.figure_of",
-    "Comparison": "quantity_diagram.of_comparison",
     "Controllability": "eigenvalue_diagram.of_controllability",
-    "Curve": "curve_diagram.figure_of_one",
     "Feedback": "eigenvalue_diagram.of_feedback",
     "FirstPassage": "decay_diagram.of_falls",
     "Fit": "fit_diagram.figure_of",
-    "Front": "quantity_diagram.of_front",
     "Gait": "velocity_and_ratio.of_gait",
     "Optimum": "quantity_diagram.of_optimum",
     "Proof": "eigenvalue_diagram.of_proof",
@@ -28,18 +24,27 @@ PICTURES: Mapping[str, str] = {
     "Run": "overview.figure_of",
     "Sweep": "sweep_diagram.of_sweep",
     "Validation": ".paper.drift_diagram.of_validation",
-    "Viability": "viability_map.figure_of",
     "basin": "basin_map.figure_of",
+    "branch": "branch_diagram.figure_of",
+    "comparison": "quantity_diagram.of_comparison",
+    "curves": "curve_diagram.figure_of",
+    "front": "quantity_diagram.of_front",
     "runs": "basin_map.of_runs",
     "strides": "basin_map.of_strides",
     "sweep": "sweep_diagram.figure_of",
+    "viability": "viability_map.figure_of",
 }
 """Module and function by the kind of a result: the name of its class, or a dataset's attribute `result`."""
 DATASETS: Mapping[str, tuple[str, Sequence[int]]] = {
     "basin": ("fate", (2,)),
+    "branch": ("special", (1,)),
+    "comparison": ("word", (2,)),
+    "curves": ("curve_number", (1,)),
+    "front": ("word", (1,)),
     "runs": ("fallen", (1,)),
     "strides": ("fate", (2,)),
     "sweep": ("word", (1, 2)),
+    "viability": ("viable", (2,)),
 }
 """Datasets that have a picture: one of their variables, and how many dimensions it may have."""
 

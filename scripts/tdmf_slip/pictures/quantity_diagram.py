@@ -9,14 +9,15 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..library.quantities import known_quantities, quantities_of, unit_of
+from ..library.quantities import QUANTITIES, known_quantities, quantities_of, unit_of
 from ..library.runner import Runner
+from ..record import runner_in
 from . import style
 
 if TYPE_CHECKING:
-    from ..analysis.comparison import Comparison
+    import xarray
+
     from ..optimization.optimum import Optimum
-    from ..optimization.pareto import Front
 
 LAMBDA_MAX = "lambda_max"
 ZERO = 1e-12
@@ -46,29 +47,30 @@ def of_optimum(found: Optimum) -> Figure:
     return figure
 
 
-def of_comparison(found: Comparison) -> Figure:
+def of_comparison(data: xarray.Dataset) -> Figure:
     """How the matched runners' quantities differ from the reference's; those that are held are bold."""
-    names = known_quantities(found.runners[0].after.runner)
-    reference, *others = (quantities_of(gait, names) | {LAMBDA_MAX: gait.lambda_max} for gait in found.gaits)
+    after = data.sel(step="after")
+    names = [name for name in (*QUANTITIES, LAMBDA_MAX) if np.isfinite(after[name]).any()]
+    reference, *others = (
+        {name: float(after[name].values[number]) for name in names} for number in range(after.sizes["runner"])
+    )
     with style.styled():
         figure, axes = style.subplots(figsize=(7.6, HEIGHT + BAR * len(reference) * max(1, len(others))))
         runners = {f"runner {number}": values for number, values in enumerate(others, 1)}
-        _changes(axes, reference, runners, bold=found.hold)
+        _changes(axes, reference, runners, bold=data.hold.split(", "))
         style.label(axes, "difference from runner 0 (%)", "quantity; bold: held")
         figure.legend(*axes.get_legend_handles_labels(), loc="outside upper right", ncols=4)
     return figure
 
 
-def of_front(front: Front) -> Figure:
+def of_front(data: xarray.Dataset) -> Figure:
     """One objective over the other, a mark for each runner; hollow where its gait is unstable."""
-    first, second = front.objectives
-    points = np.array(
-        [[quantities_of(best.gait, front.objectives)[n] for n in front.objectives] for best in front.optima]
-    )
+    objectives = data.objectives.split(", ")
+    points = np.column_stack([data[name].values for name in objectives])
     with style.styled():
         figure, axes = style.subplots(figsize=(6.4, 4.6))
         axes.plot(*points.T, color=style.FAINT, linewidth=1.0, zorder=1)
-        stable = np.array([best.stable for best in front.optima], dtype=bool)
+        stable = data[LAMBDA_MAX].values < 1.0
         for where, name, face in ((stable, "stable", style.SECOND_CURVE), (~stable, "unstable", "white")):
             if where.any():
                 axes.plot(
@@ -79,7 +81,8 @@ def of_front(front: Front) -> Figure:
                     markerfacecolor=face,
                     label=name,
                 )
-        style.label(axes, *(_with_unit(name, front.optima[0].gait.runner) for name in (first, second)))
+        runner = Runner(runner_in(data), model=data.model)
+        style.label(axes, *(_with_unit(name, runner) for name in objectives))
         figure.legend(*axes.get_legend_handles_labels(), loc="outside upper right", ncols=2)
     return figure
 

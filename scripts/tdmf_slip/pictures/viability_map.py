@@ -4,15 +4,17 @@ from pathlib import Path
 
 import matplotlib
 import numpy as np
+import xarray
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
+from ..library.runner import Runner
 from ..library.section import REDUCED
+from ..record import runner_in
 from ..variables.table import FRICTION, VARIABLES
-from ..viable_sets.result import Viability
 from . import style
 from .basin_map import NAMES
 
@@ -22,19 +24,19 @@ OPEN, NOT_VIABLE = "#f0b35a", "#efe9e4"
 """Colours of cells that the grid leaves open, and of those from which no action of the grid helps."""
 
 
-def draw(path: Path, found: Viability) -> None:
+def draw(path: Path, found: xarray.Dataset) -> None:
     """Draw the sets into a file."""
     with style.styled():
         style.save(_figure(found), path)
 
 
-def figure_of(found: Viability) -> Figure:
+def figure_of(found: xarray.Dataset) -> Figure:
     """The sets as a figure."""
     with style.styled():
         return _figure(found)
 
 
-def _figure(found: Viability) -> Figure:
+def _figure(found: xarray.Dataset) -> Figure:
     figure, axes = style.subplots(figsize=(7.6, 5.4))
     mesh = paint(axes, found)
     figure.colorbar(mesh, ax=axes, label="share of actions that lead to a viable state (inner set)", pad=0.01)
@@ -47,25 +49,27 @@ def _figure(found: Viability) -> Figure:
         ),
     ]
     figure.legend(handles=handles, loc="outside lower center", ncols=2)
-    friction = found.runner[FRICTION]
+    friction = Runner(runner_in(found), model=found.model)[FRICTION]
+    actions = found["viable_pair"].size // found["viable"].size
     axes.set_title(
         f"friction {friction:g}: {found.inner_share:.1%} to {found.outer_share:.1%} of the plane viable, "
-        f"{found.grid.action_count} actions"
+        f"{actions} actions"
     )
     return figure
 
 
-def paint(axes: Axes, found: Viability, maximum: float | None = None) -> ScalarMappable:
+def paint(axes: Axes, found: xarray.Dataset, maximum: float | None = None) -> ScalarMappable:
     """Paint the sets into axes of a figure."""
-    heights, speeds = found.grid.edges.values()
-    states = found.inner_states + found.outer_states.astype(int)
+    heights, speeds = (found[f"{axis}_edge"].values for axis in REDUCED)
+    states, robustness = found["viable"].values, found["inner_robustness"].values
     for level, colour in ((0, NOT_VIABLE), (1, OPEN)):
         shown = np.ma.masked_where(states != level, np.zeros(states.shape))
         axes.pcolormesh(speeds, heights, shown, cmap=ListedColormap([colour]), rasterized=True)
-    shares = np.ma.masked_where(states != 2, found.inner_robustness)
-    largest = maximum or float(np.max(found.inner_robustness)) or 1.0
+    shares = np.ma.masked_where(states != 2, robustness)
+    largest = maximum or float(np.max(robustness)) or 1.0
     mesh = axes.pcolormesh(speeds, heights, shares, cmap=COLOURS, vmin=0.0, vmax=largest, rasterized=True)
-    units = [found.runner.label(VARIABLES[f"apex.{axis}"].unit) for axis in REDUCED]
+    runner = Runner(runner_in(found), model=found.model)
+    units = [runner.label(VARIABLES[f"apex.{axis}"].unit) for axis in REDUCED]
     style.label(
         axes, style.with_unit(NAMES[REDUCED[1]], units[1]), style.with_unit(NAMES[REDUCED[0]], units[0])
     )

@@ -3,29 +3,44 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import number_of, refusal, shown
+from ..checks import refusal, shown
 from ..errors import InputError
 from ..library.runner import Runner
 from ..library.section import REDUCED
-from ..library.settings import checked_values
-from ..variables.table import by_full_name
+from ..record import runner_in
+from ..variables.table import VARIABLES, by_full_name
+from ..variables.variable import Given
 from .grid import Grid
+
+if TYPE_CHECKING:
+    import xarray
 
 GRADES = ("not viable", "open", "viable")
 """Grades of a choice: no action of the cell is viable, one of the outer set is, one of the inner set is."""
 
 
-@dataclass(frozen=True, eq=False)
 class ViableController:
     """At each apex the viable action nearest to a wish, over the ranges of the settings.
 
     Of the inner set where the apex's cell has some, else of the outer one. Where neither has any, or outside
     of the grid, nothing is known to help, and the wish itself is set; `grade_at` tells.
+
+    Parameters
+    ----------
+    viable : xarray.Dataset
+        Viable set, as `viability` gives it.
+    wish : mapping of str to float, optional
+        Wished value of each setting, in its unit; by default the runner's own.
+
+    Raises
+    ------
+    InputError
+        The dataset is no viable set, or the wish names something else, or is out of a setting's range.
 
     Examples
     --------
@@ -37,66 +52,34 @@ class ViableController:
     ...     vary={"hip.touchdown_angle": (0.3, 1.1, 12), "hip.stance_torque": (0.05, 0.4, 6)},
     ...     n=24,
     ... )
-    >>> law = found.controller()
+    >>> law = tdmf_slip.ViableController(found)
     >>> apices = [1.2, 1.0, 1.0, 0.7, 0, 0]
     >>> run = tdmf_slip.stride_map(runner, apices, strides=20, law=law)
     >>> bool((run["fate"] == 0).all())
     True
     """
 
-    grid: Grid
-    """Cells and actions."""
-    inner: NDArray[np.bool_]
-    """Pairs of the inner set, shape (rows, columns, actions)."""
-    outer: NDArray[np.bool_]
-    """Pairs of the outer set."""
-    wish: tuple[float, ...]
-    """A value of each setting, in its unit."""
-
-    @classmethod
-    def of(
-        cls,
-        grid: Grid,
-        inner: NDArray[np.bool_],
-        outer: NDArray[np.bool_],
-        runner: Runner,
-        wish: Mapping[str, float] | None,
-    ) -> ViableController:
-        """A controller with a wish that is checked.
-
-        Parameters
-        ----------
-        grid : Grid
-            Cells and actions.
-        inner, outer : ndarray of bool, shape (rows, columns, actions)
-            Pairs of both sets.
-        runner : Runner
-            What it has is wished where nothing else is.
-        wish : mapping of str to float or None
-            By setting.
-
-        Returns
-        -------
-        ViableController
-            Of these pairs.
-
-        Raises
-        ------
-        InputError
-            The wish names something else, or is out of a setting's range.
-        """
+    def __init__(self, viable: xarray.Dataset, wish: Mapping[str, Given] | None = None) -> None:
+        if getattr(viable, "attrs", {}).get("result") != "viability" or "viable_pair" not in viable:
+            raise refusal("viable", viable, "a viable set, with all its variables and attributes")
+        pairs, names = viable["viable_pair"].values, viable["viable_pair"].dims[len(REDUCED) :]
+        self.grid = Grid(
+            {axis: viable[f"{axis}_edge"].values for axis in REDUCED},
+            {str(name): viable[name].values for name in names},
+        )
+        levels = pairs.reshape(*self.grid.cells, self.grid.action_count)
+        self.inner, self.outer = levels == 2, levels > 0
         given = by_full_name(wish, "wish", "a mapping of settings to numbers")
-        unknown = next((name for name in given if name not in grid.actions), None)
+        unknown = next((name for name in given if name not in self.grid.actions), None)
         if unknown is not None:
-            raise InputError(f"wish: {shown(unknown)} is not allowed; allowed: {', '.join(grid.actions)}")
-        values = {}
-        for name in grid.actions:
-            number = number_of(given.get(name, runner[name]))
-            if number is None:
-                raise refusal(f"wish: {name}", given[name], "a number")
-            values[name] = number
-            checked_values(name, np.array(number), "wish", {})
-        return cls(grid, inner, outer, tuple(values.values()))
+            raise InputError(
+                f"wish: {shown(unknown)} is not allowed; allowed: {', '.join(self.grid.actions)}"
+            )
+        runner = Runner(runner_in(viable), model=viable.attrs["model"])
+        self.wish = tuple(
+            float(VARIABLES[name].value_of(given.get(name, runner[name]), "wish"))
+            for name in self.grid.actions
+        )
 
     def inputs_at(self, apex: ArrayLike) -> dict[str, float]:
         """Settings at one apex.

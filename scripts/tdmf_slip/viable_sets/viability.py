@@ -5,23 +5,32 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import checked
+from ..errors import InputError
 from ..files.whole import check_destination
+from ..library.gait import Gait
 from ..library.return_map import refuse_patch
 from ..library.runner import Runner
+from ..library.section import REDUCED, Apex, checked_apex
 from ..variables.parameters import RunnerLike
-from .boxes import Boxes, boxes_of, largest_kept
+from .boxes import boxes_of, largest_kept, strides_to
 from .grid import Grid, Transitions, grid_of, make_transitions, transitions_file
-from .result import Viability
+
+if TYPE_CHECKING:
+    import xarray
 
 FACTOR = 1.5
 """Factor of the derivatives at corners, by default."""
 LARGEST_FACTOR = 100.0
+STATES = ("not_viable", "open", "viable")
+"""Values of `viable`: not in the outer set, in the outer one alone, in both."""
+NEAR = 3.0
+"""Distance from a gait's apex, in sides of a cell along each axis, at which it counts as reached."""
 
 
 def viability(
@@ -32,10 +41,11 @@ def viability(
     n: int | tuple[int, int] = 64,
     model: str = "reduced",
     factor: float = FACTOR,
+    gait: Gait | Apex | None = None,
     path: Path | str | None = None,
     executor: Executor | None = None,
     progress: bool = False,
-) -> Viability:
+) -> xarray.Dataset:
     """From which apices some choice of actions avoids a fall for ever, and how much room the choice has.
 
     At each apex settings may be chosen anew from a finite number. A state, which is a cell of the plane of
@@ -64,6 +74,9 @@ def viability(
     factor : float, default 1.5
         1 or above. Derivatives within a cell are taken to be no larger than this times the largest at its
         corners, which are differences to the neighbouring corners.
+    gait : Gait or sequence of float, optional
+        A gait, or its apex. The result then also has the fewest strides from each cell to the gait: to a
+        cell all of whose points are within three sides of a cell of the apex.
     path : Path or str, optional
         NetCDF file for the sets and the strides that they rest on. Strides that are made are kept in a folder
         beside it, so that a job that stopped is resumed by the same call.
@@ -75,13 +88,23 @@ def viability(
 
     Returns
     -------
-    Viability
-        Both sets of states and of pairs of state and action.
+    xarray.Dataset
+        Over the middles of the cells:
+
+        - `viable`, by its flags, and over the settings, too, `viable_pair`;
+        - `inner_robustness` and `outer_robustness`, the share of actions that are viable: Heim's measure;
+        - `inner_drop` and `outer_drop`, m: the largest drop of the ground at the apex that leaves a viable
+          state, for all points of the cell, and for some; NaN outside of the set;
+        - with a gait `inner_strides` and `outer_strides`, -1 where no actions lead to it, and `at_gait`.
+
+        Over the corners of the cells and the settings: `fate` and the next height and speed. The shares of
+        cells in both sets are the attributes `inner_share` and `outer_share`.
 
     Raises
     ------
     InputError
-        A range, a name or a number is not allowed, the ground has a patch, or the file holds something else.
+        A range, a name or a number is not allowed, the ground has a patch, no cell is near the gait, or the
+        file holds something else.
 
     Examples
     --------
@@ -94,7 +117,7 @@ def viability(
     ... )
     >>> bool(0.3 < found.inner_share <= found.outer_share <= 1)
     True
-    >>> chosen = found.controller().inputs_at([1.4, 1.05])
+    >>> chosen = tdmf_slip.ViableController(found).inputs_at([1.4, 1.05])
     >>> list(chosen)
     ['hip.touchdown_angle', 'hip.stance_torque']
 
@@ -108,29 +131,78 @@ def viability(
     factor = checked("factor", factor, 1.0, LARGEST_FACTOR)
     path = None if path is None else check_destination(path, (".nc",), "path")
     grid = grid_of(runner, axes, vary, n)
+    target = None if gait is None else _cells_about(grid, gait)
     file = transitions_file(runner, grid, path)
-    found = viable_sets(
-        runner, make_transitions(runner, grid, file, executor=executor, progress=progress), factor
-    )
+    made = make_transitions(runner, grid, file, executor=executor, progress=progress)
+    found = _sets(runner, made, factor, target, transitions_file(runner, grid).data)
     if path is not None:
-        file.finish(found.to_dataset())
+        file.finish(found)
     return found
 
 
-def viable_sets(runner: Runner, transitions: Transitions, factor: float) -> Viability:
-    """Both sets from transitions that are made."""
-    grid = transitions.grid
-    kept: dict[str, Any] = {}
+def _sets(
+    runner: Runner,
+    made: Transitions,
+    factor: float,
+    target: NDArray[np.bool_] | None,
+    data: xarray.Dataset,
+) -> xarray.Dataset:
+    """Both sets from transitions that are made, with the transitions in a blank file's dataset."""
+    grid = made.grid
+    over, shape = tuple(grid.edges), (*grid.nodes, *grid.action_shape)
+    data["fate"].values[...] = made.fate.reshape(shape)
+    for number, axis in enumerate(REDUCED):
+        data[f"next_{axis}"].values[...] = made.next_apex[number].reshape(shape)
+    attributes: dict[str, Any] = {"factor": factor}
+    levels = np.zeros((*grid.cells, grid.action_count), np.int8)
+    arrays: dict[str, Any] = {}
     for name in ("inner", "outer"):
-        boxes = boxes_of(transitions, runner.scales[:2], factor, inner=name == "inner")
-        found = largest_kept(boxes, grid.cells, inner=name == "inner")
-        kept[name] = _pairs(grid, boxes, found.pairs)
-        kept[f"{name}_passes"] = found.passes
-    return Viability(runner, transitions, factor, **kept)
+        boxes = boxes_of(made, runner.scales[: len(REDUCED)], factor, inner=name == "inner")
+        kept = largest_kept(boxes, grid.cells, inner=name == "inner")
+        pairs = np.zeros((*grid.cells, grid.action_count), bool)
+        pairs.reshape(-1, grid.action_count)[boxes.cells[kept.pairs], boxes.actions[kept.pairs]] = True
+        states: NDArray[np.bool_] = np.any(pairs, axis=2)
+        levels += pairs
+        about = {"units": "1", "long_name": "share of actions that are viable"}
+        arrays[f"{name}_robustness"] = over, pairs.mean(axis=2), about
+        about = {"units": "m", "long_name": "largest drop of the ground that leaves a viable state"}
+        arrays[f"{name}_drop"] = over, _largest_drop(states, grid, inner=name == "inner"), about
+        attributes |= {f"{name}_share": float(states.mean()), f"{name}_passes": kept.passes}
+        if target is not None:
+            strides = strides_to(boxes, target, inner=name == "inner")
+            about = {"units": "1", "long_name": "fewest strides to the gait, -1 for none"}
+            arrays[f"{name}_strides"] = over, strides, about
+    flags = {"flag_values": np.arange(len(STATES), dtype=np.int8), "flag_meanings": " ".join(STATES)}
+    arrays["viable"] = over, levels.max(axis=2), flags
+    arrays["viable_pair"] = (*over, *grid.actions), levels.reshape(*grid.cells, *grid.action_shape), flags
+    if target is not None:
+        arrays["at_gait"] = over, target.astype(np.int8), {"long_name": "1 where the gait is reached"}
+    return (
+        data.assign(arrays)
+        .assign_coords({axis: grid.centers(axis) for axis in grid.edges})
+        .assign_attrs(attributes)
+    )
 
 
-def _pairs(grid: Grid, boxes: Boxes, numbers: NDArray[np.intp]) -> NDArray[np.bool_]:
-    """Pairs as a table of cells and actions."""
-    pairs = np.zeros((*grid.cells, grid.action_count), bool)
-    pairs.reshape(-1, grid.action_count)[boxes.cells[numbers], boxes.actions[numbers]] = True
-    return pairs
+def _largest_drop(states: NDArray[np.bool_], grid: Grid, *, inner: bool) -> NDArray[np.float64]:
+    """How far cells of a set go on above each cell: a drop adds to the height above the ground."""
+    above = np.zeros(states.shape)
+    for row in range(len(states) - 2, -1, -1):
+        above[row] = np.where(states[row + 1], above[row + 1] + 1.0, 0.0)
+    return np.where(states, (above if inner else above + 1.0) * grid.sizes[0], np.nan)
+
+
+def _cells_about(grid: Grid, gait: Gait | Apex) -> NDArray[np.bool_]:
+    """The cells about a gait's apex."""
+    apex = gait.apex if isinstance(gait, Gait) else np.asarray(gait)
+    point = checked_apex(apex[: len(REDUCED)], REDUCED)
+    near = [
+        (edges[:-1] >= at - NEAR * size) & (edges[1:] <= at + NEAR * size)
+        for edges, at, size in zip(grid.edges.values(), point, grid.sizes, strict=True)
+    ]
+    target: NDArray[np.bool_] = near[0][:, None] & near[1]
+    if not target.any():
+        raise InputError(
+            f"gait: at {', '.join(f'{at:g}' for at in point)}: no cell is as near; allowed: one in range"
+        )
+    return target

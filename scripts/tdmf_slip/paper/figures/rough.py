@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 
-from ...analysis.comparison import compare
+from ...analysis.comparison import match_runners
 from ...analysis.first_passage import FirstPassage
 from ...library.runner import Runner
 from ...pictures import style
@@ -53,12 +53,12 @@ def measure(runner: Runner, *, progress: bool = False) -> Measured:
 
 def _matched(runner: Runner) -> list[Runner]:
     """Matched runners at all frictions at which they have a stable gait."""
-    found = compare([runner.replace({FRICTION: mu}) for mu in (REFERENCE, *FRICTIONS)], hold=HOLD, vary=VARY)
+    found = match_runners([runner.replace({FRICTION: mu}) for mu in (REFERENCE, *FRICTIONS)], HOLD, VARY)
     missed = {of.runner for of in found.not_held}
     return [
-        matched.after.runner
-        for number, matched in enumerate(found.runners)
-        if number and number not in missed and matched.after.stable
+        gait.runner
+        for number, gait in enumerate(found.after)
+        if number and number not in missed and gait.stable
     ]
 
 

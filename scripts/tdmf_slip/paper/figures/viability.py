@@ -2,18 +2,22 @@
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 from matplotlib.axes import Axes
 
-from ...analysis.comparison import compare
+from ...analysis.comparison import match_runners
 from ...library.runner import Runner
 from ...pictures import style
+from ...record import runner_in
 from ...variables.table import FRICTION
-from ...viable_sets.result import Viability
 from ...viable_sets.viability import viability
 from . import figure_9
 from .columns import Columns
+
+if TYPE_CHECKING:
+    import xarray
 
 FRICTIONS = (0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.43, 0.6, 0.85, 1.2, 2.5, 5.0, 10.0)
 REFERENCE = 0.6
@@ -25,20 +29,20 @@ CHOSEN = {"hip.touchdown_angle": (0.1, 1.3, 24)}
 CELLS = 64
 BAND, COLOUR = "between the inner and the outer set", "#1f5fa8"
 
-Measured = Sequence[tuple[float, Viability]]
+Measured: TypeAlias = "Sequence[tuple[float, xarray.Dataset]]"
 """Frictions with their viable sets."""
 
 
 def measure(runner: Runner, *, progress: bool = False) -> Measured:
     """Viable sets of matched runners at each friction."""
-    found = compare([runner.replace({FRICTION: mu}) for mu in (REFERENCE, *FRICTIONS)], hold=HOLD, vary=VARY)
+    found = match_runners([runner.replace({FRICTION: mu}) for mu in (REFERENCE, *FRICTIONS)], HOLD, VARY)
     missed = {of.runner for of in found.not_held}
     return [
         (
-            matched.after.runner[FRICTION],
-            viability(matched.after.runner, axes=AXES, vary=CHOSEN, n=CELLS, progress=progress),
+            matched.runner[FRICTION],
+            viability(matched.runner, axes=AXES, vary=CHOSEN, n=CELLS, progress=progress),
         )
-        for number, matched in enumerate(found.runners)
+        for number, matched in enumerate(found.after)
         if number and number not in missed
     ]
 
@@ -48,13 +52,13 @@ def table(measured: Measured) -> Columns:
     return {
         "friction": [friction for friction, _ in measured],
         **{
-            name: [found.runner[name] for _, found in measured]
+            name: [runner_in(found)[name] for _, found in measured]
             for name in ("hip.stance_torque", "hip.touchdown_angle")
         },
         "inner_share": [found.inner_share for _, found in measured],
         "outer_share": [found.outer_share for _, found in measured],
-        "inner_robustness": [float(found.inner_robustness.mean()) for _, found in measured],
-        "outer_robustness": [float(found.outer_robustness.mean()) for _, found in measured],
+        "inner_robustness": [float(found["inner_robustness"].mean()) for _, found in measured],
+        "outer_robustness": [float(found["outer_robustness"].mean()) for _, found in measured],
     }
 
 

@@ -1,11 +1,11 @@
 """Viable sets, slipping and sticking: apexes from which some touchdown angle at each apex prevents a fall."""
 
 from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
 
 from ...analysis.search import periodic_gait
 from ...library.runner import Runner
 from ...variables.table import FRICTION
-from ...viable_sets.result import Viability
 from ...viable_sets.viability import viability
 from .claim import (
     ALL_BUT_HUMAN,
@@ -22,6 +22,9 @@ from .claim import (
     remembered,
 )
 
+if TYPE_CHECKING:
+    import xarray
+
 CELLS = 96
 Range = tuple[float, float]
 PLANE: Mapping[str, Range] = {"com_height": (0.3, 4.0), "com_speed": (0.0, 4.0)}
@@ -35,7 +38,7 @@ VIABILITY = (
 
 
 @remembered
-def _viable(regime: Regime, friction: float, reference: float | None = None) -> Viability:
+def _viable(regime: Regime, friction: float, reference: float | None = None) -> "xarray.Dataset":
     """Viable set of the reduced map, which has no swing and is the same in both readings."""
     runner = Runner({**regime.values, FRICTION: friction}, model="reduced")
     if reference is not None:
@@ -45,7 +48,7 @@ def _viable(regime: Regime, friction: float, reference: float | None = None) -> 
 
 
 def _enclosed(
-    inner: Callable[[Viability], float], outer: Callable[[Viability], float]
+    inner: Callable[["xarray.Dataset"], float], outer: Callable[["xarray.Dataset"], float]
 ) -> Callable[..., Measure]:
     def of(friction: float, reference: float | None = None) -> Measure:
         def measure(regime: Regime, seed: int) -> Estimate:
@@ -60,7 +63,8 @@ def _enclosed(
 
 _share = _enclosed(lambda found: found.inner_share, lambda found: found.outer_share)
 _robustness = _enclosed(
-    lambda found: float(found.inner_robustness.mean()), lambda found: float(found.outer_robustness.mean())
+    lambda found: float(found["inner_robustness"].mean()),
+    lambda found: float(found["outer_robustness"].mean()),
 )
 
 CLAIMS = (

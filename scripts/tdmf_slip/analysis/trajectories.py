@@ -1,0 +1,247 @@
+"""Trajectories: states and outputs along a run of the engine at given times, with exact derivatives."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..checks import check_size, is_one_of, near_matches, refusal, shown
+from ..errors import InputError, RunError
+from ..given import numbers_of
+from ..library.binding import c, check_accepted, ffi, text_of
+from ..library.c_structs import dtype_of
+from ..library.gait import Gait
+from ..library.members import VARIED
+from ..library.return_map import seed_of
+from ..library.runner import Runner
+from ..library.section import COORDINATES, Apex, checked_apex
+from ..library.shared_steps import shares_steps
+from ..record import dataset
+from ..variables.parameters import RunnerLike
+from ..variables.table import ALIASES, VARIABLES, full_names
+
+if TYPE_CHECKING:
+    import xarray
+
+MAX_TIMES = 10_000_000
+LONGEST = 1e6
+"""Largest time that may be asked for, in sqrt(m/k)."""
+STATES = tuple(name[4:-1] for name in VARIABLES if name.startswith("der("))
+"""The unit's continuous states, in the order of the library's array."""
+MOTION, OUTPUTS, VARIATION, VARIED_OUTPUTS = map(
+    dtype_of, ("tdmf_motion", "tdmf_outputs", "tdmf_variation", "tdmf_output_variation")
+)
+OUTPUT_NAMES = tuple(
+    f"{group}.{member}"
+    for group in OUTPUTS.names or ()
+    if group not in ("stride", "apex")
+    for member in OUTPUTS[group].names or ()
+)
+"""The unit's outputs that are no states and not the last stride's."""
+DIFFERENTIABLE = STATES[: c.TDMF_VARIED_COUNT]
+"""States with a derivative: the mechanical ones, and the works of hip and leg."""
+ENERGIES = ("energy.kinetic", "energy.potential", "energy.elastic", "energy.total")
+_PATHS = {
+    "contact.fx": "contact_fx",
+    "contact.fy": "contact_fy",
+    "hip.torque": "torque",
+    "leg.force": "leg_force",
+}
+
+
+@shares_steps
+def trajectory(
+    runner: RunnerLike = None,
+    apex: Apex | None = None,
+    *,
+    times: ArrayLike,
+    derivatives: Sequence[str] = (),
+) -> xarray.Dataset:
+    """States and outputs along a run of the engine, at given times.
+
+    The run begins at an apex and goes through all of the unit's events. It agrees with `simulate`, which runs
+    the unit through FMPy, and takes a fraction of its time.
+
+    Parameters
+    ----------
+    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
+        Parameters and inputs, which are held; by default the paper's runner.
+    apex : sequence of float, optional
+        The six coordinates of the apex at time 0; by default that of the gait or of the start values.
+    times : array_like of float
+        Times, s, in rising order, from 0 on. At the time of an event, the values are those after it.
+    derivatives : sequence of str, optional
+        Names by which states and outputs are differentiated: coordinates of the apex, such as `com_speed`,
+        parameters and inputs.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over `time`: the states and outputs by the unit's names, with their units. For each that has them, its
+        derivatives at a fixed time over `time` and `by`, such as `d_com.y`. After a fall the motion is
+        frozen, and `fallen` is 1.
+
+    Raises
+    ------
+    InputError
+        The start is refused, the times are not finite, negative or do not rise, or a name is unknown.
+    RunError
+        The solver could not follow the runner.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import tdmf_slip
+    >>> gait = tdmf_slip.find_gait(friction=0.6)
+    >>> run = tdmf_slip.trajectory(gait, times=np.linspace(0, gait.period, 5), derivatives=["com_speed"])
+    >>> print(run["com.y"].values.round(4), run["d_com.vx"].sel(by="com_speed").values.round(3))
+    [1.4185 1.2232 0.6651 1.2232 1.4185] [1.    1.    0.908 0.853 0.853]
+    """
+    start = runner.section if apex is None and isinstance(runner, Gait) else apex
+    runner = Runner(runner, model="full")
+    section = runner.start_apex() if start is None else checked_apex(start)
+    at = _checked_times(times, runner)
+    names = _checked_names(derivatives)
+    size = c.TDMF_VARIATION_LIMIT
+    blocks = [names[first : first + size] for first in range(0, max(1, len(names)), size)]
+    made = [_run(runner, section, at, block) for block in blocks]
+    motions, outputs = made[0][:2]
+    arrays = {name: motions["state"][:, number] for number, name in enumerate(STATES)}
+    arrays |= {name: _member(outputs, name) for name in OUTPUT_NAMES}
+    variables: dict[str, Any] = {
+        name: ("time", array.copy(), VARIABLES[name].attributes) for name, array in arrays.items()
+    }
+    if names:
+        varied = np.concatenate([block[2] for block in made], axis=1)
+        of_outputs = np.concatenate([block[3] for block in made], axis=1)
+        rates = {name: varied["state"][..., STATES.index(name)] for name in DIFFERENTIABLE}
+        rates |= {
+            name: _member(of_outputs, _PATHS.get(name, name))
+            for name in OUTPUT_NAMES
+            if name in _PATHS or name.partition(".")[0] in ("body", "com") or name in ENERGIES
+        }
+        variables |= {f"d_{name}": (("time", "by"), array.copy()) for name, array in rates.items()}
+    coordinates: dict[str, Any] = {"time": ("time", at, VARIABLES["time"].attributes)}
+    if names:
+        coordinates["by"] = list(names)
+    fallen = bool(motions["mode"]["fallen"][-1])
+    return dataset("trajectory", runner.record(), variables, coordinates, fallen=int(fallen))
+
+
+def _checked_times(given: ArrayLike, runner: Runner) -> NDArray[np.float64]:
+    longest = LONGEST * (runner["body.mass"] / runner["leg.stiffness"]) ** 0.5
+    allowed = f"numbers in rising order from 0 to {longest:g} s"
+    times = np.atleast_1d(numbers_of("times", given, allowed, "s"))
+    check_size("times", times.size, "times", MAX_TIMES)
+    rises = times.ndim == 1 and bool(np.all(np.diff(times, prepend=0.0) >= 0.0))
+    if not rises or not times.size or times[-1] > longest:
+        raise refusal("times", given, allowed)
+    return times
+
+
+def _checked_names(given: object) -> tuple[str, ...]:
+    names = full_names(given, "derivatives", "names of coordinates, parameters and inputs in a list")
+    known = (*COORDINATES, *VARIED)
+    for name in names:
+        if not is_one_of(name, known):
+            raise InputError(
+                f"derivatives: {shown(name)} is not allowed; allowed: a coordinate of the apex, a parameter "
+                f"or an input{near_matches(name, (*known, *ALIASES))}"
+            )
+    return tuple(dict.fromkeys(names))
+
+
+def _member(structs: NDArray[Any], path: str) -> NDArray[Any]:
+    """A member of an array of structs, by its path."""
+    for part in path.split("."):
+        structs = structs[part]
+    return structs
+
+
+def _run(
+    runner: Runner, section: NDArray[np.float64], times: NDArray[np.float64], names: Sequence[str]
+) -> tuple[NDArray[Any], ...]:
+    """Motions and outputs at the times, and their variations along some names."""
+    count, system, motion = len(names), runner.c_system, ffi.new("tdmf_motion *")
+    c.tdmf_section_state(system, list(section), motion.state)
+    given = list(motion.state)
+    check_accepted(c.tdmf_start(system, motion))
+    seeds, variations = ffi.new("tdmf_seed[]", count + 1), ffi.new("tdmf_variation[]", count + 1)
+    for number, name in enumerate(names):
+        if name not in COORDINATES:
+            seeds[number] = seed_of(name)[0]
+        by = _start_by(runner, section, name)
+        mode = ffi.addressof(motion, "mode")
+        start = c.tdmf_vary_start(system, given, motion.state, mode, seeds + number, by)
+        variations[number] = start.variation
+    kinds = (MOTION, len(times)), (OUTPUTS, len(times)), (VARIATION, (len(times), count))
+    arrays = [np.zeros(shape, kind) for kind, shape in (*kinds, (VARIED_OUTPUTS, (len(times), count)))]
+    motions, outputs, varied, of_outputs = (
+        ffi.from_buffer(f"{name}[]", array)
+        for name, array in zip(
+            ("tdmf_motion", "tdmf_outputs", "tdmf_variation", "tdmf_output_variation"), arrays, strict=True
+        )
+    )
+    solver = runner.solver()
+    for row, time in enumerate(times.tolist()):
+        _advance(solver, system, motion, time, seeds, variations, count)
+        motions[row], outputs[row] = motion[0], c.tdmf_outputs_of(system, motion)
+        for number in range(count):
+            varied[row * count + number] = variations[number]
+            of_outputs[row * count + number] = c.tdmf_vary_outputs(
+                system, ffi.addressof(motion, "mode"), motion.state, seeds + number, variations + number
+            )
+    return tuple(arrays)
+
+
+def _advance(
+    solver: Any, system: Any, motion: Any, until: float, seeds: Any, variations: Any, count: int
+) -> None:
+    """Take a motion to a time, or to its fall, with its variations."""
+    while motion.time < until and not motion.mode.fallen:
+        if count:
+            end = c.tdmf_native_stride_varied(solver, system, until, motion, seeds, variations, count).outcome
+        else:
+            end = c.tdmf_native_advance(solver, system, ffi.NULL, until, motion)
+        if end not in (c.TDMF_ARRIVED, c.TDMF_FELL):
+            raise RunError(f"at {motion.time:g} s: {text_of(c.tdmf_outcome_text(end))}")
+
+
+def _start_by(runner: Runner, section: NDArray[np.float64], name: str) -> list[float]:
+    """Derivative of the state at an apex, which has the foot at x = 0, by a coordinate or a parameter."""
+    _, _, length, angle, length_rate, angle_rate = section
+    d_height, d_speed, d_length, d_angle, d_length_rate, d_angle_rate = map(
+        float, (name == coordinate for coordinate in COORDINATES)
+    )
+    body, foot = runner["body.mass"], runner["foot.mass"]
+    share = body / (body + foot)
+    d_share = {"body.mass": foot, "foot.mass": -body}.get(name, 0.0) / (body + foot) ** 2
+    slope = math.tan(runner["ground.slope"])
+    d_slope = (1.0 + slope**2) * (name == "ground.slope")
+    sine, cosine = math.sin(angle), math.cos(angle)
+    # The body from the foot, and its velocity, turn with the leg.
+    x, y = -length * sine, length * cosine
+    vx, vy = x / length * length_rate - y * angle_rate, y / length * length_rate + x * angle_rate
+    d_x = x / length * d_length - y * d_angle
+    d_y = y / length * d_length + x * d_angle
+    d_vx = x / length * d_length_rate - y * d_angle_rate - cosine * angle_rate * d_length - vy * d_angle
+    d_vy = y / length * d_length_rate + x * d_angle_rate - sine * angle_rate * d_length + vx * d_angle
+    by = {
+        "foot.y": d_height
+        + float(name == "ground.height")
+        + d_slope * share * x
+        + slope * (d_share * x + share * d_x)
+        - d_share * y
+        - share * d_y,
+        "foot.vx": d_speed - d_share * vx - share * d_vx,
+        "foot.vy": -d_share * vy - share * d_vy,
+        "leg.length": d_length,
+        "leg.angle": d_angle,
+        "leg.length_rate": d_length_rate,
+        "leg.angle_rate": d_angle_rate,
+    }
+    return [by.get(state, 0.0) for state in STATES]
