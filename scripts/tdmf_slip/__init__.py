@@ -2,7 +2,7 @@
 
     >>> import tdmf_slip
     >>> run = tdmf_slip.simulate({"ground.friction": 0.43}, strides=3)
-    >>> run.stride["word"], run.fallen
+    >>> run.attrs["stride.word"], run.fallen
 
 `simulate` runs the FMI unit once, also over the uneven ground of a `Profile`, and `simulate_many` once for
 each of many runners; `find_gait` finds the periodic gait of a `Runner` with its eigenvalues, or the one that

@@ -19,7 +19,6 @@ from .fitting.result import Fit
 from .fmu.batch import simulate_many
 from .fmu.fmu import Fmu, fmu_path, load_fmu
 from .fmu.profile import Profile
-from .fmu.run import Run
 from .fmu.simulation import simulate
 from .library.batch import Batch
 from .library.gait import Gait
@@ -58,7 +57,6 @@ __all__ = [
     "Proof",
     "RareFalls",
     "RoughGround",
-    "Run",
     "RunError",
     "Runner",
     "Sweep",

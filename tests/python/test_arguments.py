@@ -19,6 +19,7 @@ from tdmf_slip.blocks import run_blocks
 from tdmf_slip.cli import options
 from tdmf_slip.feedback import judgement
 from tdmf_slip.fmu import batch, inputs
+from tdmf_slip.fmu.simulation import run_unit
 from tdmf_slip.library import return_map
 from tdmf_slip.paper import settling
 from tdmf_slip.variables.parameters import read_parameters
@@ -131,14 +132,14 @@ WRONG = [
     lambda r, o: attraction.measure(r),
     lambda r, o: attraction.measure_all(o),
     lambda r, o: attraction.measure_all([START]),
-    lambda r, o: tdmf_slip.simulate("nobody", stop_time=1),
-    lambda r, o: tdmf_slip.simulate(3, stop_time=1),
-    lambda r, o: tdmf_slip.simulate({None: 1}, stop_time=1),
-    lambda r, o: tdmf_slip.simulate(variables=3, stop_time=1),
-    lambda r, o: tdmf_slip.simulate(variables=[3], stop_time=1),
-    lambda r, o: tdmf_slip.simulate(inputs="ice.csv", stop_time=1),
-    lambda r, o: tdmf_slip.simulate(interface=["me"], stop_time=1),
-    lambda r, o: tdmf_slip.simulate(fmu=3, stop_time=1),
+    lambda r, o: run_unit("nobody", stop_time=1),
+    lambda r, o: run_unit(3, stop_time=1),
+    lambda r, o: run_unit({None: 1}, stop_time=1),
+    lambda r, o: run_unit(variables=3, stop_time=1),
+    lambda r, o: run_unit(variables=[3], stop_time=1),
+    lambda r, o: run_unit(inputs="ice.csv", stop_time=1),
+    lambda r, o: run_unit(interface=["me"], stop_time=1),
+    lambda r, o: run_unit(fmu=3, stop_time=1),
     lambda r, o: settling.settle_fmu("human"),
     lambda r, o: settling.settle_fmu(max_strides="x"),
     lambda r, o: settling.settle_fmu(tolerance="x"),
@@ -200,7 +201,7 @@ def test_a_wrong_name_is_told_with_the_nearest(runner, found):
         lambda: runner.replace({"leg.dampin": 1.0}),
         lambda: periodic_gait(runner, along="leg.dampin"),
         lambda: branches.trace(runner, "leg.dampin", found, 1.0),
-        lambda: tdmf_slip.simulate({"leg.dampin": 1.0}),
+        lambda: run_unit({"leg.dampin": 1.0}),
     ):
         with pytest.raises(InputError, match=r"near matches: leg\.damping"):
             call()
@@ -209,16 +210,16 @@ def test_a_wrong_name_is_told_with_the_nearest(runner, found):
 def test_start_values_may_be_texts_with_a_unit():
     angle = "hip.touchdown_angle"
     assert Runner({angle: "42 deg"})[angle] == pytest.approx(np.radians(42.0))
-    assert tdmf_slip.simulate({angle: "42 deg"}, stop_time=1).final[angle] == pytest.approx(np.radians(42.0))
+    assert run_unit({angle: "42 deg"}, stop_time=1).final[angle] == pytest.approx(np.radians(42.0))
 
 
 def test_a_unit_may_be_given_as_it_is_or_by_its_path():
     fmu = tdmf_slip.load_fmu()
     assert tdmf_slip.load_fmu(fmu) is fmu
-    assert tdmf_slip.simulate(fmu=tdmf_slip.fmu_path(), stop_time=1).final["time"] == 1.0
+    assert run_unit(fmu=tdmf_slip.fmu_path(), stop_time=1).final["time"] == 1.0
 
 
 def test_start_values_of_a_gait_begin_on_it(found):
-    run = tdmf_slip.simulate(found.start_values, strides=1)
+    run = run_unit(found.start_values, strides=1)
     assert run.stride["word"] == found.word
     assert run.stride["period"] == pytest.approx(found.period, rel=1e-6)

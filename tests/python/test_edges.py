@@ -3,7 +3,8 @@
 import math
 
 import pytest
-from tdmf_slip import InputError, simulate
+from tdmf_slip import InputError
+from tdmf_slip.fmu.simulation import run_unit
 
 ON_THE_GROUND = {
     "foot.y": 0.0,
@@ -20,7 +21,7 @@ ON_THE_GROUND = {
 @pytest.mark.parametrize("interface", ["me", "cs"])
 def test_an_upright_runner_at_rest_stands(interface, fmu):
     names = ("leg.angle", "leg.angle_rate", "hip.work", "foot.x")
-    run = simulate(ON_THE_GROUND, stop_time=50.0, interface=interface, variables=names, fmu=fmu)
+    run = run_unit(ON_THE_GROUND, stop_time=50.0, interface=interface, variables=names, fmu=fmu)
     assert not run.fallen
     for name in names[:3]:
         assert (run.table[name] == 0.0).all()
@@ -30,8 +31,8 @@ def test_an_upright_runner_at_rest_stands(interface, fmu):
 @pytest.mark.parametrize("friction", [5e-324, 1e-300, 1e-9])
 def test_friction_that_vanishes_is_none(interface, friction, fmu):
     options = {"strides": 5, "interface": interface, "record_events": False, "fmu": fmu}
-    none = simulate({"ground.friction": 0.0}, **options)
-    some = simulate({"ground.friction": friction}, **options)
+    none = run_unit({"ground.friction": 0.0}, **options)
+    some = run_unit({"ground.friction": friction}, **options)
     assert some.stride["word"] == none.stride["word"] == "+-"
     assert some.stride["period"] == pytest.approx(none.stride["period"], rel=1e-6)
 
@@ -39,7 +40,7 @@ def test_friction_that_vanishes_is_none(interface, friction, fmu):
 @pytest.mark.parametrize("interface", ["me", "cs"])
 @pytest.mark.parametrize("friction", [1e3, 1e6])
 def test_friction_without_bound_never_slips(interface, friction, fmu):
-    run = simulate({"ground.friction": friction}, strides=20, interface=interface, fmu=fmu)
+    run = run_unit({"ground.friction": friction}, strides=20, interface=interface, fmu=fmu)
     assert (run.stride["count"], run.stride["word"]) == (20, "0+")
     assert run.stride["slip_distance"] < 1e-4
 
@@ -47,7 +48,7 @@ def test_friction_without_bound_never_slips(interface, friction, fmu):
 @pytest.mark.parametrize("friction", [1e12, 1e300, math.inf])
 def test_friction_beyond_its_range_is_refused(friction, fmu):
     with pytest.raises(InputError, match=r"ground\.friction"):
-        simulate({"ground.friction": friction}, strides=1, fmu=fmu)
+        run_unit({"ground.friction": friction}, strides=1, fmu=fmu)
 
 
 @pytest.mark.parametrize("interface", ["me", "cs"])
@@ -57,7 +58,7 @@ def test_a_wound_leg_falls_as_one_that_is_not(interface, fmu):
     for turns in (0, 150):
         start = ON_THE_GROUND | {"leg.angle": 0.5 + 2.0 * math.pi * turns, "leg.angle_rate": 0.3}
         hip = {"hip.kp": 0.0, "hip.kd": 0.0, "hip.stance_torque": 0.0}
-        run = simulate(start | hip, stop_time=100.0, interface=interface, fmu=fmu)
+        run = run_unit(start | hip, stop_time=100.0, interface=interface, fmu=fmu)
         assert run.fallen
         falls.append(run.fall_time)
     assert falls[1] == pytest.approx(falls[0], rel=1e-5)

@@ -9,6 +9,7 @@ import tdmf_slip
 from conftest import release
 from own_pages import loaded
 from tdmf_slip.fitting.measurements import read_measurements
+from tdmf_slip.fmu.simulation import run_unit
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 
@@ -36,7 +37,7 @@ def test_the_runner_crosses_the_ice_and_recovers(load):
 @pytest.mark.parametrize("fmi", [2, 3])
 def test_a_runner_of_either_version_takes_start_values(load, fmi):
     given = {"ground.friction": 0.43, "leg.damping": 0.21, "status.terminate_on_fall": False}
-    wanted = tdmf_slip.simulate(given, strides=2).stride
+    wanted = run_unit(given, strides=2).stride
     with load("runner").Runner(0.5, given, fmi) as runner:
         while runner["stride.count"] < 2:
             runner.advance()

@@ -79,7 +79,7 @@ def test_gaits_runs_sweeps_branches_ensembles_and_feedback_need_no_extra():
 import tdmf_slip
 gait = tdmf_slip.find_gait({"ground.friction": 0.43})
 print(gait.word)
-print(tdmf_slip.simulate({}, strides=1).stride["word"])
+print(tdmf_slip.simulate({}, strides=1).attrs["stride.word"])
 print(tdmf_slip.sweep({}, {"ground.friction": [0.6, 0.7]}).gaits["word"].size)
 print(tdmf_slip.continue_branch({}, {"ground.friction": (0.6, 0.61)}).sizes["point"] > 1)
 print(tdmf_slip.Batch(gait).run(2).strides)

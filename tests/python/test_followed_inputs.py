@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from tdmf_slip.errors import InputError
 from tdmf_slip.fmu.inputs import read_tables
-from tdmf_slip.fmu.simulation import simulate
+from tdmf_slip.fmu.simulation import run_unit
 
 RECORDED = ("leg.angle", "foot.x", "energy.total", "event.count", "hip.touchdown_angle", "control.thrust")
 TABLES = {
@@ -21,7 +21,7 @@ TABLES = {
 def test_both_interfaces_follow_it(table):
     """Up to the end of the second stance; without the table the run is another."""
     runs = [
-        simulate(inputs=inputs, variables=RECORDED, stop_time=14.5, interface=interface, tolerance=1e-11)
+        run_unit(inputs=inputs, variables=RECORDED, stop_time=14.5, interface=interface, tolerance=1e-11)
         for interface, inputs in (("me", table), ("cs", table), ("cs", {}))
     ]
     last, expected, without = (run.table[-1] for run in runs)
@@ -35,7 +35,7 @@ def test_both_interfaces_follow_it(table):
 def test_a_discrete_input_keeps_a_value_until_the_next(tmp_path, fmu):
     file = tmp_path / "inputs.csv"
     file.write_text("time,control.thrust,hip.touchdown_angle\n0,0,40 deg\n2,0.1,41 deg\n3,0.2,41 deg\n")
-    run = simulate(inputs=read_tables(file, fmu), variables=RECORDED, stop_time=4.0, output_interval=0.5)
+    run = run_unit(inputs=read_tables(file, fmu), variables=RECORDED, stop_time=4.0, output_interval=0.5)
     table = run.table
     for begin, end, thrust, angle in ((0.0, 2.0, 0.0, 40.0), (2.0, 3.0, 0.1, 41.0), (3.0, 4.0, 0.2, 41.0)):
         inside = (table["time"] > begin) & (table["time"] < end)
@@ -46,4 +46,4 @@ def test_a_discrete_input_keeps_a_value_until_the_next(tmp_path, fmu):
 
 def test_a_table_of_a_fixed_parameter_is_refused():
     with pytest.raises(InputError, match=r"body\.mass is neither an input nor tunable"):
-        simulate(inputs={"body.mass": ([0.0, 1.0], [1.0, 2.0])}, stop_time=1.0)
+        run_unit(inputs={"body.mass": ([0.0, 1.0], [1.0, 2.0])}, stop_time=1.0)

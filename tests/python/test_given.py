@@ -13,6 +13,7 @@ from conftest import HANGS
 from tdmf_slip import InputError, RunError
 from tdmf_slip.analysis import ball, branch_problem, stability
 from tdmf_slip.fmu import batch
+from tdmf_slip.fmu.simulation import run_unit
 from tdmf_slip.library.section import COORDINATES
 from tdmf_slip.variables.parameters import read_parameters
 
@@ -29,29 +30,29 @@ def gait():
 
 SAME = {
     "find_gait": (lambda given, gait: tdmf_slip.find_gait(given).apex, GIVEN, SERIES),
-    "simulate": (lambda given, gait: tdmf_slip.simulate(given, strides=1).table, GIVEN, SERIES),
+    "simulate": (lambda given, gait: run_unit(given, strides=1).table, GIVEN, SERIES),
     "inputs": (
-        lambda given, gait: tdmf_slip.simulate(GIVEN, strides=1, inputs=given).table,
+        lambda given, gait: run_unit(GIVEN, strides=1, inputs=given).table,
         {FRICTION: ([0.0, 9.0], [0.6, 0.5])},
         pandas.DataFrame({"time": [0.0, 9.0], FRICTION: [0.6, 0.5]}),
     ),
     "inputs over an index": (
-        lambda given, gait: tdmf_slip.simulate(GIVEN, strides=1, inputs=given).table,
+        lambda given, gait: run_unit(GIVEN, strides=1, inputs=given).table,
         {FRICTION: ([0.0, 9.0], [0.6, 0.5])},
         pandas.DataFrame({FRICTION: [0.6, 0.5]}, index=pandas.Index([0.0, 9.0], name="time")),
     ),
     "an input over its index": (
-        lambda given, gait: tdmf_slip.simulate(GIVEN, strides=1, inputs=given).table,
+        lambda given, gait: run_unit(GIVEN, strides=1, inputs=given).table,
         {FRICTION: ([0.0, 9.0], [0.6, 0.5])},
         pandas.Series([0.6, 0.5], index=pandas.Index([0.0, 9.0], name="time"), name=FRICTION),
     ),
     "inputs by name, each over its index": (
-        lambda given, gait: tdmf_slip.simulate(GIVEN, strides=1, inputs=given).table,
+        lambda given, gait: run_unit(GIVEN, strides=1, inputs=given).table,
         {FRICTION: ([0.0, 9.0], [0.6, 0.5])},
         {FRICTION: pandas.Series([0.6, 0.5], index=pandas.Index([0.0, 9.0], name="time"))},
     ),
     "variables": (
-        lambda given, gait: tdmf_slip.simulate(GIVEN, strides=1, variables=given).table,
+        lambda given, gait: run_unit(GIVEN, strides=1, variables=given).table,
         ["contact.fx", "foot.x"],
         pandas.Series(["contact.fx", "foot.x"]),
     ),
@@ -207,7 +208,7 @@ REFUSED = {
         r"1,000,000,000 values; allowed: up to",
     ),
     "an array for an interface": (
-        lambda gait: tdmf_slip.simulate(GIVEN, interface=np.array(["me", "cs"])),
+        lambda gait: run_unit(GIVEN, interface=np.array(["me", "cs"])),
         r"interface array.*allowed: me, cs",
     ),
     "an array for a model": (
@@ -236,7 +237,7 @@ REFUSED = {
         r"gait = array.*allowed: a Gait",
     ),
     "a pair for a profile": (
-        lambda gait: tdmf_slip.simulate(profile=(1, 2), strides=1),
+        lambda gait: run_unit(profile=(1, 2), strides=1),
         r"profile = \(1, 2\) is not allowed; allowed: a Profile",
     ),
     "nothing for curves": (lambda gait: tdmf_slip.continue_curves({}, None), r"vary = None is not allowed"),
@@ -261,7 +262,7 @@ REFUSED = {
         r"ground\.friction is given twice",
     ),
     "a table without a time": (
-        lambda gait: tdmf_slip.simulate({}, inputs=pandas.DataFrame({FRICTION: [0.5]})),
+        lambda gait: run_unit({}, inputs=pandas.DataFrame({FRICTION: [0.5]})),
         "time",
     ),
 }
@@ -276,7 +277,7 @@ def test_what_cannot_be_gets_one_sentence(name, gait):
 
 
 def test_a_variable_that_is_asked_for_twice_is_recorded_once():
-    run = tdmf_slip.simulate(GIVEN, strides=1, variables=["foot.x", "foot.y", "foot.x"])
+    run = run_unit(GIVEN, strides=1, variables=["foot.x", "foot.y", "foot.x"])
     assert run.names == ("time", "foot.x", "foot.y")
 
 
@@ -288,7 +289,7 @@ def test_a_unit_without_its_library_is_told(tmp_path):
                 bare.writestr(name, whole.read(name))
     for interface in ("me", "cs"):
         with pytest.raises(RunError, match=r"bare\.fmu: its library for this platform .* cannot be used"):
-            tdmf_slip.simulate(GIVEN, strides=1, fmu=tdmf_slip.load_fmu(path), interface=interface)
+            run_unit(GIVEN, strides=1, fmu=tdmf_slip.load_fmu(path), interface=interface)
 
 
 def test_a_unit_whose_library_is_none_is_told(tmp_path):
@@ -297,7 +298,7 @@ def test_a_unit_whose_library_is_none_is_told(tmp_path):
         for name in whole.namelist():
             broken.writestr(name, b"no library" if name.startswith("binaries/") else whole.read(name))
     with pytest.raises(RunError, match=r"broken\.fmu: its library for this platform"):
-        tdmf_slip.simulate(GIVEN, strides=1, fmu=tdmf_slip.load_fmu(path))
+        run_unit(GIVEN, strides=1, fmu=tdmf_slip.load_fmu(path))
 
 
 @pytest.mark.parametrize("content", [None, b"no library"])
@@ -327,10 +328,8 @@ def test_a_runner_is_given_in_any_of_the_ways(tmp_path):
         assert tdmf_slip.find_gait(given).apex == pytest.approx(gait.apex, abs=1e-10)
         assert tdmf_slip.Runner(given) == gait.runner
     assert tdmf_slip.Runner("human") == tdmf_slip.Runner(read_parameters("human"))
-    assert tdmf_slip.simulate("human", strides=1).final == (
-        tdmf_slip.simulate(read_parameters("human"), strides=1).final
-    )
-    run = tdmf_slip.simulate(gait, strides=1)
+    assert run_unit("human", strides=1).final == (run_unit(read_parameters("human"), strides=1).final)
+    run = run_unit(gait, strides=1)
     assert run.stride["period"] == pytest.approx(gait.period, rel=1e-6)
     with pytest.raises(InputError, match="neither a preset"):
         tdmf_slip.find_gait("nobody")

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import tdmf_slip
+from tdmf_slip.fmu.simulation import run_unit
 from tdmf_slip.paper import guinea_fowl_on_patch
 from tdmf_slip.paper.guinea_fowl import published
 from tdmf_slip.paper.guinea_fowl_on_patch import BEFORE, PHASES, cross
@@ -55,7 +56,7 @@ def test_co_simulation_sees_the_same_slip(gait):
     patch = {"ground.patch_begin": begin, "ground.patch_end": begin + stride, "ground.patch_friction": 0.1}
     start = {**gait.runner, **gait.start_values, **patch, "foot.x": number * stride / PHASES}
     end = (BEFORE + 3.5) * gait.stride["period"]
-    run = tdmf_slip.simulate(start, stop_time=end, interface="cs")
+    run = run_unit(start, stop_time=end, interface="cs")
     slipped = float(np.max(run["stride.slip_distance"]))
     assert slipped > 0.05
     assert slipped == pytest.approx(cross(gait, 0.1, stride).slips[number], abs=1e-7)

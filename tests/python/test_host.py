@@ -114,7 +114,7 @@ except tdmf_slip.TdmfSlipError:
     "inputs": "tdmf_slip.simulate(inputs={'hip.external_torque': ([0, 9], [0.0, 0.01])}, stop_time=9)",
     "simulate_many": "tdmf_slip.simulate_many([{}, {}], strides=1)",
     "plot": "gait.plot(); tdmf_slip.plot(run)",
-    "a file": "run.to_dataset().to_netcdf('run.nc')",
+    "a file": "run.to_netcdf('run.nc')",
 }
 
 

@@ -147,6 +147,12 @@ def calls(gait):
         tdmf_slip.simulate_many: {"runners": [HOME], "strides": 1},
         tdmf_slip.sweep: {"runner": HOME, "vary": {FRICTION: [0.6]}},
         tdmf_slip.continue_branch: {"runner": HOME, "vary": {FRICTION: (0.6, 0.601)}, "max_points": 1},
+        tdmf_slip.trajectory: {
+            "runner": HOME,
+            "apex": [1.2, 1.0, 1.0, 0.7, 0.0, 0.0],
+            "times": [0.0, 0.5],
+            "derivatives": ["com_speed"],
+        },
         tdmf_slip.continue_curves: {
             "runner": HOME,
             "vary": {FRICTION: (0.6, 0.601), ANGLE: (0.785, 0.786)},

@@ -13,17 +13,18 @@ PROGRAM = """
 import json, locale, sys
 import fmpy, fmpy.simulation
 import tdmf_slip
+from tdmf_slip.fmu.simulation import run_unit
 
 if sys.argv[1] != "C":
     locale.setlocale(locale.LC_ALL, sys.argv[1])
     assert locale.localeconv()["decimal_point"] == ","
 rows = []
 for interface in ("me", "cs"):
-    run = tdmf_slip.simulate(strides=10, interface=interface)
+    run = run_unit(strides=10, interface=interface)
     numbers = [float(value).hex() for value in run.stride.values() if not isinstance(value, str)]
     rows.append([run.stride["word"], *numbers])
 try:
-    tdmf_slip.simulate({"leg.length": 0.01})
+    run_unit({"leg.length": 0.01})
 except tdmf_slip.TdmfSlipError as problem:
     rows.append(str(problem))
 said = []

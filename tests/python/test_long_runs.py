@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 from conftest import RELEASE, apex_start, reference_gaits, runner_of_gait, some_of, unit_reference
-from tdmf_slip import InputError, Profile, RunError, simulate
+from tdmf_slip import InputError, Profile, RunError
 from tdmf_slip.fmu import instance
+from tdmf_slip.fmu.simulation import run_unit
 
 PERIOD = unit_reference()["period"]
 LEDGER = (
@@ -72,8 +73,8 @@ def test_a_run_keeps_no_more_numbers_than_it_may(monkeypatch, given):
     """Rows at events count, too: five columns are recorded, the time and what is needed inside among them."""
     monkeypatch.setattr(instance, "MAX_NUMBERS", 5 * 250)
     kept = {"stop_time": 20.0, "output_interval": 0.1, "variables": ["com.x"], **given}
-    assert len(simulate(**kept).table) <= 250
+    assert len(run_unit(**kept).table) <= 250
     with pytest.raises(RunError, match=r"250 rows of 5 columns by t = .* fewer variables"):
-        simulate(**{**kept, "stop_time": None, "strides": 3})
+        run_unit(**{**kept, "stop_time": None, "strides": 3})
     with pytest.raises(InputError, match=r"allowed: 250 rows of 5 columns"):
-        simulate(**{**kept, "stop_time": 50.0})
+        run_unit(**{**kept, "stop_time": 50.0})

@@ -46,8 +46,8 @@ def test_a_gait_is_the_same_by_either_name_and_by_keyword():
         lambda name: tdmf_slip.stride_map(None, find_gait().apex, inputs={name: 0.7})[
             "speed"
         ].values.tolist(),
-        lambda name: tdmf_slip.simulate({name: 0.7}, strides=1).final["stride.period"],
-        lambda name: tdmf_slip.simulate(strides=1, variables=["torque", name]).names,
+        lambda name: tdmf_slip.simulate({name: 0.7}, strides=1).attrs["stride.period"],
+        lambda name: tdmf_slip.simulate(strides=1, variables=["torque", name]).to_dict()["data_vars"].keys(),
     ],
 )
 def test_what_varies_goes_by_either_name(call):

@@ -7,10 +7,11 @@ import numpy as np
 import pandas
 import pytest
 import tdmf_slip
-from tdmf_slip import InputError, Profile, simulate
+from tdmf_slip import InputError, Profile
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.fitting.measurements import measurements_of, read_measurements
 from tdmf_slip.fmu.inputs import read_tables
+from tdmf_slip.fmu.simulation import run_unit
 from tdmf_slip.library.ground import read_heights
 from tdmf_slip.variables.parameters import read_parameters
 
@@ -20,7 +21,7 @@ SECONDS = pandas.to_timedelta([0.0, 5.0], unit="s")
 
 
 def friction_at_the_end(inputs):
-    return simulate({}, inputs=inputs, stop_time=6.0, output_interval=1.0).final[FRICTION]
+    return run_unit({}, inputs=inputs, stop_time=6.0, output_interval=1.0).final[FRICTION]
 
 
 @pytest.mark.parametrize(
@@ -47,7 +48,7 @@ def test_durations_over_an_index_are_seconds_too():
 
 @pytest.mark.parametrize("second", [1.0, np.timedelta64(1000, "ms"), datetime.timedelta(seconds=1)])
 def test_a_duration_is_a_stop_time_and_an_interval(second):
-    run = simulate({}, stop_time=second, output_interval=second / 2)
+    run = run_unit({}, stop_time=second, output_interval=second / 2)
     assert run["time"][-1] == 1.0 and len(run["time"]) >= 3
 
 
@@ -66,10 +67,10 @@ NO_NUMBERS = {
     "dates over an index": lambda: friction_at_the_end(
         pandas.DataFrame({FRICTION: [0.6, 0.3]}, index=DATES.rename("time"))
     ),
-    "a date to stop at": lambda: simulate({}, stop_time=np.datetime64("2026-01-01")),
+    "a date to stop at": lambda: run_unit({}, stop_time=np.datetime64("2026-01-01")),
     "durations of friction": lambda: friction_at_the_end({FRICTION: ([0.0, 5.0], SECONDS)}),
     "a duration for friction": lambda: tdmf_slip.find_gait({FRICTION: np.timedelta64(1, "s")}),
-    "durations for strides": lambda: simulate({}, strides=np.timedelta64(1, "s")),
+    "durations for strides": lambda: run_unit({}, strides=np.timedelta64(1, "s")),
     "durations along the ground": lambda: Profile(SECONDS, [0.0, 1.0]),
     "dates along the ground": lambda: Profile(DATES, [0.0, 1.0]),
     "durations of height": lambda: Profile([0.0, 1.0], SECONDS),

@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 from conftest import unit_reference
-from tdmf_slip import InputError, Profile, simulate
+from tdmf_slip import InputError, Profile
+from tdmf_slip.fmu.simulation import run_unit
 
 
 def test_a_profile_has_the_height_of_its_lines():
@@ -42,12 +43,12 @@ def test_random_steps_are_those_of_their_seed():
         (lambda: Profile.steps([1.0, 2.0], [0.0, 1.0]), "a height more than edges"),
         (lambda: Profile.random_steps(0, 1.0, 0.1, 1), "count"),
         (lambda: Profile.random_steps(5, 1.0, -0.1, 1), "roughness"),
-        (lambda: simulate(profile=Profile([0.0], [0.0]), interface="me"), "interface = 'me'"),
+        (lambda: run_unit(profile=Profile([0.0], [0.0]), interface="me"), "interface = 'me'"),
         (
-            lambda: simulate(profile=Profile([0.0], [0.0]), inputs={"ground.slope": ([0.0], [0.0])}),
+            lambda: run_unit(profile=Profile([0.0], [0.0]), inputs={"ground.slope": ([0.0], [0.0])}),
             "one of them",
         ),
-        (lambda: simulate(profile=Profile([0.0, 1.0], [0.0, 3.0]), strides=1), "ground.slope"),
+        (lambda: run_unit(profile=Profile([0.0, 1.0], [0.0, 3.0]), strides=1), "ground.slope"),
     ],
 )
 def test_what_is_no_ground_is_refused(make, says):
@@ -56,7 +57,7 @@ def test_what_is_no_ground_is_refused(make, says):
 
 
 def test_level_ground_is_the_ground_of_the_gait():
-    run = simulate(strides=2, profile=Profile([0.0], [0.0]), variables=["foot.y"])
+    run = run_unit(strides=2, profile=Profile([0.0], [0.0]), variables=["foot.y"])
     assert run.strides == 2 and run.stride["period"] == pytest.approx(unit_reference()["period"])
     assert not run.fallen and run.table["foot.y"].min() >= 0.0 and run.names == ("time", "foot.y")
 
@@ -65,7 +66,7 @@ def test_each_stance_is_on_the_line_that_was_below_the_foot():
     """But near an edge, where a look may come too late for it."""
     step, profile = 0.05, Profile.random_steps(12, 7.0, 0.05, seed=3, begin=20.0)
     variables = ["foot.x", "foot.y", "foot.vx", "contact.normal", "com.x"]
-    run = simulate(strides=4, profile=profile, output_interval=step, variables=variables)
+    run = run_unit(strides=4, profile=profile, output_interval=step, variables=variables)
     rows = run.table
     standing = rows[rows["contact.normal"] > 0]
     assert run.strides == 4 and len(standing) > 60
@@ -79,8 +80,8 @@ def test_a_gait_climbs_a_slope_as_a_line():
     """A profile that is one line is the line that the unit can be given itself."""
     slope = 0.01
     profile = Profile([-1e3, 1e3], [-1e3 * math.tan(slope), 1e3 * math.tan(slope)])
-    over = simulate(strides=3, profile=profile)
-    run = simulate({"ground.slope": slope}, strides=3, interface="cs", output_interval=0.05)
+    over = run_unit(strides=3, profile=profile)
+    run = run_unit({"ground.slope": slope}, strides=3, interface="cs", output_interval=0.05)
     assert over.stride["rise"] > 0.2
     for name in ("speed", "rise"):
         assert over.stride[name] == pytest.approx(run.stride[name], rel=1e-8), name

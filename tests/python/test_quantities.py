@@ -6,7 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import CLAMPED, RELEASE
-from tdmf_slip import InputError, Runner, find_gait, simulate, sweep
+from tdmf_slip import InputError, Runner, find_gait, sweep
+from tdmf_slip.fmu.simulation import run_unit
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.quantities import MEASURES, quantities_of, scales_of
 from tdmf_slip.library.strides import varied_stride
@@ -47,7 +48,7 @@ def runner_of(given):
 def sampled(gait):
     """The gait's stride by the unit at many instants; the lightest foot and stiffest hip are faster."""
     names = ["hip.torque", "foot.y", "foot.x", "foot.vx", "foot.vy", "contact.mode_index", "hip.work"]
-    return simulate(
+    return run_unit(
         gait.start_values,
         stop_time=gait.period,
         output_interval=gait.period / SAMPLES,

@@ -6,12 +6,10 @@ import json
 import pickle
 import pydoc
 
-import numpy as np
 import pytest
 import tdmf_slip
 import xarray
 from conftest import assert_same
-from tdmf_slip import InputError
 from tdmf_slip.cli.options import json_text
 from tdmf_slip.files.netcdf import netcdf_of
 from tdmf_slip.record import runner_in
@@ -68,12 +66,11 @@ def result_of(gait):
 
 
 DATASETS = {
-    "run": lambda run: run.to_dataset(),
     "gait": lambda gait: gait.to_dataset(),
     "sweep": lambda found: found.gaits,
     "grid": lambda found: found.gaits,
     **dict.fromkeys(
-        ("basin", "branch", "comparison", "curves", "front", "runs", "strides", "viability"),
+        ("basin", "branch", "comparison", "curves", "front", "run", "runs", "strides", "viability"),
         lambda data: data,
     ),
 }
@@ -85,7 +82,7 @@ def test_a_result_is_the_same_made_anew_and_after_a_pickle(name, gait, result_of
     result = result_of(name)
     assert_same(MADE[name](gait), result)
     assert_same(pickle.loads(pickle.dumps(result)), result)
-    if name not in DATASETS or name in ("gait", "run"):
+    if name not in DATASETS or name == "gait":
         text = repr(result)
         assert text.startswith("<") and len(text) < 400 and "\n" not in text
 
@@ -131,11 +128,13 @@ def test_json_records_them_too(name, gait, result_of):
     assert len(same) >= len(gait.runner) - len(STATES) - 2
 
 
-def test_the_columns_of_a_run_go_by_their_names(gait):
+def test_a_run_has_its_events_its_end_and_its_last_stride(gait):
     run = tdmf_slip.simulate(gait, strides=1)
-    assert run["com.x"] is not None and np.array_equal(run["com.x"], run.table["com.x"])
-    with pytest.raises(InputError, match=r"'com.z' was not recorded.*com.x"):
-        run["com.z"]
+    assert run["com.x"].dims == ("time",) and run["com.x"].attrs["units"] == "m"
+    assert run["event"].values[-1] == "apex" and float(run["event_time"][-1]) == run.attrs["apex.time"]
+    assert run.attrs["stride.word"] == gait.word and run.fallen == 0 and "fall_time" not in run.attrs
+    fallen = tdmf_slip.simulate({"ground.friction": 10, "foot.y": 2.5, "foot.vx": 2.0}, stop_time=400)
+    assert fallen.fallen == 1 and fallen.fall_time == float(fallen["time"][-1])
 
 
 def test_what_may_be_given_for_a_runner_is_the_same_everywhere():

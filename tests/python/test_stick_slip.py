@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import tdmf_slip
+from tdmf_slip.fmu.simulation import run_unit
 
 MU, RATIO, FALL = 0.275, 2.2, 0.018
 SLOPE = np.radians(-3.25)
@@ -30,7 +31,7 @@ def test_the_foot_sticks_three_times_in_one_stance(gait):
 
 def test_what_the_ground_does_is_the_law_of_friction(gait):
     """Along the ground: a slip's force is that of its speed, against it, a stick's within the static cone."""
-    run = tdmf_slip.simulate(gait.start_values, strides=1, output_interval=gait.period / 20_000)
+    run = run_unit(gait.start_values, strides=1, output_interval=gait.period / 20_000)
     cosine, sine = np.cos(SLOPE), np.sin(SLOPE)
     along = cosine * run["contact.fx"] + sine * run["contact.fy"]
     normal = cosine * run["contact.fy"] - sine * run["contact.fx"]

@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from tdmf_slip import Runner, find_gait, simulate
+from tdmf_slip import Runner, find_gait
+from tdmf_slip.fmu.simulation import run_unit
 
 LOSSES = ("damper_loss", "friction_loss", "impact_loss")
 THRUST = 0.45
@@ -18,7 +19,7 @@ def gait():
 def test_without_hip_torque_the_leg_does_all_work(gait, fmu):
     """Its spring longer by the thrust has done, once flight begins, stiffness x thrust x lengthening."""
     names = [*WORKS, *(f"energy.{name}" for name in LOSSES), "leg.length"]
-    run = simulate(gait.start_values, strides=1, tolerance=1e-11, variables=names, fmu=fmu).table
+    run = run_unit(gait.start_values, strides=1, tolerance=1e-11, variables=names, fmu=fmu).table
     changed = np.flatnonzero(np.abs(np.diff(run["leg.work"])) > 1e-6)
     assert len(changed) == 2
     compressed, longest = run["leg.length"][changed]

@@ -11,7 +11,7 @@ import tdmf_slip
 from conftest import HANGS
 from tdmf_slip.fmu.fmu import Fmu
 
-STRIDE = "assert tdmf_slip.simulate(strides=1).stride['count'] == 1"
+STRIDE = "assert tdmf_slip.simulate(strides=1).attrs['stride.count'] == 1"
 FORKS = f"""
 import multiprocessing, os, shutil, sys
 import tdmf_slip
@@ -70,7 +70,7 @@ def test_a_unit_is_unpacked_again_where_temporary_files_are_cleaned(own_fmu, int
         tdmf_slip.simulate(strides=1, interface=interface, fmu=own_fmu)
         before = pathlib.Path(own_fmu.folder)
         shutil.rmtree(before / left)
-        assert tdmf_slip.simulate(strides=1, interface=interface, fmu=own_fmu).stride["count"] == 1
+        assert tdmf_slip.simulate(strides=1, interface=interface, fmu=own_fmu).attrs["stride.count"] == 1
         assert before != pathlib.Path(own_fmu.folder)
 
 
@@ -79,7 +79,7 @@ def test_a_pickled_unit_has_a_folder_of_its_own(own_fmu):
     assert folder.encode() not in pickle.dumps(own_fmu)
     other = pickle.loads(pickle.dumps(own_fmu))
     assert other.folder != folder == own_fmu.folder
-    assert tdmf_slip.simulate(strides=1, fmu=other).stride["count"] == 1
+    assert tdmf_slip.simulate(strides=1, fmu=other).attrs["stride.count"] == 1
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows keeps a working directory")

@@ -142,8 +142,7 @@ def sweep(
     Gaits are followed along one of the names, each from the one before: along the friction if it varies, else
     along the last name. Where the first values have no gait, a row begins at the first that has one, and
     follows its branch back as far as it goes. Where a branch cannot be followed on, because of a fold or
-    because the gait is lost, the row goes on with the next gait that is found, which is of another branch.
-    Changes of the word from one branch to another are no borders.
+    because the gait is lost, the row goes on with the next gait that is found, on another branch.
 
     Parameters
     ----------
@@ -165,9 +164,8 @@ def sweep(
     Returns
     -------
     Sweep
-        The gaits as a dataset over the names, in the order in which they are given, NaN where there is no
-        gait, and the borders as a second dataset. `branch` numbers the branches of each row, and `problem`
-        says why gaits of a row are missing; it is empty where all were found.
+        The gaits as a dataset over the names, NaN where there is no gait, and the borders as a second one.
+        `branch` numbers the branches of each row, and `problem` says why gaits of a row are missing.
 
     Raises
     ------
@@ -215,7 +213,7 @@ def sweep(
             for number, columns in results:
                 made.write(places[missing[number]], columns)
                 bar.update()
-    found = _finished(runner, made.data, along)
+    found = Sweep(made.data.drop_vars("borders"), _borders_dataset(runner, made.data, along))
     made.finish(found.gaits, {"borders": found.borders})
     words = found.gaits["word"]
     if not (words != "").any():
@@ -227,11 +225,7 @@ def sweep_of_row(runner: Runner, row: Row) -> Sweep:
     """A row as a sweep over its name."""
     made = Resumed(None, _blank(runner, {row.name: np.array(row.values)}, row.name), "sweep")
     made.write({}, _columns(row))
-    return _finished(runner, made.data, row.name)
-
-
-def _finished(runner: Runner, data: xarray.Dataset, along: str) -> Sweep:
-    return Sweep(data.drop_vars("borders"), _borders_dataset(runner, data, along))
+    return Sweep(made.data.drop_vars("borders"), _borders_dataset(runner, made.data, row.name))
 
 
 def gait_at(gaits: xarray.Dataset, **where: Given) -> Gait:

@@ -8,7 +8,7 @@ import click
 from ..errors import InputError
 from ..fmu.fmu import INTERFACES, Fmu, load_fmu
 from ..fmu.inputs import read_tables
-from ..fmu.run import WRITERS, Run, as_json, write_table
+from ..fmu.run import WRITERS, Run, as_json, dataset_of, write_table
 from ..fmu.simulation import (
     DEFAULT_STRIDES,
     DEFAULT_TOLERANCE,
@@ -17,7 +17,7 @@ from ..fmu.simulation import (
     ONLY_IN,
     TIMES,
     TOLERANCES,
-    simulate,
+    run_unit,
 )
 from ..terminal.text import columns, quantity
 from ..variables.variable import Value
@@ -108,7 +108,7 @@ def simulate_command(
     tables = read_tables(inputs, fmu) if inputs is not None else {}
     for name in tables:
         refuse_given(asked.given, name, "--inputs")
-    run = simulate(
+    run = run_unit(
         starts,
         stop_time=stop_time,
         strides=strides,
@@ -124,7 +124,7 @@ def simulate_command(
     if plot is not None:
         from ..pictures import overview  # matplotlib is slow to load
 
-        overview.draw(plot, run)
+        overview.draw(plot, dataset_of(run))
     print(json_text(_run_object(run)) if as_json_object else _run_text(run))
 
 
@@ -170,7 +170,7 @@ def _run_text(run: Run) -> str:
         rows = {
             f"  {name}": value
             if isinstance(value, str)
-            else quantity(value, run.label(run.units.get(f"stride.{name}", "")), 8)
+            else quantity(value, run.label(run.variables[f"stride.{name}"].unit), 8)
             for name, value in stride.items()
             if name not in ("count", "word_code")
         }

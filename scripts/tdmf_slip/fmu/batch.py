@@ -18,7 +18,7 @@ from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike, start_values_of
 from ..variables.variable import Value
 from .fmu import Fmu, load_fmu
-from .simulation import DEFAULT_STRIDES, DEFAULT_TOLERANCE, MAX_STRIDES, TOLERANCES, simulate
+from .simulation import DEFAULT_STRIDES, DEFAULT_TOLERANCE, MAX_STRIDES, TOLERANCES, run_unit
 
 if TYPE_CHECKING:
     import xarray
@@ -57,7 +57,7 @@ OVER = ("run",)
 def run_one(job: Job) -> Result:
     """One run of the unit. A run that fails is a result, too: the others go on."""
     try:
-        run = simulate(
+        run = run_unit(
             job.values,
             strides=job.strides,
             tolerance=job.tolerance,

@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import is_one_of, near_matches, shown
-from ..errors import InputError
 from ..files.whole import check_destination, write_whole
 from ..record import dataset, origin_of
 from ..variables import paper_units
@@ -113,11 +111,6 @@ class Run:
         return self.table.dtype.names or ()
 
     @property
-    def units(self) -> Mapping[str, str]:
-        """Unit of each field."""
-        return {name: self.variables[name].unit for name in self.names}
-
-    @property
     def record(self) -> dict[str, Any]:
         """Record for a file of the run: `version`, `model` and `start_values`."""
         return {**origin_of(version=self.version), "start_values": dict(self.start_values)}
@@ -126,36 +119,6 @@ class Run:
     def strides(self) -> int:
         """How many were completed."""
         return int(self.final["stride.count"])
-
-    def __getitem__(self, name: str) -> NDArray[Any]:
-        """A column of the table, as in `run["com.x"]`."""
-        if not is_one_of(name, self.names):
-            raise InputError(f"{shown(name)} was not recorded{near_matches(name, self.names)}")
-        return self.table[name]
-
-    def __repr__(self) -> str:
-        """In a line: how far it went, and the last stride."""
-        time, speed = self.label("s"), self.label("m/s")
-        end = (
-            f"fell at {self.fall_time:.6g} {time}"
-            if self.fallen
-            else f"to {self.table['time'][-1]:.6g} {time}"
-        )
-        last = (
-            f", word {self.stride['word']}, speed {self.stride['speed']:.6g} {speed}" if self.strides else ""
-        )
-        return f"<Run {end}, {self.strides} strides{last}>"
-
-    def to_dataset(self) -> "xarray.Dataset":
-        """The recorded rows with units, over the time; at an event there are two rows of the same time.
-
-        Returns
-        -------
-        xarray.Dataset
-            A variable for each column, over the coordinate `time`; as attributes version, model, start values
-            and last stride.
-        """
-        return dataset_of(self)
 
 
 def write_table(path: Path | str, run: Run) -> None:
@@ -179,13 +142,21 @@ def _write_netcdf(path: Path, run: Run) -> None:
 
 def dataset_of(run: Run) -> "xarray.Dataset":
     """A run's recorded rows over the time, with units, flags and the run's end."""
-    variables = {}
+    variables: dict[str, Any] = {}
     for name in run.names:
         column = run.table[name]
         values = column.astype("i4") if column.dtype == bool else column  # NetCDF has no booleans
         variables[name] = "time", values, _attributes(run.variables[name]), {"zlib": True}
-    stride = {variable.name: run.final[variable.name] for variable in run.variables.group("stride")}
-    return dataset("run", run.record, variables, {}, fallen=int(run.fallen), **stride)
+    events = np.array([event.time for event in run.events]), {"units": "s", "long_name": "time of the event"}
+    variables["event_time"] = "event", *events
+    labels = {"event": np.array([event.what for event in run.events], dtype=object)}
+    latched = (*run.variables.group("stride"), *run.variables.group("apex"))
+    attributes = {variable.name: run.final[variable.name] for variable in latched}
+    attributes |= {} if run.fall_time is None else {"fall_time": run.fall_time}
+    messages = "\n".join(run.messages)
+    return dataset(
+        "run", run.record, variables, labels, fallen=int(run.fallen), messages=messages, **attributes
+    )
 
 
 def _attributes(variable: Variable) -> dict[str, object]:

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from itertools import islice
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +27,7 @@ from .fmu import Fmu, load_fmu
 from .inputs import InputTables, signals
 from .instance import Experiment, Instance, Recorder, opened
 from .profile import Profile
-from .run import MODE, PHASE, Run, events_of
+from .run import MODE, PHASE, Run, dataset_of, events_of
 
 STEPS_PER_TIME_UNIT = 20
 """Communication steps in each sqrt(m/k), unless an output interval is given."""
@@ -80,6 +81,9 @@ def _line_below(profile: Profile, position: float) -> dict[str, float]:
     return {HEIGHT: line.height, SLOPE: line.slope}
 
 
+if TYPE_CHECKING:
+    import xarray
+
 DEFAULT_STRIDES = 10
 DEFAULT_TOLERANCE = 1e-9
 TOLERANCES = 1e-14, 0.1
@@ -118,7 +122,7 @@ def simulate(
     interface: str | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
-) -> Run:
+) -> xarray.Dataset:
     """Run the unit once through FMPy; a fall ends the run and is a result, not an error.
 
     Parameters
@@ -153,8 +157,11 @@ def simulate(
 
     Returns
     -------
-    Run
-        The recorded rows, the end, the events, and what the unit had to say.
+    xarray.Dataset
+        Over `time` the recorded variables by their names, with units; at an event there are two rows of the
+        same time. Over `event` their `event_time` and what happened, `event`. As attributes `fallen`, 1 if
+        the run ended in a fall, and `fall_time`; the quantities of the last stride, such as `stride.word`,
+        and of the last apex, such as `apex.com_height`; and the unit's `messages`.
 
     Raises
     ------
@@ -167,16 +174,50 @@ def simulate(
     --------
     >>> import tdmf_slip
     >>> run = tdmf_slip.simulate({"ground.friction": 0.43}, strides=3)
-    >>> print(run.stride["word"], run.stride["count"], run.fallen)
-    +0- 3 False
+    >>> print(run.attrs["stride.word"], run.attrs["stride.count"], run.fallen)
+    +0- 3 0
 
     Over steps of random height:
 
     >>> steps = tdmf_slip.Profile.random_steps(count=10, tread=7.0, roughness=0.02, seed=1, begin=20.0)
     >>> run = tdmf_slip.simulate(strides=2, profile=steps)
-    >>> print(run.strides, run.fallen)
-    2 False
+    >>> print(run.attrs["stride.count"], run.fallen)
+    2 0
     """
+    return dataset_of(
+        run_unit(
+            runner,
+            stop_time=stop_time,
+            strides=strides,
+            tolerance=tolerance,
+            output_interval=output_interval,
+            inputs=inputs,
+            profile=profile,
+            variables=variables,
+            record_events=record_events,
+            interface=interface,
+            progress=progress,
+            fmu=fmu,
+        )
+    )
+
+
+def run_unit(
+    runner: RunnerLike = None,
+    *,
+    stop_time: float | None = None,
+    strides: int | None = None,
+    tolerance: float = DEFAULT_TOLERANCE,
+    output_interval: float | None = None,
+    inputs: InputTables | None = None,
+    profile: Profile | None = None,
+    variables: Iterable[str] | None = None,
+    record_events: bool = True,
+    interface: str | None = None,
+    progress: bool = False,
+    fmu: Fmu | None = None,
+) -> Run:
+    """Run the unit once, see `simulate`."""
     fmu = load_fmu(fmu)
     interface = interface_over(profile, interface, inputs, fmu)
     starts = fmu.variables.start_values(start_values_of(runner), "start values")

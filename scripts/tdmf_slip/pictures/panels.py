@@ -35,10 +35,10 @@ class Stride:
 
     def __init__(self, gait: Gait) -> None:
         """Run the unit for one stride from the gait's apex."""
-        from ..fmu.simulation import simulate  # FMPy loads only where the unit is run
+        from ..fmu.simulation import run_unit  # FMPy loads only where the unit is run
 
         self.gait = gait
-        run = simulate(gait, strides=1, output_interval=gait.period / POINTS)
+        run = run_unit(gait, strides=1, output_interval=gait.period / POINTS)
         self.events = run.events
         self._table = run.table
         values = gait.runner

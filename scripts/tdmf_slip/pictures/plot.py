@@ -21,7 +21,6 @@ PICTURES: Mapping[str, str] = {
     "Optimum": "quantity_diagram.of_optimum",
     "Proof": "eigenvalue_diagram.of_proof",
     "RareFalls": "decay_diagram.of_falls",
-    "Run": "overview.figure_of",
     "Sweep": "sweep_diagram.of_sweep",
     "Validation": ".paper.drift_diagram.of_validation",
     "basin": "basin_map.figure_of",
@@ -29,6 +28,7 @@ PICTURES: Mapping[str, str] = {
     "comparison": "quantity_diagram.of_comparison",
     "curves": "curve_diagram.figure_of",
     "front": "quantity_diagram.of_front",
+    "run": "overview.figure_of",
     "runs": "basin_map.of_runs",
     "strides": "basin_map.of_strides",
     "sweep": "sweep_diagram.figure_of",
@@ -41,6 +41,7 @@ DATASETS: Mapping[str, tuple[str, Sequence[int]]] = {
     "comparison": ("word", (2,)),
     "curves": ("curve_number", (1,)),
     "front": ("word", (1,)),
+    "run": ("time", (1,)),
     "runs": ("fallen", (1,)),
     "strides": ("fate", (2,)),
     "sweep": ("word", (1, 2)),
@@ -56,7 +57,7 @@ def plot(result: Any) -> Figure:
 
     Parameters
     ----------
-    result : Gait, Run, Branch or another result, or Dataset
+    result : Dataset, Gait or another result
         A dataset is drawn by its attribute `result`, which says what it is.
 
         - Runs are drawn over time, gaits as velocities and force ratio of a stride.

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from ..analysis.stride_map import stride_map
 from ..errors import InputError
-from ..fmu.simulation import simulate
+from ..fmu.simulation import run_unit
 from ..library.engine import instruction_sets
 from ..library.runner import Runner
 from ..library.strides import strides_from
@@ -80,7 +80,7 @@ def _lanes(instructions: str) -> Solve:
 def _fmu(interface: str, settings: Mapping[str, str] | None = None) -> Solve:
     def solve(runner: Runner, apex: NDArray[np.float64]) -> Numbers:
         period = strides_from(runner, apex).period
-        run = simulate(
+        run = run_unit(
             {**runner.start_values(apex), **(settings or {})},
             stop_time=PAST * period,
             tolerance=FINEST,

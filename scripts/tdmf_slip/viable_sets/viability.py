@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import checked
+from ..checks import checked, refusal
 from ..errors import InputError
 from ..files.whole import check_destination
+from ..given import numbers_of
 from ..library.gait import Gait
 from ..library.return_map import refuse_patch
 from ..library.runner import Runner
@@ -194,7 +195,10 @@ def _largest_drop(states: NDArray[np.bool_], grid: Grid, *, inner: bool) -> NDAr
 
 def _cells_about(grid: Grid, gait: Gait | Apex) -> NDArray[np.bool_]:
     """The cells about a gait's apex."""
-    apex = gait.apex if isinstance(gait, Gait) else np.asarray(gait)
+    allowed = "a Gait, or the coordinates of an apex"
+    apex = gait.apex if isinstance(gait, Gait) else np.atleast_1d(numbers_of("gait", gait, allowed))
+    if apex.ndim != 1 or not np.isfinite(apex).all():
+        raise refusal("gait", gait, allowed)
     point = checked_apex(apex[: len(REDUCED)], REDUCED)
     near = [
         (edges[:-1] >= at - NEAR * size) & (edges[1:] <= at + NEAR * size)
