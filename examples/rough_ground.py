@@ -35,7 +35,7 @@ def draw(path, profile, rows):
     """Draw the rows of a run."""
     with style.styled():
         figure, axes = plt.subplots(figsize=(7.6, 3.2), layout="constrained")
-        end = rows["com.x"][-1]
+        end = float(rows["com.x"][-1])
         inside = (profile.x > 0) & (profile.x < end)
         x = np.concatenate([[0.0], profile.x[inside], [end]])
         y = np.concatenate([profile.height([0.0]), profile.y[inside], profile.height([end])])
@@ -43,7 +43,10 @@ def draw(path, profile, rows):
         axes.plot(rows["com.x"], rows["com.y"], color=style.CURVE, label="centre of mass")
         axes.plot(rows["foot.x"], rows["foot.y"], color=style.SECOND_CURVE, linewidth=1.0, label="foot")
         loaded = np.flatnonzero(rows["contact.normal"] > 0)[::4]
-        coordinates = (rows["foot.x"], rows["body.x"]), (rows["foot.y"], rows["body.y"])
+        coordinates = (
+            (rows["foot.x"].values, rows["body.x"].values),
+            (rows["foot.y"].values, rows["body.y"].values),
+        )
         legs = [np.array([foot[loaded], body[loaded]]) for foot, body in coordinates]
         axes.plot(*legs, color=style.FAINT, linewidth=0.7, zorder=1)
         axes.set(xlim=(0.0, end), ylim=(y.min() - 0.4, 3.4))
@@ -56,8 +59,8 @@ def main():
     """Run, report and draw."""
     ran = run()
     fate = "fell" if ran.fallen else "ran on"
-    print(f"{fate} after {ran.strides} strides and {ran.final['com.x']:.1f} leg lengths")
-    draw(sys.argv[1] if len(sys.argv) > 1 else "rough_ground.png", ground(), ran.table)
+    print(f"{fate} after {ran.attrs['stride.count']} strides and {ran['com.x'].values[-1]:.1f} leg lengths")
+    draw(sys.argv[1] if len(sys.argv) > 1 else "rough_ground.png", ground(), ran)
 
 
 if __name__ == "__main__":

@@ -71,7 +71,7 @@ def test_a_batch_over_a_table(load, monkeypatch, capsys, tmp_path):
 def test_the_runner_crosses_rough_ground(load, tmp_path):
     example = load("rough_ground")
     rows = example.run()
-    assert rows.strides == example.STRIDES and not rows.fallen
+    assert rows.attrs["stride.count"] == example.STRIDES and not rows.fallen
     loaded = rows["contact.normal"] > 0
     heights = rows["foot.y"][loaded]
     assert heights.max() > 0.9 and heights[0] == pytest.approx(0.0, abs=1e-12)

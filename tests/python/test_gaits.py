@@ -21,8 +21,8 @@ from tdmf_slip.analysis.sweeps import gait_at, sweep, sweep_row
 from tdmf_slip.cli.options import values_of
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
+from tdmf_slip.library.gait import LETTERS
 from tdmf_slip.library.return_map import stride_from
-from tdmf_slip.library.word import LETTERS
 from tdmf_slip.paper import reference_gaits as reference
 from tdmf_slip.record import runner_in
 from tdmf_slip.variables.parameters import read_parameters

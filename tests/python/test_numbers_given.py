@@ -49,7 +49,7 @@ def test_durations_over_an_index_are_seconds_too():
 @pytest.mark.parametrize("second", [1.0, np.timedelta64(1000, "ms"), datetime.timedelta(seconds=1)])
 def test_a_duration_is_a_stop_time_and_an_interval(second):
     run = run_unit({}, stop_time=second, output_interval=second / 2)
-    assert run["time"][-1] == 1.0 and len(run["time"]) >= 3
+    assert run.table["time"][-1] == 1.0 and len(run.table["time"]) >= 3
 
 
 def test_a_stance_may_last_a_duration():

@@ -148,7 +148,7 @@ def test_what_may_be_given_for_a_runner_is_the_same_everywhere():
         if "runners" in parameters and name != "strides_to_fall":
             assert parameters["runners"].annotation == "Sequence[RunnerLike]", name
             named += 1
-    assert named == 16
+    assert named == 17
 
 
 def test_help_names_the_types_of_arrays():

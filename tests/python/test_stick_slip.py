@@ -33,9 +33,9 @@ def test_what_the_ground_does_is_the_law_of_friction(gait):
     """Along the ground: a slip's force is that of its speed, against it, a stick's within the static cone."""
     run = run_unit(gait.start_values, strides=1, output_interval=gait.period / 20_000)
     cosine, sine = np.cos(SLOPE), np.sin(SLOPE)
-    along = cosine * run["contact.fx"] + sine * run["contact.fy"]
-    normal = cosine * run["contact.fy"] - sine * run["contact.fx"]
-    speed = cosine * run["foot.vx"] + sine * run["foot.vy"]
+    along = cosine * run.table["contact.fx"] + sine * run.table["contact.fy"]
+    normal = cosine * run.table["contact.fy"] - sine * run.table["contact.fx"]
+    speed = cosine * run.table["foot.vx"] + sine * run.table["foot.vy"]
     loaded = normal > 1e-6
     slips, sticks = loaded & (np.abs(speed) > 1e-9), loaded & (np.abs(speed) <= 1e-9)
     assert min(np.count_nonzero(slips), np.count_nonzero(sticks)) > 100

@@ -11,7 +11,7 @@ import pytest
 import xarray
 from tdmf_slip import InputError, continue_branch, continue_curves, load_fmu, sweep
 from tdmf_slip.cli.main import COMMANDS, module_of
-from tdmf_slip.pictures import branch_diagram, curve_diagram, sweep_diagram
+from tdmf_slip.pictures import branch_diagram, sweep_diagram
 from tdmf_slip.variables.display_units import DisplayUnits
 
 ANGLE, FRICTION, DAMPING = "hip.touchdown_angle", "ground.friction", "leg.damping"
@@ -92,7 +92,7 @@ def test_pictures_are_marked_in_the_unit_that_was_given():
 def test_curves_are_marked_in_the_units_that_were_given():
     spans = {ANGLE: (math.radians(40.0), math.radians(42.0)), FRICTION: (0.45, 0.5)}
     display = DisplayUnits({ANGLE: "40 deg:42 deg"})
-    figure = curve_diagram.figure_of(continue_curves({}, spans, max_points=3), display)
+    figure = branch_diagram.of_curves(continue_curves({}, spans, max_points=3), display)
     axes = figure.axes[0]
     check_degrees(axes.xaxis, axes.get_xlabel())
     assert axes.get_ylabel() == FRICTION

@@ -5,7 +5,7 @@ import json
 
 import pytest
 import tdmf_slip
-from tdmf_slip.pictures import viability_map
+from tdmf_slip.pictures import basin_map
 
 ANGLE = "hip.touchdown_angle"
 GRID = ("--axes", "com_height=1:2", "--axes", "com_speed=0.5:1.5", "--vary", "hip.touchdown_angle=0.3:1.1:6")
@@ -124,4 +124,4 @@ def test_the_picture_tells_the_three_kinds_of_cells_apart():
         assert (states == level).any()
     assert viable.get_clim() == (0, found["inner_robustness"].max())
     assert "share" in bar.get_ylabel()
-    assert viability_map.OPEN != viability_map.NOT_VIABLE
+    assert basin_map.OPEN != basin_map.NOT_VIABLE

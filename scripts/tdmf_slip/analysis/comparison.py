@@ -138,12 +138,14 @@ def _dataset(found: Comparison) -> xarray.Dataset:
     numbers = np.arange(len(found.after))
     places: dict[str, Any] = {"runner": numbers, "step": np.array(["before", "after"], dtype=object)}
     texts = {"hold": ", ".join(found.hold), "vary": ", ".join(found.vary)}
-    data = gaits_dataset("comparison", gaits[0].runner.record(*found.names), gaits, places, **texts)
+    data = gaits_dataset("comparison", gaits[0].runner.record(*found.names), gaits, places).assign_attrs(
+        texts
+    )
     missed = {(of.runner, of.quantity) for of in found.not_held}
     held = [[(number, name) not in missed for name in found.hold] for number in numbers.tolist()]
+    known = gaits[0].runner.model.variables
     values: dict[str, Any] = {
-        name: (("runner", "step"), _values(gaits, name), gaits[0].runner.model.variables[name].attributes)
-        for name in found.names
+        name: (("runner", "step"), _values(gaits, name), known[name].attributes) for name in found.names
     }
     held_by: dict[str, Any] = {"held": (("runner", "quantity"), np.array(held, np.int8))}
     return data.assign(held_by).assign_coords(values | {"quantity": list(found.hold)})

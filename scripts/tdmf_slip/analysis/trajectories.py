@@ -15,8 +15,7 @@ from ..given import numbers_of
 from ..library.binding import c, check_accepted, ffi, text_of
 from ..library.c_structs import dtype_of
 from ..library.gait import Gait
-from ..library.members import VARIED
-from ..library.return_map import seed_of
+from ..library.members import VARIED, seed_of
 from ..library.runner import Runner
 from ..library.section import COORDINATES, Apex, checked_apex
 from ..library.shared_steps import shares_steps

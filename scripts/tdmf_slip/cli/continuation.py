@@ -120,9 +120,9 @@ def _curves(
 ) -> None:
     found = continue_curves(runner, spans, max_points=points, progress=True)
     if plot is not None:
-        from ..pictures import curve_diagram
+        from ..pictures import branch_diagram
 
-        curve_diagram.draw(plot, found, display)
+        branch_diagram.draw_curves(plot, found, display)
     if as_json_object:
         print(
             json_text(

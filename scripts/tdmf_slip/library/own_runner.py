@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 from ..errors import GaitNotFoundError, InputError
 from ..variables.table import DIMENSIONS
 from .binding import c, ffi
+from .gait import Event
 from .members import Along
 from .own_model import OwnModel
 from .own_runs import EVENT_ROOM, MapRequest, OwnStrides, seeds_of, strides_of
 from .return_map import Map
 from .runner import Runner
 from .section import Apex, checked_apex
-from .word import Event
 
 
 class OwnRunner(Runner):

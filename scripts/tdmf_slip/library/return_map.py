@@ -18,12 +18,12 @@ from ..variables.table import Model, by_full_name
 from ..variables.variable import Given
 from .binding import c, ffi, text_of
 from .c_structs import RETURN, viewed
+from .gait import recorded
 from .members import Along as Along
 from .members import at_friction, check_varied, seed_of
 from .quantities import LEDGER, MEASURES, STRIDE_QUANTITIES, Quantities, weight_of
 from .runner import Runner
 from .section import Apex, checked_apex
-from .word import recorded
 
 PATCH = ("ground.patch_begin", "ground.patch_end")
 """Where a part of the ground with its own friction begins and ends, along the ground."""

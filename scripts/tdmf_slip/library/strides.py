@@ -11,14 +11,13 @@ from ..errors import RunError
 from .batch import Batch
 from .binding import ffi
 from .c_structs import LONGEST_STRIDE
-from .gait import Gait, gait_of_stride
+from .gait import Event, Gait, gait_of_stride
 from .members import check_comes_down, check_has_gaits
 from .quantities import check_quantities, weight_of
 from .return_map import Along, derivatives, map_of, why_no_return
 from .runner import Runner
 from .section import Apex, checked_apex
 from .tables import Table
-from .word import Event
 
 
 @dataclass(frozen=True, eq=False)

@@ -116,11 +116,12 @@ def pareto_front(
         "why": [best.why for best in optima],
     }
     variables: dict[str, Any] = {name: ("optimum", np.array(of, dtype=object)) for name, of in texts.items()}
+    known = gaits[0].runner.model.variables
     values: dict[str, Any] = {
         name: (
             "optimum",
             [best.parameters[name] for best in optima],
-            gaits[0].runner.model.variables[name].attributes,
+            known[name].attributes,
         )
         for name in names
     }

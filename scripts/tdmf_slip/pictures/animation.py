@@ -27,7 +27,7 @@ from ..files.whole import check_destination, whole
 from ..fmu.run import SLIPS
 from ..library.gait import Gait
 from . import style
-from .drawn_runner import DrawnRunner, bare, pose
+from .model import DrawnRunner, bare, pose
 from .panels import Stride
 
 PAGE = """<!DOCTYPE html>

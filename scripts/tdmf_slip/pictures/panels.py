@@ -4,6 +4,7 @@ import math
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -222,3 +223,33 @@ def near_stance(axes: Axes, stride: Stride) -> None:
     start, end = stride.stance_times
     margin = MARGIN * (end - start)
     axes.set_xlim(start - margin, end + margin)
+
+
+def draw_velocity_and_ratio(path: Path, stride: Stride) -> None:
+    """Draw the two panels."""
+    style.save(velocity_and_ratio(stride), path)
+
+
+def of_gait(gait: Gait) -> Figure:
+    """The two panels of a gait's stride."""
+    return velocity_and_ratio(Stride(gait))
+
+
+def velocity_and_ratio(stride: Stride) -> Figure:
+    """The two panels."""
+    with style.styled():
+        figure, (left, right) = style.subplots(1, 2, figsize=(8.4, 3.7))
+        for axes in (left, right):
+            mark_stance(axes, stride)
+            mark_mid_stance(axes, stride)
+        foot_velocity(left, stride, stance_only=True)
+        left.set_title("(a) foot velocity; the jump is the slipping impact")
+        force_ratio(right, stride)
+        right.set_title("(b) force ratio; × impulses at the impact")
+        figure.suptitle(
+            rf"Periodic gait at $\mu = {stride.gait.friction:g}$, word  {style.word(stride.gait.word)}",
+            x=0.02,
+            ha="left",
+        )
+        key_below(figure, [stride])
+    return figure

@@ -11,28 +11,28 @@ from ..checks import is_one_of, shown
 from ..errors import InputError
 
 PICTURES: Mapping[str, str] = {
-    "Attraction": "decay_diagram.of_attraction",
+    "Attraction": "quantity_diagram.of_attraction",
     "BorderProof": "eigenvalue_diagram.of_border",
     "Controllability": "eigenvalue_diagram.of_controllability",
     "Feedback": "eigenvalue_diagram.of_feedback",
-    "FirstPassage": "decay_diagram.of_falls",
+    "FirstPassage": "quantity_diagram.of_falls",
     "Fit": "fit_diagram.figure_of",
-    "Gait": "velocity_and_ratio.of_gait",
+    "Gait": "panels.of_gait",
     "Optimum": "quantity_diagram.of_optimum",
     "Proof": "eigenvalue_diagram.of_proof",
-    "RareFalls": "decay_diagram.of_falls",
+    "RareFalls": "quantity_diagram.of_falls",
     "Sweep": "sweep_diagram.of_sweep",
     "Validation": ".paper.drift_diagram.of_validation",
     "basin": "basin_map.figure_of",
     "branch": "branch_diagram.figure_of",
     "comparison": "quantity_diagram.of_comparison",
-    "curves": "curve_diagram.figure_of",
+    "curves": "branch_diagram.of_curves",
     "front": "quantity_diagram.of_front",
     "run": "overview.figure_of",
     "runs": "basin_map.of_runs",
     "strides": "basin_map.of_strides",
     "sweep": "sweep_diagram.figure_of",
-    "viability": "viability_map.figure_of",
+    "viability": "basin_map.of_viable_set",
 }
 """Module and function by the kind of a result: the name of its class, or a dataset's attribute `result`."""
 DATASETS: Mapping[str, tuple[str, Sequence[int]]] = {

@@ -27,7 +27,8 @@ where H is what A V has beyond t^N and B is A's remainder.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from fractions import Fraction
 from types import SimpleNamespace as Record
 from typing import Any
 
@@ -36,6 +37,7 @@ from flint import arb, arb_mat, arb_poly, ctx
 
 from .dual import Dual, Number, UndecidedError, identity, middle, norm, slope_of, value_of
 from .flow import Flow, Tube, Values, fall, speeds
+from .given import Radius, RunnerLike, ball_of, gait_of, radius_of
 from .guards import FUNCTIONS, Guard
 from .laws import Entered, fades, fading_of, rates, rise
 from .parameters import BALLISTIC, PARAMETER, Forced, Parameters, kept_names, moving_names
@@ -391,3 +393,43 @@ class SetTraveller(Traveller):
             apexes = dict(zip(COORDINATES, apex_of(self.dual, numbers), strict=True))
             derivative = self._slopes(apexes, COORDINATES, self.names) * self.spread.product
             return self._closed(centre, [arb(value_of(a)) for a in apexes.values()], derivative)
+
+
+BITS = 80
+
+
+@dataclass(frozen=True)
+class Section:
+    """A tube at the end of a step or an event."""
+
+    time: float
+    """Since the apex, s."""
+    contact: str
+    """Mode of the foot: flight, stick, slip or graze."""
+    middle: dict[str, float]
+    """Centres of the motion's numbers: the leg's, and by mode those of the centre of mass or of the foot."""
+    radius: dict[str, float]
+    """How far a start of the set may be from the middle."""
+
+
+def tube_along(gait: RunnerLike = None, radius: Radius = Fraction(1, 10**8)) -> list[Section]:
+    """The tube of all starts around a gait's apex, along a stride."""
+    found, values = gait_of(gait)
+    fine, size = Fineness(BITS), radius_of(radius)
+    with ctx.workprec(BITS):
+        radii = [ball_of(size) * float(scale) for scale in found.runner.scales]
+        starts = Starts([arb(float(x)) for x in found.apex], [r.upper().mid() for r in radii])
+    traveller = SetTraveller(Parameters(values), starts, fine, fine)
+    sections = [_section(traveller)]
+    while not traveller.step():
+        sections.append(_section(traveller))
+    return [*sections, _section(traveller)]
+
+
+def _section(traveller: SetTraveller) -> Section:
+    return Section(
+        float(traveller.time.mid()),
+        traveller.mode.contact,
+        {name: float(ball.mid()) for name, ball in traveller.set.items()},
+        {name: float(ball.rad()) for name, ball in traveller.set.items()},
+    )

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from ...pictures import velocity_and_ratio
+from ...pictures import panels
 from ...pictures.panels import Stride
 
 FRICTION = 1.2
@@ -10,4 +10,4 @@ FRICTION = 1.2
 
 def draw(path: Path, stride: Stride) -> None:
     """Draw foot velocity and force ratio."""
-    velocity_and_ratio.draw(path, stride)
+    panels.draw_velocity_and_ratio(path, stride)

@@ -6,7 +6,7 @@ from pathlib import Path
 from ...analysis.search import periodic_gait
 from ...analysis.sweeps import Row, sweep_row
 from ...library.runner import Runner
-from ...pictures import animation, model, snapshots
+from ...pictures import animation, model
 from ...pictures.panels import Stride
 from ...terminal.progress import progress_bar
 from ...variables.parameters import read_parameters
@@ -46,7 +46,7 @@ def _drawings(strides: dict[float, Stride], clamped: Stride, gaits: Row) -> dict
         "figure_7.png": lambda path: figure_7.draw(path, strides[figure_7.FRICTION]),
         "figure_8.png": lambda path: figure_8.draw(path, (strides[first], strides[second])),
         "figure_9.png": lambda path: figure_9.draw(path, gaits, matched.over_friction(gaits.gaits, EQUAL)),
-        "snapshots.png": lambda path: snapshots.draw(path, strides[snapshots.FRICTION]),
+        "snapshots.png": lambda path: model.draw_snapshots(path, strides[model.FRICTION]),
         "stride.gif": lambda path: animation.draw(path, strides[animation.FRICTION]),
         "model.png": model.draw,
     }
