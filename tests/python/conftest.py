@@ -280,7 +280,9 @@ def assert_same(one, other):
 def _plain(result):
     if isinstance(result, list | tuple):
         return [of.to_dict() if isinstance(of, xarray.Dataset) else _plain(of) for of in result]
-    return dataclasses.asdict(result) if dataclasses.is_dataclass(result) else result
+    if not dataclasses.is_dataclass(result):
+        return result
+    return {of.name: _plain(getattr(result, of.name)) for of in dataclasses.fields(result)}
 
 
 # ---- what is installed elsewhere ----
