@@ -25,7 +25,7 @@ double read_double(const void *values, size_t i) {
 static bool is_stored(const fmu_variable *variable) {
     return variable->storage == STORED_TIME || variable->storage == STORED_PARAMETER ||
            variable->storage == STORED_SETTING || variable->storage == STORED_INPUT ||
-           variable->storage == STORED_STATE;
+           variable->storage == STORED_START || variable->storage == STORED_STATE;
 }
 
 /* A state without a start value, of a run that has not begun: the start calculates it. */

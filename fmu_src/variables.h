@@ -23,6 +23,7 @@ typedef enum {
     STORED_SETTING, /* of the unit, not of its model */
     STORED_INPUT,
     STORED_STATE,      /* continuous; its number */
+    STORED_START,      /* of a state that the unit shows otherwise */
     STORED_DERIVATIVE, /* number of the state */
     STORED_OUTPUT,
     STORED_HELD, /* a state of the model that changes at events only */

@@ -183,7 +183,11 @@ class Description:
         rows = self.unit.rows
         yield "Output", [row for row in rows if row.causality == "output"]
         yield "ContinuousStateDerivative", [row for row in rows if row.storage == "DERIVATIVE"]
-        calculated = [row for row in rows if row.initial == "calculated" and row.storage != "GUARD"]
+        calculated = [
+            row
+            for row in rows
+            if row.initial == "calculated" and (row.causality == "output" or row.storage == "DERIVATIVE")
+        ]
         yield "InitialUnknown", calculated
         yield "EventIndicator", [row for row in rows if row.storage == "GUARD"]
 

@@ -54,12 +54,10 @@ class World:
         self.page, moving = page, set()
         sets = {f.gives_coordinates for f in page.model.marked("gives_coordinates").values()}
         start = page.modes[page.keys[0][0]]
-        if sets and "world" not in sets:
-            page.refuse("has coordinates, and none is called `world`; a unit shows those")
-        if start.of not in (None, "world"):
-            text = f"starts runs in the coordinates `{start.of}`; a unit's runs start in those called `world`"
-            raise page_error(start, page.keys[0][0], text)
         self.key = next((key for key in page.keys if page.modes[key[0]].of == "world"), None)
+        if sets and ("world" not in sets or self.key is None):
+            page.refuse("has coordinates, and no mode in those called `world`, which a unit shows")
+        self.start_of = start.of if start.of != "world" else None
         for key in page.keys:
             forget_expressions()
             moving |= {n for n, rate in page.rates(key).items() if not rate.is_number(0)}
@@ -67,7 +65,8 @@ class World:
         ramps = {f"{n}_rate" for n in page.inputs}
         own = {n: q for n, q in page.states.items() if q.role == "state" and n not in ramps}
         self.states = [n for n, q in own.items() if (q.of and "world" in q.of) or (not q.of and n in moving)]
-        self.held = [n for n, q in own.items() if not q.of and q.name and n not in self.states]
+        self.held = [n for n, q in own.items() if not q.of and n not in self.states]
+        self.starts = [n for n, q in own.items() if q.of and self.start_of in q.of and "world" not in q.of]
         self.moving = moving | set(self.states)
         self.names = {page.c_names[n]: n for n in (*page.parameters, *page.states)}
         settings = [n for n, q in page.parameters.items() if q.role == "setting"]
@@ -242,7 +241,10 @@ class Unit:
             self.add("status.terminate_at_end", *place, "parameter", "fixed", **given)
 
     def add_states(self):
-        """Add continuous inputs, continuous states and their derivatives, and named states that are held."""
+        """Add continuous inputs, continuous states and their derivatives, and states that are held.
+
+        A held state without a name of its own is local, and not shown where another variable has its name.
+        """
         page, world, public_of = self.page, self.world, self.model.public
         first, places = len(page.parameters), {n: i for i, n in enumerate(page.states)}
         for name in page.inputs:
@@ -253,17 +255,31 @@ class Unit:
             q = page.states[name]
             given = {"unit": q.unit, "about": q.meaning, "within": q.within, "start": q.value, "is_set": True}
             given |= {"initial": "exact", "depends": {name}}
+            if q.of and world.start_of and world.start_of not in q.of:
+                given |= {"initial": "calculated", "start": None, "is_set": False}
             self.add(public_of(name), "STATE", i, "output", "continuous", **given)
+        for name in world.starts:
+            q = page.states[name]
+            given = {
+                "unit": q.unit,
+                "about": f"Start value: {q.meaning}",
+                "within": q.within,
+                "start": q.value,
+            }
+            given |= {"initial": "exact", "is_set": True}
+            self.add(f"start.{public_of(name)}", "START", places[name], "parameter", "fixed", **given)
         for i, name in enumerate(world.states):
             public, unit = public_of(name), per_second(page.states[name].unit or "1")
             given = {"initial": "calculated", "derivative": public, "depends": self.of_rates[name]}
             place = "DERIVATIVE", i, "local", "continuous"
             self.add(f"der({public})", *place, unit, f"Rate of {public}", **given)
+        shown = {row.name for row in self.rows} | {public_of(name) for name in page.outputs}
         for name in world.held:
-            q = page.states[name]
+            q, causality = page.states[name], "output" if page.states[name].name else "local"
             given = {"unit": q.unit, "about": q.meaning, "kind": q.values}
             given |= {"initial": "calculated", "depends": set()}
-            self.add_number(public_of(name), "HELD", first + places[name], "output", "discrete", **given)
+            if q.name or public_of(name) not in shown:
+                self.add_number(public_of(name), "HELD", first + places[name], causality, "discrete", **given)
 
     def add_outputs(self):
         """Add the outputs. One that nothing but events changes is discrete."""

@@ -36,6 +36,7 @@ void fmu_reset(fmu *fmu) {
     *fmu = kept;
     memcpy(parameters_of(fmu), unit_model->parameter_defaults, UNIT_PARAMETER_COUNT * sizeof(double));
     memcpy(states_of(fmu), unit_model->state_defaults, UNIT_STATE_COUNT * sizeof(double));
+    memcpy(fmu->starts, unit_model->state_defaults, UNIT_STATE_COUNT * sizeof(double));
 }
 
 const char *fmu_prepare(fmu *fmu, char text[FMU_TEXT]) {
@@ -473,6 +474,15 @@ const char *fmu_advance_to_event(fmu *fmu, double until, const fmu_observer *obs
 
 /* ---- the start ----------------------------------------------------------------------------------------- */
 
+/* Puts start values in coordinates other than the world's into the states. */
+static void apply_starts(fmu *fmu) {
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
+        if (fmu_variables[i].storage == STORED_START) {
+            states_of(fmu)[fmu_variables[i].offset] = fmu->starts[fmu_variables[i].offset];
+        }
+    }
+}
+
 static const char *unmet_requirement(const fmu *fmu, char text[FMU_TEXT]) {
     for (int i = 0; i < UNIT_REQUIREMENT_COUNT; ++i) {
         const unit_requirement *row = &unit_requirements[i];
@@ -492,7 +502,8 @@ const char *fmu_start(fmu *fmu, char text[FMU_TEXT]) {
     struct fmu ready = *fmu;
     const fmu_observer nobody = {NULL, NULL};
     long events;
-    if (unmet_requirement(fmu, text) != NULL) {
+    apply_starts(&ready);
+    if (unmet_requirement(&ready, text) != NULL) {
         return text;
     }
     fmu_set_time(&ready, ready.motion.time);
@@ -517,9 +528,11 @@ const char *fmu_start(fmu *fmu, char text[FMU_TEXT]) {
 void fmu_differentiate_start(const fmu *given, const struct fmu *started, struct fmu *seed,
                              fmu_view *variation) {
     struct fmu begun = *given;
-    double shift = 0.0, dx[UNIT_STATE_COUNT + 1];
+    double shift = 0.0, dx[UNIT_STATE_COUNT + 1], shown[UNIT_STATE_COUNT + 1];
     fmu_set_time(&begun, begun.motion.time);
     fmu_set_time(seed, seed->motion.time);
+    apply_starts(&begun);
+    apply_starts(seed);
     memcpy(dx, states_of(seed), UNIT_STATE_COUNT * sizeof *dx);
     tdmf_page_run run = run_of(&begun);
     run.seed_count = 1;
@@ -528,9 +541,14 @@ void fmu_differentiate_start(const fmu *given, const struct fmu *started, struct
     run.shift = &shift;
     tdmf_page_run_to(unit_model, &run, run.time);
     vary_at(started, parameters_of(seed), dx, variation);
+    memcpy(shown, dx, UNIT_STATE_COUNT * sizeof *dx);
+    if (mode_of(started)->vary_to_world != NULL) {
+        mode_of(started)->vary_to_world(parameters_of(started), states_of(started), parameters_of(seed), dx,
+                                        shown);
+    }
     for (int i = 0; i < FMU_STATE_COUNT; ++i) {
         if (!unit_states[i].has_start) { /* the start calculates it */
-            states_of(seed)[unit_states[i].index] = dx[unit_states[i].index];
+            states_of(seed)[unit_states[i].index] = shown[unit_states[i].index];
         }
     }
 }

@@ -42,8 +42,10 @@ typedef struct fmu {
     bool has_jumped; /* an input, so that states changed, since the last update */
     page_motion motion;
     double settings[SETTING_COUNT];
-    double importer_tolerance;                 /* infinite where the importer has none */
-    double stop_time;                          /* infinite where the importer has none */
+    double
+        starts[UNIT_STATE_COUNT + 1]; /* of states in other coordinates than the world's, where these begin */
+    double importer_tolerance;        /* infinite where the importer has none */
+    double stop_time;                 /* infinite where the importer has none */
     double accounted[UNIT_NUMBER_COUNT + 1];   /* values up to which jumps have changed other states */
     unsigned char watch[UNIT_EVENT_COUNT + 1]; /* a watch_state for each event */
     int64_t steps, evaluations;

@@ -115,6 +115,9 @@ static void pass_run(transfer *bytes, saved_run *run) {
     pass_flag(bytes, "whether the run has begun", &fmu->has_begun);
     pass_flag(bytes, "whether an input has jumped", &fmu->has_jumped);
     pass_settings(bytes, fmu);
+    for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
+        pass_between(bytes, unit_model->state_names[i], &fmu->starts[i], -largest_sum, largest_sum);
+    }
     pass_motion(bytes, &fmu->motion);
     pass_numbers(bytes, fmu->accounted);
     for (int i = 0; i < UNIT_EVENT_COUNT; ++i) {

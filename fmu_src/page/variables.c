@@ -22,6 +22,8 @@ double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *
         return fmu->motion.time;
     case STORED_SETTING:
         return fmu->settings[variable->offset];
+    case STORED_START:
+        return fmu->starts[variable->offset];
     case STORED_PARAMETER:
     case STORED_INPUT:
         return *number_of(fmu, variable);
@@ -50,6 +52,8 @@ void fmu_set_number(fmu *fmu, const fmu_variable *variable, double value) {
         fmu->motion.time = value;
     } else if (variable->storage == STORED_SETTING) {
         fmu->settings[variable->offset] = value;
+    } else if (variable->storage == STORED_START) {
+        fmu->starts[variable->offset] = value;
     } else {
         *(variable->storage == STORED_STATE ? state_of(fmu, variable) : number_of(fmu, variable)) = value;
     }

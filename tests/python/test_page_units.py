@@ -11,7 +11,8 @@ from fmpy import extract, read_model_description
 from fmpy.fmi1 import FMICallException
 from fmpy.fmi3 import FMU3Slave
 from fmpy.validation import validate_fmu
-from unit_pages import Ball, Hopper, compiler, units_of
+from scipy.integrate import solve_ivp
+from unit_pages import Ball, Hopper, Yoyo, compiler, units_of
 from unit_runs import UnitRun, address
 
 from c_core.hybrid.unit_files import compile_unit, fmi_headers, write_unit
@@ -32,7 +33,7 @@ def ball_at(time, restitution=0.8, height=1.0, gravity=9.81):
     return restitution * speed * left - gravity * left**2 / 2, bounces
 
 
-@pytest.mark.parametrize("model", [Ball, Hopper])
+@pytest.mark.parametrize("model", [Ball, Hopper, Yoyo])
 @pytest.mark.parametrize("version", [2, 3])
 def test_the_description_of_a_unit_is_valid(model, version):
     assert validate_fmu(units_of(model)[version]) == []
@@ -121,6 +122,32 @@ def test_energy_changes_by_works_alone(seed, interface):
     before = mass * (10 * height + speed**2 / 2)
     assert run["energy.total"] == pytest.approx(before + run["push.work"] + run["jump.work"], abs=1e-9)
     assert run["push.positive_work"] >= max(0.0, run["push.work"]) - 1e-9
+
+
+@pytest.mark.parametrize("interface", ["me", "cs"])
+def test_a_run_may_start_in_coordinates_that_the_unit_does_not_show(interface):
+    """From rest at 1.2 rad a mass swings as a pendulum. The world's coordinates follow from the start."""
+    run = UnitRun(units_of(Yoyo)[2], interface, begins=False, start__angle=1.2, start__turn=0.3)
+    assert run["x"] == pytest.approx(np.sin(1.2), abs=1e-15)
+    slopes = [run.slope(name, "start.angle") for name in ("x", "vy")]
+    assert slopes == pytest.approx([np.cos(1.2), 0.3 * np.cos(1.2)], abs=1e-14)
+    run.begin()
+    run.to(2.0)
+    assert run["x"] ** 2 + run["y"] ** 2 == pytest.approx(1.0, abs=1e-9)
+    energy = (run["vx"] ** 2 + run["vy"] ** 2) / 2 + 9.81 * run["y"]
+    assert energy == pytest.approx(0.3**2 / 2 - 9.81 * np.cos(1.2), abs=1e-8)
+    solution = solve_ivp(
+        lambda _, z: [z[1], -9.81 * np.sin(z[0])], (0, 2.0), [1.2, 0.3], rtol=1e-12, atol=1e-12
+    )
+    assert run["x"] == pytest.approx(np.sin(solution.y[0, -1]), abs=1e-8)
+    assert run["start.angle"] == 1.2
+
+
+def test_interfaces_agree_where_the_string_is_slack_at_once():
+    exchange, simulation = (UnitRun(units_of(Yoyo)[2], interface).to(1.5) for interface in ("me", "cs"))
+    assert simulation["swings"] == exchange["swings"] > 0
+    for name in ("x", "y", "vx", "vy"):
+        assert exchange[name] == pytest.approx(simulation[name], abs=1e-8)
 
 
 # ---- derivatives ---------------------------------------------------------------------------------------

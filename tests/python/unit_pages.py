@@ -10,8 +10,10 @@ import page_runs  # noqa: F401  # puts the folder of c_core on the path
 
 from c_core.hybrid import (
     Model,
+    atan2,
     clock,
     coordinates,
+    cos,
     event,
     input,
     letters,
@@ -23,6 +25,7 @@ from c_core.hybrid import (
     require,
     select,
     setting,
+    sin,
     sqrt,
     state,
 )
@@ -190,6 +193,48 @@ class Hopper(Model):
     def contact(h):
         """Whether the spring is on the ground."""
         return {"stance": 2, "broken": 3}.get(h.mode, 1)
+
+
+class Yoyo(Model):
+    """A mass that swings on a string until the string is slack, and flies free from there."""
+
+    start = "swing", {}
+    gravity, length = parameter(9.81, "m/s2", above=0), parameter(1, "m", above=0)
+    angle, turn = state(2.5, "rad", "Angle from below", of="polar"), state(0, "rad/s", of="polar")
+    x, y = state(0, "m", of="world"), state(0, "m", of="world")
+    vx, vy = state(0, "m/s", of="world"), state(0, "m/s", of="world")
+    swings = state(0, "1", "Number of times that the string was tight", values=int)
+
+    @coordinates("world")
+    def place(m):
+        if m.seen_in == "world":
+            return {"x": m.x, "y": m.y, "vx": m.vx, "vy": m.vy}
+        sine, cosine, speed = sin(m.angle), cos(m.angle), m.length * m.turn
+        return {"x": m.length * sine, "y": -m.length * cosine, "vx": speed * cosine, "vy": speed * sine}
+
+    @coordinates("polar")
+    def on_string(m):
+        if m.seen_in == "polar":
+            return {"angle": m.angle, "turn": m.turn}
+        return {"angle": atan2(m.x, -m.y), "turn": (m.x * m.vy - m.y * m.vx) / (m.length * m.length)}
+
+    @mode(of="polar")
+    def swing(m):
+        return {"angle": m.turn, "turn": -m.gravity / m.length * sin(m.angle)}
+
+    @mode(of="world")
+    def fly(m):
+        return {"x": m.vx, "y": m.vy, "vy": -m.gravity}
+
+    @event("swing", when=lambda m: m.length * m.turn**2 + m.gravity * cos(m.angle), unit="m/s2")
+    def slack(m):
+        """The string pulls no more."""
+        return m.to("fly")
+
+    @event("fly", when=lambda m: m.length**2 - m.x**2 - m.y**2, unit="m2")
+    def tight(m):
+        """The string takes the velocity along it."""
+        return m.to("swing", swings=m.swings + 1)
 
 
 def compiler():
