@@ -5,7 +5,7 @@ Those are known by what they can do, so that neither pandas nor another library 
 
 import math
 from collections import Counter
-from collections.abc import Hashable, Iterable, Mapping, Sequence, Sized
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence, Sized
 from typing import Any, Protocol, TypeGuard
 
 import numpy as np
@@ -132,10 +132,16 @@ def _check_once(names: Iterable[object], what: str) -> None:
         raise InputError(f"{what}: {twice} is given twice; allowed: once")
 
 
-def ends_given(what: str, given: object, *, may_be_one: bool = False) -> tuple[float, float]:
-    """Both ends of a range (low, high), which differ unless they may be one."""
+def ends_given(
+    what: str,
+    given: object,
+    *,
+    may_be_one: bool = False,
+    read: Callable[[list[Any], str], list[Any]] = lambda row, _: row,
+) -> tuple[float, float]:
+    """Both ends of a range (low, high), which differ unless they may be one; `read` converts texts."""
     allowed = "two finite numbers, the lower one first"
-    ends = [number_of(end) for end in row_of(given, what, allowed)[:3]]
+    ends = [number_of(end) for end in read(row_of(given, what, allowed)[:3], what)]
     if len(ends) == 2 and ends[0] is not None and ends[1] is not None:
         low, high = ends[0], ends[1]
         if math.isfinite(high - low) and (low < high or (may_be_one and low == high)):

@@ -9,7 +9,17 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 import xarray
-from tdmf_slip import InputError, continue_branch, continue_curves, load_fmu, sweep
+from tdmf_slip import (
+    InputError,
+    basin,
+    continue_branch,
+    continue_curves,
+    find_gait,
+    load_fmu,
+    lqr,
+    sweep,
+    viability,
+)
 from tdmf_slip.cli.main import COMMANDS, module_of
 from tdmf_slip.pictures import branch_diagram, sweep_diagram
 from tdmf_slip.variables.display_units import DisplayUnits
@@ -47,6 +57,26 @@ def test_units_of_something_else_are_refused_with_those_that_are_known(name, tex
         variable.value_of(text, "here")
     assert f"known: {', '.join(variable.known_units) or 'none'}" in str(caught.value)
     assert variable.known_units[0] == (variable.unit or "none")
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda unit: basin({}, {"leg_angle": (unit(0.6), unit(0.7)), "com_speed": (1.0, 1.1)}, 2).leg_angle,
+        lambda unit: viability(
+            axes={"com_height": (1.0, 2.0), "com_speed": (0.5, 1.5)},
+            vary={ANGLE: (unit(0.4), unit(0.6), 3)},
+            n=2,
+        )[ANGLE],
+        lambda unit: lqr(find_gait(), [ANGLE], limits={ANGLE: (unit(0.5), unit(0.9))}).low,
+        lambda unit: sweep({}, {ANGLE: [unit(0.69), unit(0.7)]}).gaits[ANGLE],
+        lambda unit: continue_branch({}, {ANGLE: (unit(0.69), unit(0.7))}, switch=False)[ANGLE][[0, -1]],
+    ],
+)
+def test_a_range_may_be_texts_with_units_wherever_it_is_given(call):
+    np.testing.assert_allclose(
+        call(lambda angle: f"{math.degrees(angle)!r} deg"), call(lambda angle: angle), rtol=1e-12
+    )
 
 
 def marks(axis):

@@ -64,7 +64,12 @@ def axes_of(axes: Any, coordinates: Sequence[str]) -> dict[str, tuple[float, flo
     spans = names if isinstance(names, dict) else dict.fromkeys(names)
     if len(spans) != 2:
         raise refusal("axes", axes, allowed)
-    return {name: None if span is None else ends_given(f"axes: {name}", span) for name, span in spans.items()}
+    return {
+        name: None
+        if span is None
+        else ends_given(f"axes: {name}", span, read=VARIABLES[f"apex.{name}"].without_units)
+        for name, span in spans.items()
+    }
 
 
 def range_around(gait: Gait, axis: str) -> tuple[float, float]:

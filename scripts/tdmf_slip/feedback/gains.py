@@ -181,7 +181,8 @@ def _checked_limits(
         variable = own.variables[name]
         asked = given.get(name, (variable.minimum, variable.maximum))
         allowed = f"two numbers within {variable.allowed} with {nominal:g}, the gait's own, between them"
-        pair = numbers_of(f"limits: {name}", row_of(asked, f"limits: {name}", allowed), allowed)
+        row = variable.without_units(row_of(asked, f"limits: {name}", allowed), f"limits: {name}")
+        pair = numbers_of(f"limits: {name}", row, allowed)
         if pair.shape != (2,) or pair[0] == pair[1]:
             raise refusal(f"limits: {name}", asked, allowed)
         if not variable.minimum <= pair[0] <= nominal <= pair[1] <= variable.maximum:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from numbers import Real
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -119,6 +119,10 @@ class Variable:
         if not self.minimum <= value <= self.maximum or (self.items and value not in self.items):
             raise self._refusal(given, where)
         return value
+
+    def without_units(self, row: Sequence[Any], where: str) -> list[Any]:
+        """Values in a row, of which texts such as `40 deg` are converted to the variable's own unit."""
+        return [self.value_of(value, where) if isinstance(value, str) else value for value in row]
 
     def values_of(self, given: object, where: str) -> NDArray[np.float64]:
         """One or more numbers for this variable, checked against its range."""

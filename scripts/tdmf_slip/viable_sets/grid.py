@@ -102,7 +102,10 @@ def grid_of(runner: Runner, axes: Any, vary: Any, n: Any) -> Grid:
         raise InputError(f"axes: without {missing}; allowed: ranges of {' and '.join(REDUCED)}")
     counts = counts_given(n, MAX_CELLS)
     edges = {
-        axis: np.linspace(*ends_given(f"axes: {axis}", ranges[axis]), count + 1)
+        axis: np.linspace(
+            *ends_given(f"axes: {axis}", ranges[axis], read=VARIABLES[f"apex.{axis}"].without_units),
+            count + 1,
+        )
         for axis, count in zip(REDUCED, counts, strict=True)
     }
     for axis, along in edges.items():
@@ -123,7 +126,8 @@ def _actions(runner: Runner, vary: Any) -> dict[str, NDArray[np.float64]]:
         what = f"vary: {name}"
         row = row_of(span, what, "(low, high) or (low, high, values)")
         count = checked_whole(f"{what}: values", row[2], 1, MAX_ACTIONS) if len(row) == 3 else VALUES
-        low, high = ends_given(what, row[:2] if len(row) == 3 else row, may_be_one=count == 1)
+        ends = row[:2] if len(row) == 3 else row
+        low, high = ends_given(what, ends, may_be_one=count == 1, read=VARIABLES[name].without_units)
         actions[name] = checked_values(name, np.linspace(low, high, count), "vary", {"value": 0})
     return actions
 
