@@ -7,10 +7,9 @@ from tdmf_slip.pages.runner import PlainRunner
 class CompliantRunner(PlainRunner):
     """The foot sinks into the ground: it has no impact, may bounce, and is free where nothing bears it.
 
-    At the penetration d = -y the normal force is f_n = k_g d (1 + c_g ddot), and 0 where that is negative:
-    then the foot leaves its dent faster than the ground follows. `graze` is a foot that is free in a stance.
-    It bounces under the law of stance until that presses it down no more. If the law of flight still does,
-    the foot is released: a torque between both laws lets it rise steadily.
+    At the penetration d = -y the normal force is f_n = k_g d (1 + c_g ddot). It is 0 where the foot leaves
+    its dent faster than the ground follows. `graze` is a foot that is free in a stance: it bounces until the
+    law of stance presses it down no more. If the law of flight still does, a torque between both lifts it.
     """
 
     prefix = "ground"
@@ -23,7 +22,7 @@ class CompliantRunner(PlainRunner):
     ground_loss = state(0, "J", "Energy lost in the ground since the start", name="energy.ground_loss")
     contacts, contacts_so_far = state(0, "1", "Contacts in the last stride"), state(0, "1", "In the open one")
     depth, depth_so_far = state(0, "m", "Largest d in the last stride"), state(0, "m", "In the open one")
-    impact_loss = was_placed = placed_for = rises_again = 0
+    impact_loss = rises_again = 0
     starts_above_ground = apex_in_graze = None
 
     def standing(r):
@@ -60,15 +59,17 @@ class CompliantRunner(PlainRunner):
     @event("start_of_run", when=lambda r: -1, counted=False)
     def begins(r):
         """A run begins with a free foot, and contact may follow at once. An apex opens a stride."""
-        return r.replace(liftoff_angle=r.angle, in_dent=select(r.foot().y < 0, 1, 0)).start_flight()
+        in_dent = select(r.foot().y < -r.margin_of("m"), 1, 0)
+        return r.replace(liftoff_angle=r.angle, in_dent=in_dent).start_flight()
 
     @event("flight graze", only=lambda r: r.mode == "flight" or r.swing == "bounce",
            when=lambda r: (1 - r.in_dent) * r.foot().y / r.free_length - r.in_dent * r.follows())
     def touchdown(r):
         """Contact begins, at d = 0 or in a dent at 1 + c_g ddot = 0. Out of flight it begins a stance."""
         if r.mode == "flight":
-            r = r.replace(driving=select(r.angle >= 0, 1, 0), touchdowns_so_far=r.touchdowns_so_far + 1,
-                          bar_is_due=1, placing=0, touchdown_time=r.time)
+            r = r.replace(
+                driving=select(r.angle >= 0, 1, 0), touchdowns_so_far=r.touchdowns_so_far + 1, bar_is_due=1,
+                touchdown_time=r.time, placing=0, placed_for=r.placing, was_placed=int(r.swing == "place"))
         r = r.to("stick", contacts_so_far=r.contacts_so_far + 1)
         r = r.replace(foot_off=r.in_dent * r.foot_off, slid_from=r.foot_x)
         return r.slide(select(r.foot_vx > 0, 1, -1)) if abs(r.foot_vx) > 0 else r.resting()
@@ -87,13 +88,12 @@ class CompliantRunner(PlainRunner):
     @event("graze", when=lambda r: r.pressed * r.holding(r.stance_torque()).normal, unit="N", counted=False)
     def graze_to_contact(r):
         """The law of stance presses the foot down, or ceases to. A released foot then bounces again."""
-        if r.swing == "bounce":
-            return r.replace(pressed=-r.pressed)
-        return r.replace(pressed=1, swing="bounce").count_event(1)
+        turned = r.replace(pressed=-r.pressed)
+        return turned if r.swing == "bounce" else turned.replace(swing="bounce").count_event(1)
 
     @event("graze", swing="bounce", when=lambda r: -r.foot_off_rate, unit="m/s", only=lambda r: r.pressed < 0)
     def lift_off(r):
-        """The foot rises, and the law of stance does not press it down: the stance is over."""
+        """The stance is over. One that began at this instant has not ended place."""
         return super().lift_off()
 
     @event("flight graze", when=lambda r: r.rise(), unit="m/s", only=lambda r: r.swing != "place",

@@ -498,6 +498,46 @@ def test_jacobians_on_compliant_ground_are_differences(compliant):
     assert_jacobians_are_differences(compliant, own, APEX)
 
 
+def test_random_runs_on_compliant_ground_keep_the_ledger_of_energy(compliant):
+    """From above, on and below the ground, with light and heavy feet, without and with much damping."""
+    random, ends = np.random.default_rng(12), set()
+
+    def between(low, high):
+        return float(np.exp(random.uniform(np.log(low), np.log(high))))
+
+    for number in range(150):
+        far = number % 3 == 0
+        given = {
+            "ground_stiffness": between(0.5, 1e7) if far else between(5, 1e5),
+            "dissipation": 0.0 if random.random() < 0.15 else between(0.1, 1e3),
+            "foot_mass": between(1e-3, 2) if far else between(0.05, 0.2),
+            "damping": between(1e-3, 3) if far else between(0.05, 0.5),
+            "gravity": between(1e-4, 0.5) if far else between(0.005, 0.02),
+            "friction": between(0.02, 20), "swing_clamp": float(random.random() < 0.5),
+            "drive_torque": random.uniform(-0.1, 0.3), "liftoff_factor": random.uniform(0.5, 1.6),
+            "kp": between(0.03, 0.3), "kd": between(0.03, 0.3),
+        }  # fmt: skip
+        deepest = min(0.02, 3 / given["ground_stiffness"])
+        heights = 0.0, 1e-13, -1e-13, -deepest, -deepest * random.random(), random.random()
+        follows = 1 / given["dissipation"] if given["dissipation"] else 0.0
+        start = {
+            "seen_y": random.choice(heights), "seen_vx": random.choice([0, random.normal()]),
+            "seen_vy": random.choice([0, follows, -0.1, 0.3 * random.normal()]),
+            "length": random.uniform(0.8, 1.1), "length_rate": 0.2 * random.normal(),
+            "angle": random.uniform(-1, 1), "angle_rate": 0.3 * random.normal(),
+        }  # fmt: skip
+        run = compliant.start(**given, **start, tolerance=1e-12)
+        energy = run.to(0.0).outputs["energy"]
+        run.to(60.0)
+        losses = np.array([run.damper_loss, run.friction_loss, run.ground_loss])
+        assert run.outputs["energy"] - energy == pytest.approx(
+            run.work - losses.sum(), abs=1e-9 * (1 + losses.sum())
+        )
+        assert run.outcome in ("arrived", "ended") and losses.min() > -1e-12
+        ends.add(run.outcome)
+    assert ends == {"arrived", "ended"}
+
+
 def test_gaits_approach_those_of_rigid_ground_as_in_the_reference(compliant):
     """As the ground stiffens, up to a million leg stiffnesses, with damping by which no foot bounces."""
     rigid = {gait["friction"]: gait["apex"] for gait in reference_gaits(True)}
