@@ -247,11 +247,15 @@ class Motion:
             yield self.function_of(f"guard_{self.name}_{name}", given, body, f"{name}: {about.__doc__ or ''}")
 
     def c_of_bounds(self):
-        """Bounds of guards and observed quantities in a step, by interval arithmetic; a quotient has none."""
+        """Bounds of guards and observed quantities in a step, by interval arithmetic; a quotient has none.
+
+        The sign of an observed quantity with factors follows from these.
+        """
         lines, variables = [], {}
         always = [n for n in self.watched if self.page.watches(self.key, n) is True]
         places = {n: i for i, n in enumerate([*self.watched, *self.observed])}
-        for name in [*always, *(n for n in places if n not in always)]:
+        by_factors = [n for i, n in enumerate(self.observed) if self.factors[2 * i] >= 0]
+        for name in [*always, *(n for n in places if n not in [*always, *by_factors])]:
             i = places[name]
             bound, new, found = self.bound(self.guards[i], variables)
             new.append(f"bounds[{i}] = {bound or 'unbounded()'};")

@@ -44,6 +44,14 @@ KERNEL void add_magnitudes(pair *sum, const real *a, const real *b) {
     memcpy(&of_b, b, sizeof of_b);
     *sum += (pair)(size & without_sign) * of_b;
 }
+
+KERNEL pair scaled_pair(pair a, real b) {
+    return a * b;
+}
+
+KERNEL void store_pair(pair a, real *into) {
+    memcpy(into, &a, sizeof a);
+}
 #else
 typedef struct {
     real part[2];
@@ -72,7 +80,31 @@ KERNEL void add_magnitudes(pair *sum, const real *a, const real *b) {
     sum->part[0] += real_abs(a[0]) * b[0];
     sum->part[1] += real_abs(a[1]) * b[1];
 }
+
+KERNEL pair scaled_pair(pair a, real b) {
+    return pair_of(a.part[0] * b, a.part[1] * b);
+}
+
+KERNEL void store_pair(pair a, real *into) {
+    into[0] = a.part[0];
+    into[1] = a.part[1];
+}
 #endif
+
+/* Powers of a time, two at a time; there may be three more than asked for. */
+KERNEL void set_power_pairs(real power[SERIES_TERMS], real t, int order) {
+    const real square = t * t, fourth = square * square;
+    pair first = pair_of(t, square), second = scaled_pair(first, square);
+    power[0] = broadcast(1.0);
+    store_pair(first, power + 1);
+    store_pair(second, power + 3);
+    for (int k = 5; k <= order; k += 4) {
+        first = scaled_pair(first, fourth);
+        second = scaled_pair(second, fourth);
+        store_pair(first, power + k);
+        store_pair(second, power + k + 2);
+    }
+}
 
 /* Adds the terms of coefficients i - 1 and i of one factor of a product and j of the other. */
 KERNEL void add_both_products(pair *sum, const real *a, const real *b, int i, int j) {

@@ -656,10 +656,6 @@ static void bounds_slip_constant(const real *constants, const real *series, cons
         const interval span_14 = interval_sum(span_12, span_13);
         bounds[2] = span_14;
     }
-    if (watched >> 5 & 1) {
-        const interval span_12 = interval_of_rate(s->work, power, order);
-        bounds[5] = span_12;
-    }
     if (watched >> 6 & 1) {
         bounds[6] = span_8;
     }
@@ -1084,10 +1080,6 @@ static void bounds_stick(const real *constants, const real *series, const real *
         const interval span_17 = interval_at(c->winding, c->winding);
         const interval span_18 = interval_sum(span_16, span_17);
         bounds[2] = span_18;
-    }
-    if (watched >> 6 & 1) {
-        const interval span_16 = interval_of_rate(s->work, power, order);
-        bounds[6] = span_16;
     }
     if (watched >> 7 & 1) {
         bounds[7] = span_8;

@@ -494,10 +494,6 @@ static void bounds_slip_constant(const real *constants, const real *series, cons
         const interval span_14 = interval_sum(span_12, span_13);
         bounds[2] = span_14;
     }
-    if (watched >> 5 & 1) {
-        const interval span_12 = interval_of_rate(s->work, power, order);
-        bounds[5] = span_12;
-    }
     if (watched >> 6 & 1) {
         bounds[6] = span_8;
     }
@@ -923,10 +919,6 @@ static void bounds_stick(const real *constants, const real *series, const real *
         const interval span_18 = interval_sum(span_16, span_17);
         bounds[2] = span_18;
     }
-    if (watched >> 6 & 1) {
-        const interval span_16 = interval_of_rate(s->work, power, order);
-        bounds[6] = span_16;
-    }
     if (watched >> 7 & 1) {
         bounds[7] = span_8;
     }
@@ -1212,10 +1204,6 @@ static void bounds_flight_place_calm(const real *constants, const real *series, 
         const interval span_14 = interval_of_rate(s->com_y, power, 2);
         bounds[2] = span_14;
     }
-    if (watched >> 4 & 1) {
-        const interval span_14 = interval_of_rate(s->work, power, order);
-        bounds[4] = span_14;
-    }
 }
 
 /* ---- flight_rest_calm */
@@ -1464,6 +1452,7 @@ static void bounds_flight_rest_calm(const real *constants, const real *series, c
     uint64_t watched, interval *bounds) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
+    (void)watched;
     const interval span_0 = interval_of_series(s->angle, power, order);
     const interval span_1 = interval_of_series(s->com_y, power, 3);
     const interval span_2 = interval_at(c->by_1_minus_share, c->by_1_minus_share);
@@ -1495,10 +1484,6 @@ static void bounds_flight_rest_calm(const real *constants, const real *series, c
     const interval span_23 = interval_difference(span_19, span_22);
     const interval span_24 = interval_at(-span_23.high, -span_23.low);
     bounds[4] = span_24;
-    if (watched >> 5 & 1) {
-        const interval span_25 = interval_of_rate(s->work, power, order);
-        bounds[5] = span_25;
-    }
 }
 
 /* ---- flight_retract_calm */
@@ -1803,10 +1788,6 @@ static void bounds_flight_retract_calm(const real *constants, const real *series
         const interval span_22 = interval_product(span_20, span_21);
         const interval span_23 = interval_difference(span_19, span_22);
         bounds[4] = span_23;
-    }
-    if (watched >> 5 & 1) {
-        const interval span_15 = interval_of_rate(s->work, power, order);
-        bounds[5] = span_15;
     }
 }
 
@@ -2207,10 +2188,6 @@ static void bounds_graze_place(const real *constants, const real *series, const 
         const interval span_5 = interval_at(c->winding, c->winding);
         const interval span_6 = interval_sum(span_4, span_5);
         bounds[2] = span_6;
-    }
-    if (watched >> 5 & 1) {
-        const interval span_4 = interval_of_rate(s->work, power, order);
-        bounds[5] = span_4;
     }
 }
 
@@ -2617,10 +2594,6 @@ static void bounds_graze_rest(const real *constants, const real *series, const r
     bounds[6] = unbounded();
     if (watched >> 4 & 1) {
         bounds[4] = span_10;
-    }
-    if (watched >> 7 & 1) {
-        const interval span_20 = interval_of_rate(s->work, power, order);
-        bounds[7] = span_20;
     }
 }
 
@@ -3036,10 +3009,6 @@ static void bounds_graze_retract(const real *constants, const real *series, cons
         const interval span_8 = interval_at(c->winding, c->winding);
         const interval span_9 = interval_sum(span_7, span_8);
         bounds[4] = span_9;
-    }
-    if (watched >> 7 & 1) {
-        const interval span_7 = interval_of_rate(s->work, power, order);
-        bounds[7] = span_7;
     }
 }
 

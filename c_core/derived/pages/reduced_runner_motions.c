@@ -797,10 +797,6 @@ static void bounds_slip_constant(const real *constants, const real *series, cons
         const interval span_13 = interval_difference(span_11, span_12);
         bounds[5] = span_13;
     }
-    if (watched >> 7 & 1) {
-        const interval span_12 = interval_of_rate(s->work, power, order);
-        bounds[7] = span_12;
-    }
     if (watched >> 8 & 1) {
         const interval span_12 = interval_at(c->cosine, c->cosine);
         const interval span_13 = interval_product(span_12, span_8);
@@ -1346,10 +1342,6 @@ static void bounds_stick(const real *constants, const real *series, const real *
         const interval span_19 = interval_at(c->winding, c->winding);
         const interval span_20 = interval_sum(span_18, span_19);
         bounds[3] = span_20;
-    }
-    if (watched >> 7 & 1) {
-        const interval span_18 = interval_of_rate(s->work, power, order);
-        bounds[7] = span_18;
     }
     if (watched >> 8 & 1) {
         const interval span_18 = interval_at(c->sine, c->sine);
@@ -2095,10 +2087,6 @@ static void bounds_slip_falling(const real *constants, const real *series, const
         const interval span_11 = interval_at(c->winding, c->winding);
         const interval span_12 = interval_sum(span_10, span_11);
         bounds[3] = span_12;
-    }
-    if (watched >> 7 & 1) {
-        const interval span_10 = interval_of_rate(s->work, power, order);
-        bounds[7] = span_10;
     }
     if (watched >> 8 & 1) {
         const interval span_10 = interval_at(c->cosine, c->cosine);

@@ -771,10 +771,6 @@ static void bounds_slip_constant(const real *constants, const real *series, cons
         const interval span_13 = interval_product(span_5, span_12);
         bounds[8] = span_13;
     }
-    if (watched >> 9 & 1) {
-        const interval span_8 = interval_of_rate(s->work, power, order);
-        bounds[9] = span_8;
-    }
     if (watched >> 10 & 1) {
         const interval span_8 = interval_at(c->cosine, c->cosine);
         const interval span_9 = interval_product(span_8, span_4);
@@ -1438,10 +1434,6 @@ static void bounds_stick(const real *constants, const real *series, const real *
         const interval span_32 = interval_sum(span_30, span_31);
         bounds[4] = span_32;
     }
-    if (watched >> 8 & 1) {
-        const interval span_30 = interval_of_rate(s->work, power, order);
-        bounds[8] = span_30;
-    }
     if (watched >> 9 & 1) {
         const interval span_30 = interval_at(c->sine, c->sine);
         const interval span_31 = interval_product(span_30, span_21);
@@ -1912,10 +1904,6 @@ static void bounds_flight_place_calm(const real *constants, const real *series, 
         const interval span_21 = interval_of_rate(s->com_y, power, 2);
         bounds[8] = span_21;
     }
-    if (watched >> 10 & 1) {
-        const interval span_21 = interval_of_rate(s->work, power, order);
-        bounds[10] = span_21;
-    }
 }
 
 /* ---- flight_rest_calm */
@@ -2371,10 +2359,6 @@ static void bounds_flight_rest_calm(const real *constants, const real *series, c
         const interval span_42 = interval_difference(span_39, span_41);
         const interval span_43 = interval_at(-span_42.high, -span_42.low);
         bounds[5] = span_43;
-    }
-    if (watched >> 11 & 1) {
-        const interval span_33 = interval_of_rate(s->work, power, order);
-        bounds[11] = span_33;
     }
 }
 
@@ -2854,10 +2838,6 @@ static void bounds_flight_retract_calm(const real *constants, const real *series
         const interval span_30 = interval_product(span_28, span_29);
         const interval span_31 = interval_difference(span_27, span_30);
         bounds[10] = span_31;
-    }
-    if (watched >> 11 & 1) {
-        const interval span_22 = interval_of_rate(s->work, power, order);
-        bounds[11] = span_22;
     }
 }
 
@@ -3386,10 +3366,6 @@ static void bounds_graze_place(const real *constants, const real *series, const 
         const interval span_5 = interval_at(c->winding, c->winding);
         const interval span_6 = interval_sum(span_4, span_5);
         bounds[5] = span_6;
-    }
-    if (watched >> 8 & 1) {
-        const interval span_4 = interval_of_rate(s->work, power, order);
-        bounds[8] = span_4;
     }
 }
 
@@ -3930,10 +3906,6 @@ static void bounds_graze_rest(const real *constants, const real *series, const r
     }
     if (watched >> 7 & 1) {
         bounds[7] = span_19;
-    }
-    if (watched >> 10 & 1) {
-        const interval span_29 = interval_of_rate(s->work, power, order);
-        bounds[10] = span_29;
     }
 }
 
@@ -4482,10 +4454,6 @@ static void bounds_graze_retract(const real *constants, const real *series, cons
         const interval span_17 = interval_at(c->winding, c->winding);
         const interval span_18 = interval_sum(span_16, span_17);
         bounds[7] = span_18;
-    }
-    if (watched >> 10 & 1) {
-        const interval span_16 = interval_of_rate(s->work, power, order);
-        bounds[10] = span_16;
     }
 }
 
@@ -5219,10 +5187,6 @@ static void bounds_slip_falling(const real *constants, const real *series, const
         const interval span_15 = interval_product(span_6, span_14);
         bounds[8] = span_15;
     }
-    if (watched >> 9 & 1) {
-        const interval span_10 = interval_of_rate(s->work, power, order);
-        bounds[9] = span_10;
-    }
     if (watched >> 10 & 1) {
         const interval span_10 = interval_at(c->cosine, c->cosine);
         const interval span_11 = interval_product(span_10, span_4);
@@ -5793,10 +5757,6 @@ static void bounds_flight_place_pushed(const real *constants, const real *series
         const interval span_32 = interval_at(-span_31.high, -span_31.low);
         bounds[4] = span_32;
     }
-    if (watched >> 9 & 1) {
-        const interval span_22 = interval_of_rate(s->work, power, order);
-        bounds[9] = span_22;
-    }
 }
 
 /* ---- flight_rest_pushed */
@@ -6359,10 +6319,6 @@ static void bounds_flight_rest_pushed(const real *constants, const real *series,
         const interval span_42 = interval_difference(span_39, span_41);
         const interval span_43 = interval_at(-span_42.high, -span_42.low);
         bounds[4] = span_43;
-    }
-    if (watched >> 10 & 1) {
-        const interval span_33 = interval_of_rate(s->work, power, order);
-        bounds[10] = span_33;
     }
 }
 
@@ -6939,10 +6895,6 @@ static void bounds_flight_retract_pushed(const real *constants, const real *seri
         const interval span_30 = interval_product(span_28, span_29);
         const interval span_31 = interval_difference(span_27, span_30);
         bounds[9] = span_31;
-    }
-    if (watched >> 10 & 1) {
-        const interval span_22 = interval_of_rate(s->work, power, order);
-        bounds[10] = span_22;
     }
 }
 

@@ -337,7 +337,7 @@ static void observe_all(lane_batch *b, real elapsed, mask lanes, real *x) {
 static void states_within(const lane_pool *w, lane_batch *b, real elapsed, mask lanes) {
     page_step *step = &b->step;
     const int moving_count = step->motion->moving_count;
-    set_powers(step->power, elapsed, step->order);
+    set_power_pairs(step->power, elapsed, step->order);
     observe_all(b, elapsed, lanes, w->x_within);
     for (int i = 0; i < moving_count; ++i) {
         w->x_within[i] = value_at_end(step, i);
@@ -404,7 +404,7 @@ static void sample_within(const lane_pool *w, lane_batch *b, real elapsed, mask 
         expand_variation(w, b, seed);
         vary_samples(w, b, seed, first, sampled, after_event);
     }
-    set_powers(b->step.power, elapsed, b->step.order);
+    set_power_pairs(b->step.power, elapsed, b->step.order);
 }
 
 /* ---- the end of a step --------------------------------------------------------------------------------- */
@@ -460,7 +460,7 @@ static void advance(const lane_pool *w, lane_batch *b, real left, mask goes, mas
 /* Finds the rates of lanes at their event. */
 static void find_rates(lane_batch *b, mask lanes) {
     page_step *step = &b->step;
-    set_powers(step->power, select(step->is_due, broadcast(0.0), step->power[1]), step->order);
+    set_power_pairs(step->power, select(step->is_due, broadcast(0.0), step->power[1]), step->order);
     for (int i = 0; i < changing_count(step); ++i) {
         b->rates[i] = rate_before_event(step, i, b->x[changing_place(step, i)], lanes);
     }

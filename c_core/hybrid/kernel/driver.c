@@ -47,6 +47,7 @@ static void load(work *w) {
     w->step.observed_count = w->state->r->observes ? w->mode->watch_count : 0;
     w->step.tolerance = w->state->r->tolerance;
     w->step.c = w->at->c;
+    w->step.watched = 0;
     load_mode(&w->step, 0, w->at, w->state->scales);
     clear_polynomials(&w->step);
 }
@@ -153,7 +154,7 @@ static void advance_variation(const work *w, int seed, double *dx) {
 
 /* Writes the states at a time within the step, whose powers it sets. */
 static void states_within(work *w, double elapsed, double *x) {
-    set_powers(w->step.power, elapsed, w->step.order);
+    set_power_pairs(w->step.power, elapsed, w->step.order);
     memcpy(x, w->state->r->x, (size_t)w->state->model->state_count * sizeof *x);
     observe_all(w, x);
     advance_states(w, x);
@@ -181,7 +182,7 @@ static void sample_within(work *w, double elapsed) {
         }
     }
     if (r->sampled > first) {
-        set_powers(w->step.power, elapsed, w->step.order);
+        set_power_pairs(w->step.power, elapsed, w->step.order);
     }
 }
 
@@ -296,7 +297,7 @@ static tdmf_run_outcome to_event(work *w, double until) {
         }
         const tdmf_guard_kind *kind = &w->mode->guards[w->step.first];
         if (r->seed_count > 0 && !r->is_shifted && (!is_due || w->step.is_reached)) {
-            set_powers(w->step.power, is_due ? 0.0 : w->step.power[1], w->step.order);
+            set_power_pairs(w->step.power, is_due ? 0.0 : w->step.power[1], w->step.order);
             shift_to_event(w, kind);
         }
         keep_guards(&w->step, 0, w->at);

@@ -32,16 +32,40 @@ static inline real scale_of_observed(const page_step *step, int watch) {
     return step->units[step->motion->moving_count + watch];
 }
 
+/* Whether the sign of a quantity is that of a product of series. */
+static inline bool has_factors(const page_step *step, int watch) {
+    return step->motion->factors[2 * watch] >= 0;
+}
+
 static inline interval bounds_of_observed(const page_step *step, int watch) {
-    return step->motion->bounds ? step->bounds[step->guard_count + watch] : unbounded();
+    const bool is_bounded = step->motion->bounds && !has_factors(step, watch);
+    return is_bounded ? step->bounds[step->guard_count + watch] : unbounded();
+}
+
+/* Lanes in which a polynomial may change its sign in the step. */
+static inline mask may_change_sign(const page_step *step, const real *g) {
+    return mask_not(real_abs(g[0]) > largest_change(g, step->power, step->order - 1));
+}
+
+/* Finds the lanes in which the factors of a quantity may change their sign. */
+static inline mask find_changes(page_step *step, int watch) {
+    observed_part *of = &step->observed[watch];
+    const int *factors = step->motion->factors + 2 * watch;
+    for (int i = 0; i < 2; ++i) {
+        of->changes[i] = factors[i] >= 0 ? may_change_sign(step, step->s[factors[i]]) : mask_of(false);
+    }
+    return of->changes[0] | of->changes[1];
 }
 
 /* Lanes in which an observed quantity may have an effect that is not known without its polynomial. The rate
  * of a state has none while its sign is known. */
-static inline mask needs_polynomial(const page_step *step, int watch, real value) {
+static inline mask needs_polynomial(page_step *step, int watch, real value) {
     const interval bounds = bounds_of_observed(step, watch);
     if (is_largest(step, watch)) {
         return mask_not(bounds.high <= value);
+    }
+    if (has_factors(step, watch)) {
+        return find_changes(step, watch);
     }
     const mask may_be_positive = mask_not(bounds.high <= 0.0);
     return step->motion->integrals[watch] < 0 ? may_be_positive
@@ -90,45 +114,40 @@ static inline void integrate_polynomial(const real *g, int terms, real *integral
     }
 }
 
-/* Lanes in which a polynomial may change its sign in the step. */
-static inline mask may_change_sign(const page_step *step, const real *g) {
-    return mask_not(real_abs(g[0]) > largest_change(g, step->power, step->order - 1));
-}
-
-/* Lanes in which the sign of an observed quantity is not known: neither by its factors, nor by its range.
- * Writes the lanes in which each factor may change its sign. */
-static inline mask has_unknown_sign(page_step *step, int watch, mask lanes, mask changes[2]) {
-    const int *factors = step->motion->factors + 2 * watch;
-    changes[0] = changes[1] = mask_of(false);
+/* Lanes in which the sign of an observed quantity is not known. */
+static inline mask has_unknown_sign(page_step *step, int watch, mask lanes) {
+    const observed_part *of = &step->observed[watch];
+    if (has_factors(step, watch)) {
+        return lanes & (of->changes[0] | of->changes[1]);
+    }
     lanes &= mask_not(bounds_of_observed(step, watch).low >= 0.0);
-    if (any(lanes) && factors[0] < 0) {
-        const interval range = interval_of_series(expanded(step, watch), step->power, step->order);
-        return lanes & mask_not((range.low >= 0.0) | (range.high <= 0.0));
+    if (!any(lanes)) {
+        return lanes;
     }
-    for (int i = 0; i < 2 && any(lanes) && factors[i] >= 0; ++i) {
-        changes[i] = may_change_sign(step, step->s[factors[i]]);
-    }
-    return lanes & (changes[0] | changes[1]);
+    const interval range = interval_of_series(expanded(step, watch), step->power, step->order);
+    return lanes & mask_not((range.low >= 0.0) | (range.high <= 0.0));
 }
 
 /* The integral in a lane where the quantity is positive in pieces of the step. */
-static inline double integral_in_lane(page_step *step, int watch, const real *integral, const mask changes[2],
-                                      double least, int lane) {
+static inline double integral_in_lane(page_step *step, int watch, const real *integral, double least,
+                                      int lane) {
+    observed_part *of = &step->observed[watch];
     const int *factors = step->motion->factors + 2 * watch;
+    const bool is_product = has_factors(step, watch);
     double own[TERMS], of_factors[2][TERMS];
     int count = 0;
     scaled_lane(step, integral, step->order + 1, lane, own);
     own[0] = 0.0;
-    if (factors[0] < 0) {
+    if (!is_product) {
         scaled_lane(step, expanded(step, watch), step->order, lane, of_factors[count++]);
     }
     for (int i = 0; i < 2; ++i) {
-        if (has_lane(&changes[i], lane)) {
+        if (is_product && has_lane(&of->changes[i], lane)) {
             scaled_lane(step, step->s[factors[i]], step->order, lane, of_factors[count++]);
         }
     }
     return tdmf_integral_where_positive(own, step->order, (const double(*)[TERMS])of_factors, count,
-                                        factors[0] < 0 ? least : 0.0, &step->observed[watch].pieces[lane]);
+                                        is_product ? 0.0 : least, &of->pieces[lane]);
 }
 
 /* The integral over the step where the quantity is positive. */
@@ -136,7 +155,6 @@ static inline real positive_integral(page_step *step, int watch, mask lanes) {
     observed_part *of = &step->observed[watch];
     const real least = part_tolerance * step->tolerance * scale_of_observed(step, watch);
     const int state = step->motion->integrals[watch];
-    mask changes[2];
     real own[TERMS];
     lanes &= mask_not(bounds_of_observed(step, watch).high <= 0.0);
     if (!any(lanes)) {
@@ -149,7 +167,7 @@ static inline real positive_integral(page_step *step, int watch, mask lanes) {
     const real whole = change_of(integral, step->power, step->order);
     real sum = select(lanes, real_max(broadcast(0.0), whole), broadcast(0.0));
     of->is_positive = lanes & (whole > 0.0);
-    lanes = has_unknown_sign(step, watch, lanes, changes);
+    lanes = has_unknown_sign(step, watch, lanes);
     if (any(lanes)) {
         lanes &= mask_not(largest_change(integral, step->power, step->order) < least);
     }
@@ -158,7 +176,7 @@ static inline real positive_integral(page_step *step, int watch, mask lanes) {
     for (int lane = 0; lane < LANES; ++lane) {
         if (has_lane(&lanes, lane)) {
             const double most = lane_of(&least, lane) / lane_of(&step->power[1], lane);
-            set_lane(&sum, lane, integral_in_lane(step, watch, integral, changes, most, lane));
+            set_lane(&sum, lane, integral_in_lane(step, watch, integral, most, lane));
         }
     }
     return sum;

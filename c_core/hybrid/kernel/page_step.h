@@ -47,6 +47,7 @@ typedef struct {
 typedef struct {
     bool is_expanded;
     real g[TERMS];                /* its polynomial, where it is expanded */
+    mask changes[2];              /* lanes in which its factors may change their sign */
     mask is_positive, has_pieces; /* in the whole step; in pieces of it */
     positive_pieces pieces[LANES];
     real share; /* of the step, after which the largest value is reached; negative: it is an earlier one */
@@ -64,7 +65,8 @@ typedef struct {
     real *units;      /* scales of the states that change */
     observed_part *observed;
     guard_watch guards[TDMF_GUARD_LIMIT];
-    mask begins; /* no time has passed in the mode */
+    mask begins;      /* no time has passed in the mode */
+    uint64_t watched; /* a bit for each guard that a lane watches, then for each observed quantity */
     /* Written by each step. */
     int order;         /* of the series */
     real reach;        /* time for which the series can be trusted */
@@ -128,8 +130,10 @@ static inline int changing_place(const page_step *step, int i) {
 /* Loads a mode, but for its constants, into a lane. */
 static inline void load_mode(page_step *step, int lane, const mode_start *at, const double *scales) {
     set_mask(&step->begins, lane, at->begins);
+    step->watched |= (((uint64_t)1 << step->observed_count) - 1) << step->guard_count;
     for (int i = 0; i < step->guard_count; ++i) {
         guard_watch *watch = &step->guards[i];
+        step->watched |= at->guards[i].is_watched ? (uint64_t)1 << i : 0;
         set_mask(&watch->is_watched, lane, at->guards[i].is_watched);
         set_mask(&watch->was_taken, lane, at->guards[i].was_taken);
         set_lane(&watch->scale, lane, at->guards[i].scale);
@@ -194,14 +198,14 @@ static inline void choose_size(page_step *step, const series_remainder *remainde
     const int order = step->order;
     step->reach = real_min(size_of_remainder(remainder, order - 1, broadcast(step->tolerance)), longest);
     step->size = real_min(real_min(step->reach, left), broadcast(largest_size));
-    set_powers(step->power, step->size, order);
+    set_power_pairs(step->power, step->size, order);
     for (int i = 0; i < m->divisor_count; ++i) {
         const real *d = step->s[m->divisors[i]], most = divisor_change * real_abs(d[0]);
         const real change = largest_change(d, step->power, order - 1);
         const mask is_long = change > most;
         if (any(is_long)) {
             step->size = select(is_long, step->size * (most / change), step->size);
-            set_powers(step->power, step->size, order);
+            set_power_pairs(step->power, step->size, order);
         }
     }
 }
@@ -230,7 +234,7 @@ static inline mask shorten(page_step *step, const series_remainder *remainder, r
         step->size = select(lanes, step->size * share, step->size);
         step->end = select(lanes, step->end / share, step->end);
         step->first = select_integer(lanes & (step->end > 1.0), integer_of(NO_EVENT), step->first);
-        set_powers(step->power, step->size, step->order);
+        set_power_pairs(step->power, step->size, step->order);
     }
     return lanes;
 }
@@ -443,18 +447,6 @@ static inline mask begin_below(page_step *step, int guard, real *g, real *floor,
     return due;
 }
 
-/* A bit for each guard that is watched, then for each quantity that is observed. */
-static inline uint64_t watched_bits(const page_step *step) {
-    uint64_t watched = 0;
-    for (int i = 0; i < step->guard_count; ++i) {
-        watched |= any(step->guards[i].is_watched) ? (uint64_t)1 << i : 0;
-    }
-    for (int i = 0; i < step->observed_count; ++i) {
-        watched |= (uint64_t)1 << (step->guard_count + i);
-    }
-    return watched;
-}
-
 /* Searches the step for the first event, or one that is due at once. */
 static inline void search_events(page_step *step, mask searching) {
     const interval *bounds = step->motion->bounds ? step->bounds : NULL;
@@ -465,17 +457,24 @@ static inline void search_events(page_step *step, mask searching) {
         step->observed[i].is_expanded = false;
     }
     if (bounds) {
-        step->motion->bounds(step->c, step->s[0], step->power, step->order, watched_bits(step), step->bounds);
+        step->motion->bounds(step->c, step->s[0], step->power, step->order, step->watched, step->bounds);
     }
     for (int i = 0; i < step->guard_count && any(searching); ++i) {
         guard_watch *watch = &step->guards[i];
         mask lanes = searching & watch->is_watched;
-        watch->was_above |= searching & watch->rises & mask_not(step->begins);
-        watch->rises &= mask_not(searching);
+        if (any(watch->rises)) {
+            watch->was_above |= searching & watch->rises & mask_not(step->begins);
+            watch->rises &= mask_not(searching);
+        }
+        if (bounds) { /* most guards are known to be, and to stay, above zero */
+            lanes &= mask_not((bounds[i].low > 0.0) & watch->was_above);
+        }
+        if (!any(lanes)) {
+            continue;
+        }
         real floor = broadcast(-zero_margin) * watch->scale;
         if (bounds) {
-            const real low = bounds[i].low;
-            const mask above = lanes & (low > 0.0) & (watch->was_above | (low > -2.0 * floor));
+            const mask above = lanes & (bounds[i].low > -2.0 * floor);
             watch->was_above |= above;
             watch->is_late &= mask_not(above);
             lanes &= mask_not(above);
@@ -513,7 +512,7 @@ static inline void search_events(page_step *step, mask searching) {
 static inline real end_step(page_step *step) {
     const real elapsed = select(step->end <= 1.0, step->end * step->size, step->size);
     if (any(mask_not(elapsed == step->size))) {
-        set_powers(step->power, elapsed, step->order);
+        set_power_pairs(step->power, elapsed, step->order);
     }
     return elapsed;
 }
