@@ -4,7 +4,6 @@ import json
 import math
 import re
 import sys
-from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -162,38 +161,6 @@ def test_a_parameter_is_told_badly_where_its_interval_is_as_wide_as_itself(size,
     """The interval is 1.96 errors to each side; the error over the value is one over the singular value."""
     known = identified(np.array([[size]]), ["leg.damping"], np.array([0.2]), QUANTILE)
     assert len(known.unidentified) == count and pytest.approx(1.95996, rel=1e-5) == QUANTILE
-
-
-def problem_of(gait):
-    return Problem(gait, Measurements((measured(gait),), "a gait"), ["leg.stiffness"], [])
-
-
-def test_steps_with_an_old_jacobian_end_where_they_come_no_nearer(monkeypatch):
-    """A chord that halves nothing leads nowhere: the gait's own Jacobian is asked for at the second one."""
-    gait = find_gait({"ground.friction": 0.6})
-    problem, made, real = problem_of(gait), [], problem_module.plain_stride
-
-    def stuck(runner, apex, names):
-        made.append(apex)
-        stride = real(runner, gait.apex, names)
-        return replace(stride, residual=1e-3 * runner.scales)
-
-    monkeypatch.setattr(problem_module, "plain_stride", stuck)
-    assert np.isfinite(problem.residuals(np.array([0.01]))).all()
-    assert len(made) == 3  # the last one reads what the gait has that Newton's method found
-    assert problem.log.strides == 1 + 2 + problem_module.STRIDES_OF_SEARCH - 1
-
-
-def test_a_search_that_begins_anew_has_no_jacobian_yet():
-    gait = find_gait({"ground.friction": 0.6})
-    problem, here = problem_of(gait), np.zeros(1)
-    problem.residuals(here)
-    problem.jacobian(here)
-    assert problem.is_linear_at(here)
-    problem.restart(here, problem.apexes())
-    assert not problem.is_linear_at(here)
-    problem.jacobian(here)
-    assert problem.is_linear_at(here) and not problem.is_linear_at(here + 1e-9)
 
 
 @pytest.mark.parametrize("model", ["full", "reduced"])

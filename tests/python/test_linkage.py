@@ -5,7 +5,7 @@ import pytest
 from tdmf_slip import Runner, find_gait
 from tdmf_slip.analysis.settled import evenly, linked, settled_gaits
 from tdmf_slip.library.fixed_point import gait_near
-from tdmf_slip.library.section import scale_of
+from tdmf_slip.library.quantities import scale_of
 
 NAMES = ("hip.touchdown_angle", "hip.stance_torque")
 LOW, HIGH = np.array([0.4, 0.05]), np.array([0.9, 0.5])
@@ -58,16 +58,6 @@ def test_runners_whose_values_do_not_go_together_are_left_out():
     lengths = np.array([0.02, 1.0, 0.04])
     found = settled_gaits(first.runner, {"leg.free_length": lengths}, first.apex)
     assert found.numbers.tolist() == [1]
-
-
-def test_scales_are_those_of_the_runner():
-    runner = find_gait({}).runner.replace({"leg.stiffness": 4.0, "leg.free_length": 2.0, "body.mass": 9.0})
-    assert scale_of(runner, "kg") == pytest.approx(9.0)
-    assert scale_of(runner, "N/m") == pytest.approx(4.0)
-    assert scale_of(runner, "N.m") == pytest.approx(16.0) == scale_of(runner, "N.m/rad")
-    assert scale_of(runner, "N.s/m") == pytest.approx(6.0)
-    assert scale_of(runner, "N.m.s/rad") == pytest.approx(16.0 * 1.5)
-    assert scale_of(runner, "m/s2") == pytest.approx(2.0 / 1.5**2)
 
 
 def test_every_unit_of_the_fmu_has_its_dimensions(fmu):

@@ -203,7 +203,7 @@ def gaits_over(
     name: str,
     values: Values,
     first: Gait,
-    step_finished: Callable[[], None] = lambda: None,
+    step_finished: Callable[[], object] = lambda: None,
 ) -> Iterator[Gait]:
     """The gait at each value, each from the one before; steps in between where values are far apart."""
     check_is_gait(first, "first")

@@ -215,10 +215,6 @@ def branch_over(
     if begin == end:
         raise InputError(f"{where}: {begin:g} to {end:g}; allowed: ends that differ")
     with progress_bar("branch", None, "gaits", progress) as bar:
-
-        def tell() -> None:
-            bar.update()
-
         first = first_gait(runner, name, begin, end)
         branch = trace(
             runner,
@@ -228,12 +224,14 @@ def branch_over(
             begin=begin,
             max_step=max_step,
             max_points=max_points,
-            step_finished=tell,
+            step_finished=bar.update,
         )
         if not switch:
             return branch
         limits = _limits(begin, end, max_step, max_points)
-        return with_doubled_branches(branch, lambda n: BranchProblem(first.runner, name, n), limits, tell)
+        return with_doubled_branches(
+            branch, lambda n: BranchProblem(first.runner, name, n), limits, bar.update
+        )
 
 
 def first_gait(runner: Runner, name: str, begin: float, end: float) -> Gait:
@@ -275,7 +273,7 @@ def trace(
     begin: float | None = None,
     max_step: float = 0.2,
     max_points: int = 1000,
-    step_finished: Callable[[], None] = lambda: None,
+    step_finished: Callable[[], object] = lambda: None,
 ) -> Branch:
     """Follow the branch of a gait, through folds, until the parameter leaves the range."""
     problem = BranchProblem(runner, name)
@@ -299,7 +297,7 @@ def trace(
 
 
 def whole_branch(
-    problem: BranchProblem, first: Point, limits: Limits, step_finished: Callable[[], None] = lambda: None
+    problem: BranchProblem, first: Point, limits: Limits, step_finished: Callable[[], object] = lambda: None
 ) -> Branch:
     """The branch through a point, in its direction, and back from it unless at the range's beginning."""
     points, began, ended = both_ways(problem, first, limits, step_finished)
@@ -322,7 +320,7 @@ def with_doubled_branches(
     branch: Branch,
     problem_of: Callable[[int], BranchProblem],
     limits: Limits,
-    step_finished: Callable[[], None] = lambda: None,
+    step_finished: Callable[[], object] = lambda: None,
 ) -> Branch:
     """A branch with those of twice the period from its period doublings, each once, and with theirs.
 

@@ -367,16 +367,12 @@ def _curves(
     limits = Limits(spans.min(axis=1), spans.max(axis=1), MAX_STEP, max_points, parts=PARTS)
     found: list[Curve] = []
     with progress_bar("curves", None, "points", progress) as bar:
-
-        def tell() -> None:
-            bar.update()
-
         for special in branch.specials:
             at = np.array([special.value, runner[second]])
             if special.kind == UNCLASSIFIED or _is_on(found, special, at, limits):
                 continue
             if special.kind == WORD_BORDER or special.words is None:  # else on a border, whose curve has it
-                found.append(curve_of(runner, names, special, at, limits, tell))
+                found.append(curve_of(runner, names, special, at, limits, bar.update))
     return found
 
 
@@ -417,7 +413,7 @@ def curve_of(
     special: Special,
     at: Vector,
     limits: Limits,
-    step_finished: Callable[[], None] = lambda: None,
+    step_finished: Callable[[], object] = lambda: None,
 ) -> Curve:
     """The curve through a special point of a branch over the first parameter, both ways."""
     try:
@@ -439,7 +435,7 @@ def curve_through(
     limits: Limits,
     kind: str,
     words: tuple[str, str] | None = None,
-    step_finished: Callable[[], None] = lambda: None,
+    step_finished: Callable[[], object] = lambda: None,
 ) -> Curve:
     """The curve of a problem through a point, both ways."""
     points, began, ended = both_ways(problem, start, limits, step_finished)

@@ -127,6 +127,10 @@ class Sweep(NamedTuple):
     """Over `border`: the values of the varied names where the word changes, and the words `before` and
     `after`, in the order of the range."""
 
+    def _repr_html_(self) -> str:
+        """Both datasets as boxes for a notebook."""
+        return f"gaits{self.gaits._repr_html_()}borders{self.borders._repr_html_()}"
+
 
 def sweep(
     runner: RunnerLike,
@@ -375,17 +379,13 @@ def sweep_row(runner: Runner, name: str, values: Values, progress: bool = False)
     segments: list[Segment] = []
     end = 0
     with progress_bar("sweep", len(values), "gaits", progress) as bar:
-
-        def tell() -> None:
-            bar.update()
-
         while end < len(values):
             begin, first, why = _begin(runner, name, values, end, bar)
             if first is None:
                 problems += why
                 break
-            preceding, began = followed(runner, name, values[end:begin][::-1], first, tell)
-            following, ended = followed(runner, name, values[begin:], first, tell)
+            preceding, began = followed(runner, name, values[end:begin][::-1], first, bar.update)
+            following, ended = followed(runner, name, values[begin:], first, bar.update)
             branch = [*preceding[::-1], *following]
             problems += [*why, *began] if end < begin - len(preceding) else []
             problems += ended
@@ -443,7 +443,7 @@ def followed(
     name: str,
     values: Values,
     first: Gait,
-    step_finished: Callable[[], None] = lambda: None,
+    step_finished: Callable[[], object] = lambda: None,
 ) -> tuple[list[Gait], list[str]]:
     """Gaits at values in turn from one on, as far as the branch could be followed, and what stopped it."""
     found: list[Gait] = []

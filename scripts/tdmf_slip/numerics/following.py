@@ -237,7 +237,7 @@ def follow(
     limits: Limits,
     *,
     known: Sequence[Point] = (),
-    step_finished: Callable[[], None] = lambda: None,
+    step_finished: Callable[[], object] = lambda: None,
 ) -> tuple[list[Point], str]:
     """Follow a curve until it leaves the ranges, meets itself, or cannot be followed.
 
@@ -269,7 +269,7 @@ def follow(
 
 
 def both_ways(
-    problem: Problem, start: Point, limits: Limits, step_finished: Callable[[], None] = lambda: None
+    problem: Problem, start: Point, limits: Limits, step_finished: Callable[[], object] = lambda: None
 ) -> tuple[list[Point], str, str]:
     """Follow a curve to both sides of a point; the reasons are why it began and why it ended."""
     points, ended = follow(problem, start, 1.0, limits, step_finished=step_finished)
