@@ -14,6 +14,7 @@
 #include "static_assert.h"
 #include "step_constants.h"
 #include "stride_limits.h"
+#include "stride_measures.h"
 #include "tdmf_slip/automaton.h"
 
 #include "members.h"
@@ -340,10 +341,11 @@ bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver) {
     }
     const int64_t steps_before = solver->steps;
     solver->step_limit = (long)runner->steps.left;
-    const tdmf_stride_outcome stride =
-        reduced ? tdmf_native_stance(solver, (tdmf_system){model, &runner->inputs}, until, &runner->motion,
-                                     NULL, NULL, 0)
-                : tdmf_native_stride(solver, (tdmf_system){model, &runner->inputs}, until, &runner->motion);
+    const tdmf_stride_outcome stride = reduced
+                                           ? tdmf_native_stance(solver, (tdmf_system){model, &runner->inputs},
+                                                                until, &runner->motion, NULL, NULL, 0)
+                                           : tdmf_map_stride(solver, (tdmf_system){model, &runner->inputs},
+                                                             until, &runner->motion, NULL, NULL, 0);
     runner->steps.left -= (double)(solver->steps - steps_before);
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
     if (!stride.closed) {

@@ -280,7 +280,7 @@ static void log_events(const stride *s) {
         const double *after = i + 1 < count ? s->row_states + (i + 1) * s->page->model->state_count : s->x;
         const bool has_guard = tdmf_guard_of_event(s->page->events[row->event]) != TDMF_GUARD_COUNT;
         if (is_open && row->time != s->rows[i - 1].time) {
-            tdmf_log_event(s->solver->log, &event);
+            tdmf_log_event(s->solver, &event);
             is_open = false;
         }
         if (!is_open && has_guard && s->page->modes[row->before] >= 0) {
@@ -295,7 +295,7 @@ static void log_events(const stride *s) {
         }
     }
     if (is_open) {
-        tdmf_log_event(s->solver->log, &event);
+        tdmf_log_event(s->solver, &event);
     }
 }
 

@@ -219,8 +219,8 @@ static tdmf_return stride_from(tdmf_solver *solver, const stride_request *reques
     const tdmf_stride_outcome ended =
         request->measures ? tdmf_native_stride_measured(solver, system, request->until, &motion, varied.seeds,
                                                         varied.variations, varied.count, &varied.measured)
-                          : tdmf_native_stride_varied(solver, system, request->until, &motion, varied.seeds,
-                                                      varied.variations, varied.count);
+                          : tdmf_map_stride(solver, system, request->until, &motion, varied.seeds,
+                                            varied.variations, varied.count);
     result.outcome = tdmf_return_outcome_of(ended);
     result.solver = ended.outcome;
     if (!ended.closed) {

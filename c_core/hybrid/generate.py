@@ -50,7 +50,7 @@ def motion_row(page, motion):
     row = {"moving_count": len(moving), "extra_count": len(motion.rates) - len(moving)}
     row |= {"series_count": len(motion.series), "constant_count": len(motion.constants)}
     row |= {"judged_count": len(motion.judged), "divisor_count": len(motion.divisors)}
-    lists = ("moving", "degrees", "judged", "divisors", "integrals", "factors")
+    lists = ("moving", "degrees", "judged", "divided", "divisors", "integrals", "factors")
     for what in lists:
         tables += list_in_c("int", f"{what}_{name}", moving if what == "moving" else getattr(motion, what))
     row |= {what: f"{what}_{name}" for what in (*lists, "polynomials", "vary_observed")}

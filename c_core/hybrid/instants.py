@@ -193,6 +193,8 @@ class Instants:
             row["is_watched"] = add(f"watches_{of}", "answer", answer_in_c(watches), about)
         if event.crossing is not None and page.answer(key, event.crossing, event_name) is True:
             row["is_crossing"] = "true"
+        if all(page.modes[next_key[0]].ends for next_key in next_keys):
+            row["ends"] = "true"
         forget_expressions()
         d_guard, taken = InstantVariation().of(page.guard(key, event_name)), {}
         body = statements([d_guard], taken, set()) + f"    return {c_text(d_guard, taken.get)};\n"

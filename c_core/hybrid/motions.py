@@ -71,6 +71,11 @@ def expansion_in_c(found, first=()):
     return lines_of(lines) + loop_in_c(found)
 
 
+def divides_by_square(node):
+    """Whether a quantity is divided by the square of another."""
+    return kind_of(node) == "quotient" and kind_of(node.operands[1]) == "square"
+
+
 class Motion:
     """The expressions of a mode: its constants, the series of its states, its guards."""
 
@@ -106,6 +111,9 @@ class Motion:
         self.factors = [number for quantity in observed for number in self.factors_of(quantity)]
         steers = [degrees[s] == NO_DEGREE and rate not in self.rates for s, rate in self.rates.items()]
         self.judged = [i for i, is_judged in enumerate(steers) if is_judged]
+        squares = {n.operands[0]: n.operands[1].operands[0] for n in self.value.made if divides_by_square(n)}
+        divided = [squares.get(list(self.rates)[i]) for i in self.judged]
+        self.divided = [places.get(s, -1) for s in divided]
 
     def factors_of(self, quantity):
         """Numbers of two series whose signs decide that of an observed rate of a state; -1 for none."""

@@ -24,6 +24,8 @@ class Leg(Model):
     thrust = parameter(
         0, "m", "Increase of the rest length from greatest compression to lift-off, epsilon",
         tunable=True, least=0, most=1e6)
+    notes_compression = parameter(
+        True, "1", "Whether a thrust that is set later acts at once if the leg has been shortest before")
     more_thrust = setting(0, "m", "Added to leg.thrust", name="control.thrust", least=-1e6, most=1e6)
     extension = input(0, "m", "Change of the rest length of the leg", least=-1e6, most=1e6)
     external_fx = input(

@@ -14,6 +14,7 @@ class ReducedRunner(RunnerOnOneLine):
     kp = kd = liftoff_factor = swing_clamp = was_placed = placed_for = rises_again = 0
     graze = wind_rises = new_ground = apex_in_graze = clamp = release = ramp_ends = None
     graze_to_contact = graze_to_flight = None
+    notes_compression = 0
 
     def place_leg(r):
         """The leg at an apex, which begins to turn."""
@@ -117,3 +118,5 @@ class ReducedRunner(RunnerOnOneLine):
 
 class PlainReducedRunner(PlainRunner, ReducedRunner):
     """The reduced map of the runner on level ground with constant friction, driven by the hip alone."""
+
+    thrusting, greatest_compression = 0, None

@@ -255,7 +255,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         return r.replace(swing="retract")
 
     @event("stick slip", when=lambda r: -r.leg().length_rate, unit="m/s", counted=False,
-           only=lambda r: r.thrusting <= 0)
+           only=lambda r: r.thrusting <= 0 and r.notes_compression > 0)
     def greatest_compression(r):
         """Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not counted."""
         return r.with_thrust(1).count_event(select(r.thrust + r.more_thrust > 0, 1, 0))
@@ -420,11 +420,11 @@ class PlainRunner(RunnerOnOneLine):
     """The runner on level ground with constant friction, driven by the hip alone. No input ramps."""
 
     height = slope = ground_height = ground_slope = more_angle = more_torque = more_thrust = 0
-    thrust = thrusting = extension = external_fx = external_fy = retraction_rate = 0
+    thrust = extension = external_fx = external_fy = retraction_rate = 0
     leg_work = external_work = leg_work_of_stride = leg_work_then = 0
     static_ratio, friction_rate, external_torque_rate = 1, 0, 0
     stribeck_velocity, vertical_so_far, vertical_force_on_foot, ramp_ends = 0, 0, None, None
-    greatest_compression = new_ground = wind_rises = enters_layer = leaves_layer = None
+    new_ground = wind_rises = enters_layer = leaves_layer = None
 
     def peak_of_vertical_force(r):
         """Largest vertical ground force, which is the normal force."""

@@ -4,8 +4,8 @@ from ..hybrid import Model, clock, letters, observe, select, state
 
 STICK, FORWARD, BACKWARD = 2, 3, 1
 """Digits of the gait word in base 4; 0 is the bar before a new stance."""
-LONGEST_WORD, TOO_LONG = 26, -1
-"""Letters of a word that a double holds exactly; the code of a longer word."""
+LONGEST_WORD = 26
+"""Letters that a double holds exactly. The code of a longer word is minus that of its first letters."""
 
 
 class Stride(Model):
@@ -40,7 +40,7 @@ class Stride(Model):
     # The last completed stride.
     count = state(0, "1", "Number of completed strides", name="stride.count", values=int, least=0)
     word_code = state(
-        0, "1", "Gait word: + slip forward, 0 stick, - slip backward, | new stance; -1 for over 26 letters",
+        0, "1", "Gait word: + slip forward, 0 stick, - slip backward, | new stance; negative if cut",
         name="stride.word",
         values=letters("|-0+"))
     period = state(0, "s", "Period of the last stride, T", name="stride.period")
@@ -100,8 +100,9 @@ class Stride(Model):
             return r
         after_bar = select(r.bar_is_due * r.word_so_far > 0, 4 * r.word_so_far, r.word_so_far)
         longer = 4 * after_bar + letter
-        longer = select(longer < 4.0**LONGEST_WORD, longer, TOO_LONG)
-        longer = select(after_bar < 0, TOO_LONG, longer)
+        most = 4.0**LONGEST_WORD
+        longer = select(longer < most, longer, -select(after_bar < most, after_bar, r.word_so_far))
+        longer = select(r.word_so_far < 0, r.word_so_far, longer)
         is_new = select(abs(letter - r.last_letter) > 0, 1, r.bar_is_due)
         adds = select(lasted > 0, is_new, 0)
         return r.replace(

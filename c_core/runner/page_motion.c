@@ -7,6 +7,7 @@
 #include "input_rates.h"
 #include "instant.h"
 #include "leg_laws.h"
+#include "margins.h"
 #include "page_fields.h"
 #include "patch.h"
 #include "record.h"
@@ -17,7 +18,7 @@
 
 /* Letters of a gait word by their digits in base 4. */
 static const char letters[] = "|-0+";
-enum { LONGEST_WORD = 26, LONGEST_CODED_WORD = 15, TOO_LONG = -1 };
+enum { LONGEST_WORD = TDMF_WORD_CAPACITY - 2, LONGEST_CODED_WORD = 15, TOO_LONG = -1 };
 static const double far_away = 1e12; /* of borders that are never reached */
 static const double long_ago = -1.0; /* a time before the motion */
 
@@ -28,27 +29,25 @@ static double digit_of(char letter) {
 }
 
 static double code_of_word(const char *word) {
+    const size_t length = strcspn(word, "~");
     double code = 0.0;
-    if (strlen(word) > LONGEST_WORD || strchr(word, '~')) {
-        return TOO_LONG;
+    for (size_t i = 0; i < length && i < LONGEST_WORD; ++i) {
+        code = 4.0 * code + digit_of(word[i]);
     }
-    for (const char *letter = word; *letter != '\0'; ++letter) {
-        code = 4.0 * code + digit_of(*letter);
-    }
-    return code;
+    return word[length] == '~' ? -code : code;
 }
 
 static void write_word(double code, char word[TDMF_WORD_CAPACITY]) {
     int length = 0;
+    double unread = fabs(code);
     memset(word, 0, TDMF_WORD_CAPACITY);
-    if (code < 0.0) {
-        word[0] = '~';
-        return;
-    }
-    double unread = code;
     while (unread > 0.0) {
         unread = floor(unread / 4.0);
         ++length;
+    }
+    if (code < 0.0) {
+        word[length] = '~';
+        code = -code;
     }
     for (int i = length - 1; i >= 0; --i) {
         const double rest = floor(code / 4.0);
@@ -140,6 +139,12 @@ static void write_stride(const tdmf_model *model, const runner_states *x, tdmf_s
         strlen(stride->word) <= LONGEST_CODED_WORD && x->word_code >= 0.0 ? (int)x->word_code : TOO_LONG;
 }
 
+/* A time of the page's clock, which is rounded in each step; the time of the run is not. */
+static tdmf_instant instant_of(const tdmf_page_point *point, tdmf_instant begin, double time) {
+    return time == point->x.time ? tdmf_instant_after(tdmf_instant_after(begin, point->time), point->rest)
+                                 : tdmf_instant_after(begin, time);
+}
+
 static void write_apex(tdmf_instant at, const runner_states *x, tdmf_record *record) {
     const tdmf_apex apex = {.time = at.time,
                             .com_height = x->apex_com_height,
@@ -152,8 +157,8 @@ static void write_apex(tdmf_instant at, const runner_states *x, tdmf_record *rec
     record->progress.open.start = at;
 }
 
-static void write_open_stride(tdmf_instant begin, bool flies, double cosine, const runner_states *x,
-                              tdmf_open_stride *open) {
+static void write_open_stride(const tdmf_page_point *point, tdmf_instant begin, bool flies, double cosine,
+                              const runner_states *x, tdmf_open_stride *open) {
     open->began_at_apex = x->is_open > 0.0;
     open->start_com_x = x->x_then;
     open->start_com_y = x->y_then;
@@ -169,24 +174,24 @@ static void write_open_stride(tdmf_instant begin, bool flies, double cosine, con
     open->flew_since_letter = flies || x->bar_is_due > 0.0;
     open->contact_start_x = x->slid_from * cosine;
     if (x->mode_began >= 0.0) {
-        open->contact_start = tdmf_instant_after(begin, x->mode_began);
+        open->contact_start = instant_of(point, begin, x->mode_began);
     }
 }
 
-static void write_record(const tdmf_model *model, tdmf_instant begin, const tdmf_mode *mode,
-                         const runner_states *x, tdmf_record *record) {
+static void write_record(const tdmf_model *model, const tdmf_page_point *point, tdmf_instant begin,
+                         const tdmf_mode *mode, const runner_states *x, tdmf_record *record) {
     record->event_count = as_int(x->events);
     if (x->last_event >= 0.0) {
-        record->last_event_time = tdmf_instant_after(begin, x->last_event).time;
+        record->last_event_time = instant_of(point, begin, x->last_event).time;
     }
     record->impact_loss = x->impact_loss;
     if (x->count > record->stride.count) {
         write_stride(model, x, &record->stride);
     }
     if (x->is_open > 0.0 && x->apex_time >= 0.0) {
-        write_apex(tdmf_instant_after(begin, x->apex_time), x, record);
+        write_apex(instant_of(point, begin, x->apex_time), x, record);
     }
-    write_open_stride(begin, mode->contact == TDMF_CONTACT_FLIGHT, mode->ground.cosine, x,
+    write_open_stride(point, begin, mode->contact == TDMF_CONTACT_FLIGHT, mode->ground.cosine, x,
                       &record->progress.open);
 }
 
@@ -201,7 +206,13 @@ static int mode_of_swing(const tdmf_mode *mode, int place, int retract, int rest
     return mode->phase == TDMF_PHASE_PLACE ? place : mode->clamp_closed ? rest : retract;
 }
 
-static int page_mode_of(const tdmf_mode *mode, const runner_states *x) {
+/* Whether a slip is so slow that friction depends on its speed. */
+static bool is_in_layer(const runner_states *x, const runner_parameters *p) {
+    const bool friction_falls = p->stribeck_velocity > 0.0 && p->static_ratio > 1.0;
+    return friction_falls && fabs(x->seen_vx) <= TDMF_LAYER_WIDTH * p->stribeck_velocity * cos(x->slope);
+}
+
+static int page_mode_of(const tdmf_mode *mode, const runner_states *x, const runner_parameters *p) {
     if (mode->fallen) {
         return MODE_fallen;
     }
@@ -216,7 +227,7 @@ static int page_mode_of(const tdmf_mode *mode, const runner_states *x) {
                             : mode_of_swing(mode, MODE_flight_place_calm, MODE_flight_retract_calm,
                                             MODE_flight_rest_calm);
     default:
-        return MODE_slip_constant; /* in the layer of falling friction an event follows at once */
+        return is_in_layer(x, p) ? MODE_slip_falling : MODE_slip_constant;
     }
 }
 
@@ -281,10 +292,22 @@ static bool rises(const tdmf_model *model, const tdmf_page_point *point, const t
     const runner_states *x = &point->x;
     const tdmf_ground_line *ground = &mode->ground;
     const double along = x->foot_vx + model->body_share * x->vx, off = model->body_share * x->vy;
-    const double rate =
-        mode->contact == TDMF_CONTACT_FLIGHT ? x->com_vy : ground->sine * along + ground->cosine * off;
     const bool may_rise = x->rises_again > 0.0 || (point->above >> EVENT_apex & 1) != 0;
-    return mode->phase == TDMF_PHASE_RETRACT || (may_rise && rate > 0.0);
+    if (mode->phase == TDMF_PHASE_RETRACT) {
+        return true;
+    }
+    return mode->contact == TDMF_CONTACT_FLIGHT
+               ? may_rise && x->com_vy > 0.0
+               : ground->sine * along + ground->cosine * off > TDMF_DEAD_BAND * model->scales.speed;
+}
+
+/* A line that came into force in the call is the one that is set. */
+static tdmf_ground_line line_in_force(tdmf_system system, const tdmf_page_point *point) {
+    const runner_states *x = &point->x;
+    const bool is_set = x->height == point->p.ground_height + x->segment_height;
+    const double height =
+        is_set && x->segment_height == 0.0 ? system.inputs->ground.height : point->base + x->height;
+    return tdmf_ground_line_of(height, x->slope);
 }
 
 /* Writes the mode of a point, and keeps those parts of the mode before that the page has no name for. */
@@ -298,6 +321,9 @@ static void write_mode(tdmf_system system, const tdmf_page_point *point, int las
     tdmf_inputs inputs = *system.inputs;
     inputs.leg.extension = x->extension;
     mode->contact = contact_of(at, x->way);
+    if (x->height != 0.0 || mode->ground.slope != x->slope) {
+        mode->ground = line_in_force(system, point);
+    }
     if (tdmf_is_loaded(mode)) {
         mode->phase = x->driving > 0.0 ? TDMF_PHASE_DRIVE : TDMF_PHASE_COAST;
     } else {
@@ -310,12 +336,6 @@ static void write_mode(tdmf_system system, const tdmf_page_point *point, int las
     mode->thrusts = x->thrusting > 0.0;
     mode->rises = !tdmf_is_loaded(mode) && rises(system.model, point, mode);
     mode->rest_length = tdmf_rest_length(system.model, &inputs, mode);
-    if (x->height != 0.0 || mode->ground.slope != x->slope) {
-        const bool is_set = x->height == point->p.ground_height + x->segment_height;
-        const double height =
-            is_set && x->segment_height == 0.0 ? system.inputs->ground.height : point->base + x->height;
-        mode->ground = tdmf_ground_line_of(height, x->slope);
-    }
     mode->fallen = fallen;
 }
 
@@ -335,6 +355,7 @@ tdmf_page_point tdmf_page_of_motion(tdmf_system system, const tdmf_inputs *rates
                              .base = motion->mode.ground.height};
     runner_states *x = &point.x;
     point.p.ground_height -= point.base;
+    point.p.notes_compression = 1.0; /* a thrust may be set after the call */
     tdmf_write_page_inputs(system.inputs, x);
     write_rates(rates, x);
     tdmf_read_page_state(motion->state, x);
@@ -345,7 +366,7 @@ tdmf_page_point tdmf_page_of_motion(tdmf_system system, const tdmf_inputs *rates
     read_record(&motion->record, x);
     x->seen_y -= point.base;
     x->y_then -= point.base;
-    point.mode = page_mode_of(&motion->mode, x);
+    point.mode = page_mode_of(&motion->mode, x, &point.p);
     point.above = (uint64_t)(x->rises_again > 0.0) << EVENT_apex;
     const tdmf_mode_kind *mode = &tdmf_runner_model.modes[point.mode];
     if (mode->from_world) {
@@ -367,7 +388,7 @@ void tdmf_motion_of_page(tdmf_system system, const tdmf_page_point *point, int l
     x.y_then += point->base;
     tdmf_write_page_state(&x, motion->state);
     write_mode(system, point, last_mode, &motion->mode);
-    write_record(system.model, begin, &motion->mode, &x, &motion->record);
-    motion->record.progress.now = tdmf_instant_after(tdmf_instant_after(begin, point->time), point->rest);
+    write_record(system.model, point, begin, &motion->mode, &x, &motion->record);
+    motion->record.progress.now = instant_of(point, begin, point->x.time);
     motion->time = motion->record.progress.now.time;
 }

@@ -108,28 +108,6 @@ void tdmf_begin_runner_run(tdmf_runner_run *run, const tdmf_page_point *point, b
     run->run.above = (point->above >> EVENT_apex & 1) << apex;
 }
 
-static bool is_on_ground(int mode) {
-    switch (mode) {
-    case MODE_stick:
-    case MODE_slip_constant:
-    case MODE_graze_place:
-    case MODE_graze_rest:
-    case MODE_graze_retract:
-        return true;
-    default:
-        return false;
-    }
-}
-
-/* Adds what the plain page leaves out: the vertical force is the normal force, and a thrust of 0 begins where
- * the leg lengthens and ends in flight. */
-static void add_what_is_plain(runner_states *x, int mode) {
-    const bool goes_on = x->touchdown_time < 0.0 && x->thrusting > 0.0;
-    x->vertical_so_far = x->peak_force_so_far;
-    x->peak_vertical_force = x->peak_force;
-    x->thrusting = is_on_ground(mode) && (goes_on || x->x_ * x->vx + x->y_ * x->vy >= 0.0);
-}
-
 void tdmf_end_runner_run(const tdmf_runner_run *run, tdmf_page_point *point) {
     const tdmf_page_run *r = &run->run;
     const int apex = tdmf_event_of_whole(run->is_plain, EVENT_apex);
@@ -138,7 +116,8 @@ void tdmf_end_runner_run(const tdmf_runner_run *run, tdmf_page_point *point) {
     point->above = (r->above >> apex & 1) << EVENT_apex;
     point->time = r->time;
     point->rest = r->time_rest;
-    if (run->is_plain) {
-        add_what_is_plain(&point->x, point->mode);
+    if (run->is_plain) { /* the vertical force is the normal force */
+        point->x.vertical_so_far = point->x.peak_force_so_far;
+        point->x.peak_vertical_force = point->x.peak_force;
     }
 }

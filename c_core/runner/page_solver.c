@@ -4,6 +4,7 @@
 #include "event_log.h"
 #include "run_state.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -72,7 +73,7 @@ void tdmf_begin_page_solver(tdmf_page_solver *s, tdmf_solver *solver, tdmf_syste
     tdmf_begin_runner_run(&s->run, point, is_plain);
     s->last_mode = point->mode;
     s->span_began = 0.0;
-    s->has_stopped = s->stays_on_guard = s->has_event = false;
+    s->has_stopped = s->stays_on_guard = s->has_event = s->is_counted = false;
     tdmf_page_run *r = &s->run.run;
     r->tolerance = solver->relative_tolerance;
     r->order = tdmf_page_order(r->tolerance);
@@ -113,15 +114,25 @@ static tdmf_motion motion_at(const tdmf_page_solver *s, const tdmf_runner_run *r
 
 static void report_event(tdmf_page_solver *s) {
     if (s->has_event) {
-        tdmf_log_event(s->solver->log, &s->event);
+        tdmf_log_event(s->solver, &s->event);
     }
     s->has_event = false;
 }
 
+/* TDMF_GUARD_COUNT, too, for a thrust of 0, which changes nothing. */
+static tdmf_guard guard_of_row(const tdmf_page_solver *s, const tdmf_event_row *row) {
+    const int event = tdmf_event_in_whole(s->run.is_plain, row->event);
+    const bool thrusts = s->point.p.thrust + s->point.p.more_thrust > 0.0;
+    return event == EVENT_greatest_compression && !thrusts ? TDMF_GUARD_COUNT : tdmf_guard_of_event(event);
+}
+
+static bool is_at_start(const tdmf_page_run *r) {
+    return r->time == 0.0 && r->time_rest == 0.0;
+}
+
 /* A chain in zero time is one event, by the name of its first, from the mode before to the mode after it.
  * Events at the start of a call are not logged. */
-static void note_event(tdmf_page_solver *s, const tdmf_runner_run *before, const tdmf_event_row *row) {
-    const tdmf_guard guard = tdmf_guard_of_event(tdmf_event_in_whole(s->run.is_plain, row->event));
+static void note_event(tdmf_page_solver *s, const tdmf_runner_run *before, tdmf_guard guard) {
     const tdmf_motion after = motion_at(s, &s->run);
     if (s->run.run.chain > 1 && s->has_event) {
         s->event.after = after.mode;
@@ -131,13 +142,25 @@ static void note_event(tdmf_page_solver *s, const tdmf_runner_run *before, const
     tdmf_motion at = motion_at(s, before);
     at.mode.rises |= guard == TDMF_GUARD_APEX; /* before the event */
     const bool has_guard = guard != TDMF_GUARD_CLAMP || at.mode.contact == TDMF_CONTACT_FLIGHT;
-    const bool is_at_start = s->run.run.time == 0.0 && s->run.run.time_rest == 0.0;
     const tdmf_event event = {
         .time = after.time, .guard = (int)guard, .before = at.mode, .after = after.mode};
     s->event = event;
     memcpy(s->event.state, at.state, sizeof event.state);
-    s->has_event = guard != TDMF_GUARD_COUNT && has_guard && !is_at_start;
+    s->has_event = guard != TDMF_GUARD_COUNT && has_guard && !is_at_start(&s->run.run);
 }
+
+/* Counts a chain in zero time as one event, unless the call begins with it or all of it is the page's own. */
+static void count_event(tdmf_page_solver *s, tdmf_guard guard) {
+    s->is_counted &= s->run.run.chain > 1;
+    if (!s->is_counted && guard != TDMF_GUARD_COUNT && !is_at_start(&s->run.run)) {
+        s->is_counted = true;
+        ++s->solver->events;
+        --s->events_left;
+    }
+}
+
+/* Share of a turn, or of its length, that the leg changes in a step of a stiff law. */
+static const double slow_change = 0.01;
 
 /* ---- the run ------------------------------------------------------------------------------------------- */
 
@@ -152,13 +175,14 @@ static tdmf_run_outcome to_event(tdmf_page_solver *s, working_memory *w, double 
     tdmf_page_run *r = &s->run.run;
     const int mode = r->mode;
     const long events = r->events, steps = r->steps;
+    const bool notes = s->motion != NULL && (s->solver->log != NULL || s->solver->on_event != NULL);
     tdmf_runner_run before;
     tdmf_event_row row;
     double x_before[TDMF_PAGE_STATE_COUNT];
     r->log = &row;
-    r->log_states = x_before;
+    r->log_states = notes ? x_before : NULL;
     r->log_count = 0;
-    r->log_size = s->motion != NULL && s->solver->log != NULL;
+    r->log_size = 1;
     const tdmf_run_outcome outcome = tdmf_drive_to_event(w->driver, &w->state, &w->at, until);
     if (tdmf_mode_in_whole(s->run.is_plain, mode) == MODE_slip_falling) {
         s->solver->layer_steps += r->steps - steps;
@@ -169,12 +193,13 @@ static tdmf_run_outcome to_event(tdmf_page_solver *s, working_memory *w, double 
     if (tdmf_mode_in_whole(s->run.is_plain, r->mode) == MODE_fallen) {
         s->last_mode = tdmf_mode_in_whole(s->run.is_plain, mode);
     }
-    s->solver->events += r->chain <= 1;
-    if (r->log_count > 0) {
+    const tdmf_guard guard = guard_of_row(s, &row);
+    count_event(s, guard);
+    if (notes) {
         before = s->run;
         before.run.mode = mode;
         memcpy(before.x, x_before, sizeof before.x);
-        note_event(s, &before, &row);
+        note_event(s, &before, guard);
     }
     return outcome;
 }
@@ -187,12 +212,22 @@ static bool is_too_stiff(tdmf_page_solver *s) {
     return is_stiff;
 }
 
-/* The first step shows whether flight or stick is too stiff. Slip and graze may be over before it matters. */
-static bool begins_too_stiff(const tdmf_page_solver *s, double duration) {
+/* How fast the leg turns or changes its length, in which a short step is not stiffness. */
+static double speed_of_leg(const tdmf_page_point *point) {
+    runner_states x = point->x;
+    tdmf_runner_model.modes[point->mode].to_world((const double *)&point->p, (const double *)&point->x,
+                                                  (double *)&x);
+    return fmax(fabs(x.angle_rate), fabs(x.length_rate) / x.length);
+}
+
+/* The series of flight and stick tells at once whether they are too stiff; slip and graze may be over before
+ * it matters. A guard may end the first step sooner. */
+static bool begins_too_stiff(const tdmf_page_solver *s, double reach, double duration) {
     const bool lasts = s->point.mode == MODE_stick || s->point.mode == MODE_flight_place_calm ||
                        s->point.mode == MODE_flight_retract_calm || s->point.mode == MODE_flight_rest_calm;
     const double span = fmin(s->system.model->scales.time, duration);
-    return lasts && s->run.run.events == 0 && s->run.run.time * TDMF_STIFFNESS_LIMIT < span;
+    const bool is_short = lasts && s->run.run.events == 0 && reach * TDMF_STIFFNESS_LIMIT < span;
+    return is_short && reach * speed_of_leg(&s->point) < slow_change;
 }
 
 static void count_work(tdmf_solver *solver, const tdmf_page_run *r, long steps_before) {
@@ -200,21 +235,36 @@ static void count_work(tdmf_solver *solver, const tdmf_page_run *r, long steps_b
     solver->evaluations += (r->steps - steps_before) * r->order;
 }
 
-static tdmf_run_outcome run_with(tdmf_page_solver *s, working_memory *w, double until, bool *stiff) {
-    tdmf_page_run *r = &s->run.run;
-    const long first = r->steps, last_step = first + s->solver->step_limit;
+/* The limit that a run has come to where the kernel makes no more steps, or TDMF_ARRIVED: then it may go on.
+ */
+static tdmf_outcome limit_of_steps(tdmf_page_solver *s, working_memory *w, double until, long first) {
+    const tdmf_page_run *r = &s->run.run;
+    const long last_step = first + s->solver->step_limit;
+    const bool is_first = r->steps == first + 1;
+    const long span = is_first ? TDMF_STIFFNESS_LIMIT - 1 : TDMF_STIFFNESS_LIMIT;
+    if (r->steps >= last_step) {
+        return TDMF_TOO_MANY_STEPS;
+    }
+    if (is_first ? begins_too_stiff(s, w->state.reach, until) : is_too_stiff(s)) {
+        return TDMF_TOO_STIFF;
+    }
+    w->state.last_step = last_step - r->steps > span ? r->steps + span : last_step;
+    return TDMF_ARRIVED;
+}
+
+/* Runs to an end, to the stop event or to a limit. No limit cuts a chain in zero time: a motion does not keep
+ * what the chain remembers. */
+static tdmf_run_outcome run_with(tdmf_page_solver *s, working_memory *w, double until, tdmf_outcome *limit) {
+    const long first = s->run.run.steps;
     tdmf_run_outcome outcome;
-    *stiff = false;
+    *limit = TDMF_ARRIVED;
     w->state.last_step = first + (s->solver->step_limit > 0);
     do {
+        w->state.stops |= *limit != TDMF_ARRIVED || s->events_left <= 0;
         outcome = to_event(s, w, until);
-        if (outcome != TDMF_RUN_TOO_MANY_STEPS || r->steps >= last_step) {
-            continue;
-        }
-        *stiff = r->steps == first + 1 ? begins_too_stiff(s, until) : is_too_stiff(s);
-        if (!*stiff) {
-            const long span = r->steps == first + 1 ? TDMF_STIFFNESS_LIMIT - 1 : TDMF_STIFFNESS_LIMIT;
-            w->state.last_step = last_step - r->steps > span ? r->steps + span : last_step;
+        if (outcome == TDMF_RUN_TOO_MANY_STEPS) {
+            *limit = limit_of_steps(s, w, until, first);
+            w->state.last_step = *limit == TDMF_ARRIVED ? w->state.last_step : LONG_MAX;
             outcome = TDMF_RUN_GOES_ON;
         }
     } while (outcome == TDMF_RUN_GOES_ON);
@@ -225,19 +275,23 @@ tdmf_outcome tdmf_run_page_solver(tdmf_page_solver *s, double duration, int stop
     tdmf_page_run *r = &s->run.run;
     working_memory w;
     const long steps = r->steps;
-    bool stiff = false;
+    tdmf_outcome limit;
     r->memory = s->memory;
     r->stop_event = tdmf_event_of_whole(s->run.is_plain, stop_event);
-    r->event_limit = s->solver->event_limit;
+    r->event_limit = LONG_MAX - r->events;
+    s->events_left = s->solver->event_limit;
     w.driver = tdmf_begin_in_memory(&w.state, &w.at, s->run.model, r);
-    const tdmf_run_outcome outcome = run_with(s, &w, duration, &stiff);
-    if (outcome == TDMF_RUN_STOPPED && r->is_shifted && !s->stays_on_guard) {
-        r->stop_event = -1;
-        w.state.stops = false;
-        run_with(s, &w, r->time + r->time_rest, &stiff); /* back to a fixed time */
+    const tdmf_run_outcome outcome = run_with(s, &w, duration, &limit);
+    const bool stands = outcome == TDMF_RUN_STOPPED;
+    s->has_stopped = stands && r->stop_event >= 0 && (r->taken >> r->stop_event & 1) != 0;
+    if (stands && !s->stays_on_guard) {
+        tdmf_leave_guard(w.driver, &w.state, &w.at);
     }
     report_event(s);
     count_work(s->solver, r, steps);
-    s->has_stopped = outcome == TDMF_RUN_STOPPED;
-    return stiff ? TDMF_TOO_STIFF : outcome_of(outcome);
+    if (!stands || s->has_stopped) {
+        return outcome_of(outcome);
+    }
+    const bool is_over = !(duration - r->time - r->time_rest > 0.0);
+    return is_over ? TDMF_ARRIVED : limit != TDMF_ARRIVED ? limit : TDMF_TOO_MANY_EVENTS;
 }

@@ -1,5 +1,4 @@
-/* Runs of one runner on its page, with the limits, counters and log of the native solver. The functions of
- * solver.h do not use them yet. */
+/* The native solver's runs on the page, for the return map and for the functions of solver.h. */
 #ifndef TDMF_RUNNER_PAGE_SOLVER_H
 #define TDMF_RUNNER_PAGE_SOLVER_H
 
@@ -7,7 +6,7 @@
 #include "tdmf_slip/solver.h"
 
 /* Working memory of the largest page with all variations, which a test checks. */
-enum { TDMF_PAGE_MEMORY = 8448 };
+enum { TDMF_PAGE_MEMORY = 8960 };
 
 /* A run under the limits of a solver, and its variations. */
 typedef struct {
@@ -18,6 +17,8 @@ typedef struct {
     tdmf_runner_run run;
     int last_mode;     /* of the whole page: where the run was before it fell */
     double span_began; /* in page time: steps since then are counted against TDMF_STIFFNESS_LIMIT */
+    long events_left;  /* of the solver's limit */
+    bool is_counted;   /* the chain in zero time that the last event belongs to */
     bool has_event;
     tdmf_event event;    /* the last, if there is one: the chain that it begins may go on */
     bool has_stopped;    /* at the event asked for */

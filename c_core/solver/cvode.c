@@ -189,7 +189,7 @@ static tdmf_outcome take_events(workspace *space, problem *problem) {
     memcpy(event.state, motion->state, sizeof event.state);
     const bool unresolved = tdmf_resolve((tdmf_system){problem->model, &inputs}, motion).unresolved;
     event.after = motion->mode;
-    tdmf_log_event(problem->options->log, &event);
+    tdmf_log_event(problem->options, &event);
     ++problem->options->events;
     leave_out_clock(motion->state, space->state);
     if (unresolved) {

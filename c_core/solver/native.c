@@ -236,7 +236,7 @@ static tdmf_event_state event_state_after(const integration *integration) {
     return event_state;
 }
 
-static void log_event(tdmf_event_log *log, double time, tdmf_guard guard, const tdmf_event_state *before,
+static void log_event(const tdmf_solver *log, double time, tdmf_guard guard, const tdmf_event_state *before,
                       const tdmf_mode *after) {
     tdmf_event event = {.time = time, .guard = (int)guard, .before = before->mode, .after = *after};
     memcpy(event.state, before->state, sizeof event.state);
@@ -281,7 +281,7 @@ static bool resolve(integration *integration, const tdmf_step_end *end) {
         return false;
     }
     const tdmf_event_state after = event_state_after(integration);
-    log_event(integration->solver->log, motion->time, end->guard, &before, &after.mode);
+    log_event(integration->solver, motion->time, end->guard, &before, &after.mode);
     for (int i = 0; i < integration->count; ++i) {
         integration->variations[i] =
             tdmf_saltation(system_of(integration), end->guard, &before, &after, &integration->seeds[i],
@@ -534,13 +534,6 @@ static tdmf_outcome advance(integration *integration) {
     return motion->mode.fallen ? TDMF_FELL : TDMF_ARRIVED;
 }
 
-tdmf_outcome tdmf_native_advance(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
-                                 double until, tdmf_motion *motion) {
-    integration integration;
-    const bool begun = begin(&integration, solver, system, tdmf_rates_or_zero(rates), until, motion);
-    return begun ? advance(&integration) : TDMF_REFUSED;
-}
-
 static tdmf_stride_outcome advance_a_stride(integration *integration) {
     const tdmf_record *record = &integration->motion->record;
     const int count = record->stride.count;
@@ -568,14 +561,6 @@ tdmf_stride_outcome tdmf_native_to_ground(tdmf_solver *solver, tdmf_system syste
     return result;
 }
 
-tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, tdmf_system system, double until,
-                                       tdmf_motion *motion) {
-    integration integration;
-    return begin(&integration, solver, system, tdmf_rates_or_zero(NULL), until, motion)
-               ? advance_a_stride(&integration)
-               : refused;
-}
-
 static bool begin_varied(integration *integration, tdmf_solver *solver, tdmf_system system, double until,
                          tdmf_motion *motion, const tdmf_seed *seeds, tdmf_variation *variations, int count) {
     if (!tdmf_are_sound_seeds(seeds, count, TDMF_VARIATION_LIMIT) || (count > 0 && variations == NULL) ||
@@ -594,9 +579,9 @@ static bool begin_varied(integration *integration, tdmf_solver *solver, tdmf_sys
     return true;
 }
 
-tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, tdmf_system system, double until,
-                                              tdmf_motion *motion, const tdmf_seed *seeds,
-                                              tdmf_variation *variations, int count) {
+tdmf_stride_outcome tdmf_map_stride(tdmf_solver *solver, tdmf_system system, double until,
+                                    tdmf_motion *motion, const tdmf_seed *seeds, tdmf_variation *variations,
+                                    int count) {
     integration integration;
     return begin_varied(&integration, solver, system, until, motion, seeds, variations, count)
                ? advance_a_stride(&integration)

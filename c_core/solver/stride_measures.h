@@ -46,7 +46,12 @@ void tdmf_vary_measured_end(tdmf_measured *measured, int number, tdmf_system sys
                             const tdmf_motion *motion, const double derivatives[TDMF_STATE_COUNT],
                             double shift);
 
-/* As tdmf_native_stride_varied, and measures the stride. */
+/* As tdmf_native_stride_varied, by the series of return maps and ensembles. */
+tdmf_stride_outcome tdmf_map_stride(tdmf_solver *solver, tdmf_system system, double until,
+                                    tdmf_motion *motion, const tdmf_seed *seeds, tdmf_variation *variations,
+                                    int count);
+
+/* The same, and measures the stride. */
 tdmf_stride_outcome tdmf_native_stride_measured(tdmf_solver *solver, tdmf_system system, double until,
                                                 tdmf_motion *motion, const tdmf_seed *seeds,
                                                 tdmf_variation *variations, int count,

@@ -294,22 +294,18 @@ static tdmf_outcome advance(fmu *fmu, double until) {
     return outcome;
 }
 
+static void report_to(void *observer, const tdmf_event *event) {
+    report(observer, event);
+}
+
 /* The same, and tells of every event. */
 static tdmf_outcome advance_observed(fmu *fmu, double until, const fmu_observer *observer) {
-    const long limit = fmu->solver.event_limit;
-    tdmf_outcome outcome = TDMF_TOO_MANY_EVENTS;
-    tdmf_event_log log;
-    fmu->solver.event_limit = TDMF_EVENT_CAPACITY;
-    fmu->solver.log = &log;
-    for (long i = 0; i < limit && outcome == TDMF_TOO_MANY_EVENTS; i += TDMF_EVENT_CAPACITY) {
-        log.count = 0;
-        outcome = advance(fmu, until);
-        for (int j = 0; j < log.count; ++j) {
-            report(observer, &log.events[j]);
-        }
-    }
-    fmu->solver.event_limit = limit;
-    fmu->solver.log = NULL;
+    fmu_observer own = *observer;
+    fmu->solver.on_event = report_to;
+    fmu->solver.subject = &own;
+    const tdmf_outcome outcome = advance(fmu, until);
+    fmu->solver.on_event = NULL;
+    fmu->solver.subject = NULL;
     return outcome;
 }
 

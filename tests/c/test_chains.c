@@ -89,7 +89,7 @@ static void touchdown_at_the_apex(void **unused) {
     runner runner = scene_at_impact(TDMF_PHASE_RETRACT, 0.4, 0.1);
     const double climb = tdmf_center_of_mass(&runner.model, runner.motion.state).vy;
     runner.motion.state[TDMF_LEG_LENGTH_RATE] += (beyond - climb) * 1.1 / cos(0.4);
-    resolve(&runner, 2);
+    resolve(&runner, 1);
     scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE);
     assert_true(runner.motion.record.progress.open.began_at_apex);
     assert_int_equal(runner.motion.record.progress.open.touchdowns,
@@ -161,14 +161,14 @@ static void jump_past_cone_and_load_leaves_the_ground(void **unused) {
     assert_string_equal(runner.motion.record.progress.open.word, "0");
 }
 
-/* Without the drive, which held it down, the foot lifts: two events in a chain. */
+/* Without the drive, which held it down, the foot lifts: a chain is one event. */
 static void mid_stance_may_end_the_contact(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, -0.02);
     runner.motion.mode.phase = TDMF_PHASE_DRIVE;
     runner.motion.mode.mid_stance_pending = true;
     scene_set_com_vy_by_leg(&runner, 0.05);
-    resolve(&runner, 2);
+    resolve(&runner, 1);
     assert_false(runner.motion.mode.mid_stance_pending);
     scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT);
 }
@@ -181,7 +181,7 @@ static void mid_stance_may_start_a_slip(void **unused) {
     runner.motion.mode.mid_stance_pending = true;
     runner.inputs.hip.external_torque = 0.2; /* balances the drive */
     runner.inputs.ground.friction = 0.2;
-    resolve(&runner, 2);
+    resolve(&runner, 1);
     scene_assert_mode(&runner, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
 }
 
@@ -267,9 +267,6 @@ static void a_chain_that_does_not_end_is_cut_and_reported(void **unused) {
             continue;
         }
         ++cut;
-        tdmf_solver solver = tdmf_solver_default();
-        solver.event_limit = 1000;
-        assert_int_not_equal(tdmf_native_advance(&solver, system, NULL, 1.0, &runner.motion), TDMF_ARRIVED);
     }
     assert_true(cut > 0);
 }

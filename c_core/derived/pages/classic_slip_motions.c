@@ -604,6 +604,7 @@ static const tdmf_vary_polynomial vary_observed_start_of_run[] = {NULL};
 static const int moving_start_of_run[] = {0};
 static const int degrees_start_of_run[] = {1};
 static const int judged_start_of_run[] = {0};
+static const int divided_start_of_run[] = {0};
 static const int divisors_start_of_run[] = {0};
 static const int integrals_start_of_run[] = {0};
 static const int factors_start_of_run[] = {0};
@@ -612,6 +613,7 @@ static const tdmf_vary_polynomial vary_observed_no_start[] = {NULL};
 static const int moving_no_start[] = {0};
 static const int degrees_no_start[] = {0};
 static const int judged_no_start[] = {0};
+static const int divided_no_start[] = {0};
 static const int divisors_no_start[] = {0};
 static const int integrals_no_start[] = {0};
 static const int factors_no_start[] = {0};
@@ -621,6 +623,7 @@ static const tdmf_vary_polynomial vary_observed_flight_down[] = {NULL};
 static const int moving_flight_down[] = {2, 0, 1, 4, 5};
 static const int degrees_flight_down[] = {2, 1, 1, 1, 1};
 static const int judged_flight_down[] = {0};
+static const int divided_flight_down[] = {0};
 static const int divisors_flight_down[] = {0};
 static const int integrals_flight_down[] = {0};
 static const int factors_flight_down[] = {0};
@@ -629,6 +632,7 @@ static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0};
 static const int degrees_fallen[] = {0};
 static const int judged_fallen[] = {0};
+static const int divided_fallen[] = {0};
 static const int divisors_fallen[] = {0};
 static const int integrals_fallen[] = {0};
 static const int factors_fallen[] = {0};
@@ -637,6 +641,7 @@ static const tdmf_vary_polynomial vary_observed_slides[] = {NULL};
 static const int moving_slides[] = {0};
 static const int degrees_slides[] = {0};
 static const int judged_slides[] = {0};
+static const int divided_slides[] = {0};
 static const int divisors_slides[] = {0};
 static const int integrals_slides[] = {0};
 static const int factors_slides[] = {0};
@@ -647,6 +652,7 @@ static const tdmf_vary_polynomial vary_observed_stance[] = {d_observed_stance_ti
 static const int moving_stance[] = {1, 2, 3, 4, 0};
 static const int degrees_stance[] = {99, 99, 99, 99, 1};
 static const int judged_stance[] = {2, 3};
+static const int divided_stance[] = {-1, -1};
 static const int divisors_stance[] = {9};
 static const int integrals_stance[] = {-1, -1};
 static const int factors_stance[] = {-1, -1, -1, -1};
@@ -655,6 +661,7 @@ static const tdmf_vary_polynomial vary_observed_flight_up[] = {NULL};
 static const int moving_flight_up[] = {2, 0, 1, 4};
 static const int degrees_flight_up[] = {2, 1, 1, 1};
 static const int judged_flight_up[] = {0};
+static const int divided_flight_up[] = {0};
 static const int divisors_flight_up[] = {0};
 static const int integrals_flight_up[] = {0};
 static const int factors_flight_up[] = {0};
@@ -662,40 +669,41 @@ static const int factors_flight_up[] = {0};
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_classic_slip_motions)[] = {
     {.moving_count = 1, .extra_count = 0, .series_count = 1, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_start_of_run, .degrees = degrees_start_of_run,
-        .judged = judged_start_of_run, .divisors = divisors_start_of_run, .integrals = integrals_start_of_run,
-        .factors = factors_start_of_run, .polynomials = polynomials_start_of_run,
-        .vary_observed = vary_observed_start_of_run, .expand = expand_start_of_run, .vary = vary_start_of_run,
-        .bounds = bounds_start_of_run},
+        .judged = judged_start_of_run, .divided = divided_start_of_run, .divisors = divisors_start_of_run,
+        .integrals = integrals_start_of_run, .factors = factors_start_of_run,
+        .polynomials = polynomials_start_of_run, .vary_observed = vary_observed_start_of_run,
+        .expand = expand_start_of_run, .vary = vary_start_of_run, .bounds = bounds_start_of_run},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_no_start, .degrees = degrees_no_start, .judged = judged_no_start,
-        .divisors = divisors_no_start, .integrals = integrals_no_start, .factors = factors_no_start,
-        .polynomials = polynomials_no_start, .vary_observed = vary_observed_no_start,
-        .expand = expand_no_start, .vary = vary_no_start, .bounds = NULL},
+        .divided = divided_no_start, .divisors = divisors_no_start, .integrals = integrals_no_start,
+        .factors = factors_no_start, .polynomials = polynomials_no_start,
+        .vary_observed = vary_observed_no_start, .expand = expand_no_start, .vary = vary_no_start,
+        .bounds = NULL},
     {.moving_count = 5, .extra_count = 0, .series_count = 5, .constant_count = 5, .judged_count = 0,
         .divisor_count = 0, .moving = moving_flight_down, .degrees = degrees_flight_down,
-        .judged = judged_flight_down, .divisors = divisors_flight_down, .integrals = integrals_flight_down,
-        .factors = factors_flight_down, .polynomials = polynomials_flight_down,
-        .vary_observed = vary_observed_flight_down, .expand = expand_flight_down, .vary = vary_flight_down,
-        .bounds = bounds_flight_down},
+        .judged = judged_flight_down, .divided = divided_flight_down, .divisors = divisors_flight_down,
+        .integrals = integrals_flight_down, .factors = factors_flight_down,
+        .polynomials = polynomials_flight_down, .vary_observed = vary_observed_flight_down,
+        .expand = expand_flight_down, .vary = vary_flight_down, .bounds = bounds_flight_down},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_fallen, .degrees = degrees_fallen, .judged = judged_fallen,
-        .divisors = divisors_fallen, .integrals = integrals_fallen, .factors = factors_fallen,
-        .polynomials = polynomials_fallen, .vary_observed = vary_observed_fallen, .expand = expand_fallen,
-        .vary = vary_fallen, .bounds = NULL},
+        .divided = divided_fallen, .divisors = divisors_fallen, .integrals = integrals_fallen,
+        .factors = factors_fallen, .polynomials = polynomials_fallen, .vary_observed = vary_observed_fallen,
+        .expand = expand_fallen, .vary = vary_fallen, .bounds = NULL},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_slides, .degrees = degrees_slides, .judged = judged_slides,
-        .divisors = divisors_slides, .integrals = integrals_slides, .factors = factors_slides,
-        .polynomials = polynomials_slides, .vary_observed = vary_observed_slides, .expand = expand_slides,
-        .vary = vary_slides, .bounds = NULL},
+        .divided = divided_slides, .divisors = divisors_slides, .integrals = integrals_slides,
+        .factors = factors_slides, .polynomials = polynomials_slides, .vary_observed = vary_observed_slides,
+        .expand = expand_slides, .vary = vary_slides, .bounds = NULL},
     {.moving_count = 5, .extra_count = 0, .series_count = 13, .constant_count = 10, .judged_count = 2,
         .divisor_count = 1, .moving = moving_stance, .degrees = degrees_stance, .judged = judged_stance,
-        .divisors = divisors_stance, .integrals = integrals_stance, .factors = factors_stance,
-        .polynomials = polynomials_stance, .vary_observed = vary_observed_stance, .expand = expand_stance,
-        .vary = vary_stance, .bounds = bounds_stance},
+        .divided = divided_stance, .divisors = divisors_stance, .integrals = integrals_stance,
+        .factors = factors_stance, .polynomials = polynomials_stance, .vary_observed = vary_observed_stance,
+        .expand = expand_stance, .vary = vary_stance, .bounds = bounds_stance},
     {.moving_count = 4, .extra_count = 0, .series_count = 4, .constant_count = 3, .judged_count = 0,
         .divisor_count = 0, .moving = moving_flight_up, .degrees = degrees_flight_up,
-        .judged = judged_flight_up, .divisors = divisors_flight_up, .integrals = integrals_flight_up,
-        .factors = factors_flight_up, .polynomials = polynomials_flight_up,
+        .judged = judged_flight_up, .divided = divided_flight_up, .divisors = divisors_flight_up,
+        .integrals = integrals_flight_up, .factors = factors_flight_up, .polynomials = polynomials_flight_up,
         .vary_observed = vary_observed_flight_up, .expand = expand_flight_up, .vary = vary_flight_up,
         .bounds = bounds_flight_up},
 };

@@ -961,9 +961,9 @@ static void leave_slip_constant(const real *parameters, const real *states, real
         x->bar_is_due), 0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_letter = 4.0 * after_bar + letter;
-    const real longer = select(after_bar < 0.0, -1.0,
+    const real longer = select(x->word_so_far < 0.0, x->word_so_far,
         select(by_4_times_after_bar_plus_letter < 4503599627370496.0, by_4_times_after_bar_plus_letter,
-        -1.0));
+        -select(after_bar < 4503599627370496.0, after_bar, x->word_so_far)));
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slip_so_far = x->slip_so_far + slid;
@@ -993,8 +993,9 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real d_after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far,
         dx->word_so_far);
-    const real d_longer = select(after_bar < 0.0, 0.0, select(4.0 * after_bar + letter < 4503599627370496.0,
-        4.0 * d_after_bar, 0.0));
+    const real d_longer = select(x->word_so_far < 0.0, dx->word_so_far, select(4.0 * after_bar
+        + letter < 4503599627370496.0, 4.0 * d_after_bar, -select(after_bar < 4503599627370496.0, d_after_bar,
+        dx->word_so_far)));
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slip_so_far = dx->slip_so_far + d_slid;
@@ -1284,8 +1285,9 @@ static void leave_stick(const real *parameters, const real *states, real counted
         0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_by_2 = 4.0 * after_bar + 2.0;
-    const real longer = select(after_bar < 0.0, -1.0,
-        select(by_4_times_after_bar_plus_by_2 < 4503599627370496.0, by_4_times_after_bar_plus_by_2, -1.0));
+    const real longer = select(x->word_so_far < 0.0, x->word_so_far,
+        select(by_4_times_after_bar_plus_by_2 < 4503599627370496.0, by_4_times_after_bar_plus_by_2,
+        -select(after_bar < 4503599627370496.0, after_bar, x->word_so_far)));
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slid_from = x->foot_x;
@@ -1312,8 +1314,9 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real d_after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far,
         dx->word_so_far);
-    const real d_longer = select(after_bar < 0.0, 0.0, select(4.0 * after_bar + 2.0 < 4503599627370496.0,
-        4.0 * d_after_bar, 0.0));
+    const real d_longer = select(x->word_so_far < 0.0, dx->word_so_far, select(4.0 * after_bar
+        + 2.0 < 4503599627370496.0, 4.0 * d_after_bar, -select(after_bar < 4503599627370496.0, d_after_bar,
+        dx->word_so_far)));
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slid_from = dx->foot_x;
@@ -1639,7 +1642,7 @@ static const tdmf_watch_kind watches_no_start[] = {
 };
 static const tdmf_guard_kind guards_flight_place[] = {
     {.event = EVENT_falls, .is_counted = true, .react = react_flight_place_falls,
-        .vary_react = vary_react_flight_place_falls, .is_watched = watches_flight_place_falls,
+        .vary_react = vary_react_flight_place_falls, .is_watched = watches_flight_place_falls, .ends = true,
         .vary_guard = vary_guard_flight_place_falls, .next = {MODE_fallen}},
     {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_place_touchdown,
         .vary_react = vary_react_flight_place_touchdown, .vary_guard = vary_guard_flight_place_touchdown,
@@ -1658,11 +1661,11 @@ static const tdmf_watch_kind watches_fallen[] = {
 };
 static const tdmf_guard_kind guards_slip_constant[] = {
     {.event = EVENT_falls, .is_counted = true, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_falls,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .is_counted = true, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_mid_stance, .is_counted = true, .react = react_slip_constant_mid_stance,
         .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_constant}},
@@ -1681,11 +1684,11 @@ static const tdmf_watch_kind watches_slip_constant[] = {
 };
 static const tdmf_guard_kind guards_stick[] = {
     {.event = EVENT_falls, .is_counted = true, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_falls,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .is_counted = true, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_mid_stance, .is_counted = true, .react = react_stick_mid_stance,
         .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_stick}},

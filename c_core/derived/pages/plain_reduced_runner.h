@@ -45,7 +45,7 @@ typedef struct {
     real y_then; /* m: Height of the centre of mass at the start of the stride */
     real count; /* 1: Number of completed strides */
     real word_code; /* 1: Gait word: + slip forward, 0 stick, - slip backward,
-        | new stance; -1 for over 26 letters */
+        | new stance; negative if cut */
     real period; /* s: Period of the last stride, T */
     real distance; /* m: Distance covered in the last stride */
     real rise_of_stride; /* m: Height gained in the last stride */

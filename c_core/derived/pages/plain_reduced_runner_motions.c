@@ -1222,6 +1222,7 @@ static const tdmf_vary_polynomial vary_observed_start_of_run[] = {NULL};
 static const int moving_start_of_run[] = {0};
 static const int degrees_start_of_run[] = {1};
 static const int judged_start_of_run[] = {0};
+static const int divided_start_of_run[] = {0};
 static const int divisors_start_of_run[] = {0};
 static const int integrals_start_of_run[] = {0};
 static const int factors_start_of_run[] = {0};
@@ -1230,6 +1231,7 @@ static const tdmf_vary_polynomial vary_observed_no_start[] = {NULL};
 static const int moving_no_start[] = {0};
 static const int degrees_no_start[] = {0};
 static const int judged_no_start[] = {0};
+static const int divided_no_start[] = {0};
 static const int divisors_no_start[] = {0};
 static const int integrals_no_start[] = {0};
 static const int factors_no_start[] = {0};
@@ -1239,6 +1241,7 @@ static const tdmf_vary_polynomial vary_observed_flight_place[] = {d_observed_fli
 static const int moving_flight_place[] = {50, 0, 49, 52, 44, 69};
 static const int degrees_flight_place[] = {2, 1, 1, 1, 1, 1};
 static const int judged_flight_place[] = {0};
+static const int divided_flight_place[] = {0};
 static const int divisors_flight_place[] = {0};
 static const int integrals_flight_place[] = {-1};
 static const int factors_flight_place[] = {-1, -1};
@@ -1247,6 +1250,7 @@ static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0};
 static const int degrees_fallen[] = {0};
 static const int judged_fallen[] = {0};
+static const int divided_fallen[] = {0};
 static const int divisors_fallen[] = {0};
 static const int integrals_fallen[] = {0};
 static const int factors_fallen[] = {0};
@@ -1258,6 +1262,7 @@ static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_sl
 static const int moving_slip_constant[] = {54, 55, 56, 57, 58, 59, 61, 64, 71, 0};
 static const int degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99};
 static const int judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 10};
+static const int divided_slip_constant[] = {-1, -1, -1, -1, -1, -1, -1};
 static const int divisors_slip_constant[] = {14, 13};
 static const int integrals_slip_constant[] = {8, -1};
 static const int factors_slip_constant[] = {27, -1, -1, -1};
@@ -1269,6 +1274,7 @@ static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_powe
 static const int moving_stick[] = {54, 55, 56, 57, 61, 71, 0, 58};
 static const int degrees_stick[] = {99, 99, 99, 99, 99, 99, 1, 1, 99};
 static const int judged_stick[] = {2, 3, 4, 5, 8};
+static const int divided_stick[] = {-1, -1, -1, -1, -1};
 static const int divisors_stick[] = {12, 11};
 static const int integrals_stick[] = {5, -1};
 static const int factors_stick[] = {23, -1, -1, -1};
@@ -1277,6 +1283,7 @@ static const tdmf_vary_polynomial vary_observed_no_stance[] = {NULL};
 static const int moving_no_stance[] = {0};
 static const int degrees_no_stance[] = {0};
 static const int judged_no_stance[] = {0};
+static const int divided_no_stance[] = {0};
 static const int divisors_no_stance[] = {0};
 static const int integrals_no_stance[] = {0};
 static const int factors_no_stance[] = {0};
@@ -1285,6 +1292,7 @@ static const tdmf_vary_polynomial vary_observed_no_apex[] = {NULL};
 static const int moving_no_apex[] = {0};
 static const int degrees_no_apex[] = {0};
 static const int judged_no_apex[] = {0};
+static const int divided_no_apex[] = {0};
 static const int divisors_no_apex[] = {0};
 static const int integrals_no_apex[] = {0};
 static const int factors_no_apex[] = {0};
@@ -1294,6 +1302,7 @@ static const tdmf_vary_polynomial vary_observed_flight_retract[] = {d_observed_f
 static const int moving_flight_retract[] = {50, 0, 49, 52};
 static const int degrees_flight_retract[] = {2, 1, 1, 1};
 static const int judged_flight_retract[] = {0};
+static const int divided_flight_retract[] = {0};
 static const int divisors_flight_retract[] = {0};
 static const int integrals_flight_retract[] = {-1};
 static const int factors_flight_retract[] = {-1, -1};
@@ -1301,54 +1310,57 @@ static const int factors_flight_retract[] = {-1, -1};
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_reduced_runner_motions)[] = {
     {.moving_count = 1, .extra_count = 0, .series_count = 1, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_start_of_run, .degrees = degrees_start_of_run,
-        .judged = judged_start_of_run, .divisors = divisors_start_of_run, .integrals = integrals_start_of_run,
-        .factors = factors_start_of_run, .polynomials = polynomials_start_of_run,
-        .vary_observed = vary_observed_start_of_run, .expand = expand_start_of_run, .vary = vary_start_of_run,
-        .bounds = bounds_start_of_run},
+        .judged = judged_start_of_run, .divided = divided_start_of_run, .divisors = divisors_start_of_run,
+        .integrals = integrals_start_of_run, .factors = factors_start_of_run,
+        .polynomials = polynomials_start_of_run, .vary_observed = vary_observed_start_of_run,
+        .expand = expand_start_of_run, .vary = vary_start_of_run, .bounds = bounds_start_of_run},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_no_start, .degrees = degrees_no_start, .judged = judged_no_start,
-        .divisors = divisors_no_start, .integrals = integrals_no_start, .factors = factors_no_start,
-        .polynomials = polynomials_no_start, .vary_observed = vary_observed_no_start,
-        .expand = expand_no_start, .vary = vary_no_start, .bounds = NULL},
+        .divided = divided_no_start, .divisors = divisors_no_start, .integrals = integrals_no_start,
+        .factors = factors_no_start, .polynomials = polynomials_no_start,
+        .vary_observed = vary_observed_no_start, .expand = expand_no_start, .vary = vary_no_start,
+        .bounds = NULL},
     {.moving_count = 6, .extra_count = 0, .series_count = 6, .constant_count = 5, .judged_count = 0,
         .divisor_count = 0, .moving = moving_flight_place, .degrees = degrees_flight_place,
-        .judged = judged_flight_place, .divisors = divisors_flight_place, .integrals = integrals_flight_place,
-        .factors = factors_flight_place, .polynomials = polynomials_flight_place,
-        .vary_observed = vary_observed_flight_place, .expand = expand_flight_place, .vary = vary_flight_place,
-        .bounds = bounds_flight_place},
+        .judged = judged_flight_place, .divided = divided_flight_place, .divisors = divisors_flight_place,
+        .integrals = integrals_flight_place, .factors = factors_flight_place,
+        .polynomials = polynomials_flight_place, .vary_observed = vary_observed_flight_place,
+        .expand = expand_flight_place, .vary = vary_flight_place, .bounds = bounds_flight_place},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_fallen, .degrees = degrees_fallen, .judged = judged_fallen,
-        .divisors = divisors_fallen, .integrals = integrals_fallen, .factors = factors_fallen,
-        .polynomials = polynomials_fallen, .vary_observed = vary_observed_fallen, .expand = expand_fallen,
-        .vary = vary_fallen, .bounds = NULL},
+        .divided = divided_fallen, .divisors = divisors_fallen, .integrals = integrals_fallen,
+        .factors = factors_fallen, .polynomials = polynomials_fallen, .vary_observed = vary_observed_fallen,
+        .expand = expand_fallen, .vary = vary_fallen, .bounds = NULL},
     {.moving_count = 10, .extra_count = 1, .series_count = 28, .constant_count = 12, .judged_count = 7,
         .divisor_count = 2, .moving = moving_slip_constant, .degrees = degrees_slip_constant,
-        .judged = judged_slip_constant, .divisors = divisors_slip_constant,
+        .judged = judged_slip_constant, .divided = divided_slip_constant, .divisors = divisors_slip_constant,
         .integrals = integrals_slip_constant, .factors = factors_slip_constant,
         .polynomials = polynomials_slip_constant, .vary_observed = vary_observed_slip_constant,
         .expand = expand_slip_constant, .vary = vary_slip_constant, .bounds = bounds_slip_constant},
     {.moving_count = 8, .extra_count = 1, .series_count = 24, .constant_count = 11, .judged_count = 5,
         .divisor_count = 2, .moving = moving_stick, .degrees = degrees_stick, .judged = judged_stick,
-        .divisors = divisors_stick, .integrals = integrals_stick, .factors = factors_stick,
-        .polynomials = polynomials_stick, .vary_observed = vary_observed_stick, .expand = expand_stick,
-        .vary = vary_stick, .bounds = bounds_stick},
+        .divided = divided_stick, .divisors = divisors_stick, .integrals = integrals_stick,
+        .factors = factors_stick, .polynomials = polynomials_stick, .vary_observed = vary_observed_stick,
+        .expand = expand_stick, .vary = vary_stick, .bounds = bounds_stick},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_no_stance, .degrees = degrees_no_stance,
-        .judged = judged_no_stance, .divisors = divisors_no_stance, .integrals = integrals_no_stance,
-        .factors = factors_no_stance, .polynomials = polynomials_no_stance,
+        .judged = judged_no_stance, .divided = divided_no_stance, .divisors = divisors_no_stance,
+        .integrals = integrals_no_stance, .factors = factors_no_stance, .polynomials = polynomials_no_stance,
         .vary_observed = vary_observed_no_stance, .expand = expand_no_stance, .vary = vary_no_stance,
         .bounds = NULL},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_no_apex, .degrees = degrees_no_apex, .judged = judged_no_apex,
-        .divisors = divisors_no_apex, .integrals = integrals_no_apex, .factors = factors_no_apex,
-        .polynomials = polynomials_no_apex, .vary_observed = vary_observed_no_apex, .expand = expand_no_apex,
-        .vary = vary_no_apex, .bounds = NULL},
+        .divided = divided_no_apex, .divisors = divisors_no_apex, .integrals = integrals_no_apex,
+        .factors = factors_no_apex, .polynomials = polynomials_no_apex,
+        .vary_observed = vary_observed_no_apex, .expand = expand_no_apex, .vary = vary_no_apex,
+        .bounds = NULL},
     {.moving_count = 4, .extra_count = 0, .series_count = 4, .constant_count = 2, .judged_count = 0,
         .divisor_count = 0, .moving = moving_flight_retract, .degrees = degrees_flight_retract,
-        .judged = judged_flight_retract, .divisors = divisors_flight_retract,
-        .integrals = integrals_flight_retract, .factors = factors_flight_retract,
-        .polynomials = polynomials_flight_retract, .vary_observed = vary_observed_flight_retract,
-        .expand = expand_flight_retract, .vary = vary_flight_retract, .bounds = bounds_flight_retract},
+        .judged = judged_flight_retract, .divided = divided_flight_retract,
+        .divisors = divisors_flight_retract, .integrals = integrals_flight_retract,
+        .factors = factors_flight_retract, .polynomials = polynomials_flight_retract,
+        .vary_observed = vary_observed_flight_retract, .expand = expand_flight_retract,
+        .vary = vary_flight_retract, .bounds = bounds_flight_retract},
 };
 
 #ifdef TDMF_LANES

@@ -418,6 +418,58 @@ static real vary_guard_slip_constant_collapses(const real *parameters, const rea
     return d_length - dp->least_length;
 }
 
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
+ * counted. */
+static int react_slip_constant_greatest_compression(const real *parameters, const real *states,
+    const tdmf_table *tables, real *after, const int *next) {
+    (void)parameters;
+    (void)states;
+    (void)tables;
+    plain_runner_states *y = (void *)after;
+    y->thrusting = 1.0;
+    return next[0]; /* slip */
+}
+
+/* First variation of greatest_compression. */
+static void vary_react_slip_constant_greatest_compression(const real *parameters, const real *states,
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
+    (void)parameters;
+    (void)states;
+    (void)d_parameters;
+    (void)d_states;
+    (void)tables;
+    (void)seed;
+    plain_runner_states *y = (void *)after;
+    y->thrusting = 0.0;
+}
+
+/* Whether greatest_compression is watched. */
+static real watches_slip_constant_greatest_compression(const real *parameters, const real *states) {
+    const plain_runner_parameters *p = (const void *)parameters;
+    const plain_runner_states *x = (const void *)states;
+    if (x->thrusting <= 0.0 && p->notes_compression > 0.0) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
+/* First variation of the guard of greatest_compression. */
+static real vary_guard_slip_constant_greatest_compression(const real *parameters, const real *states,
+    const real *d_parameters, const real *d_states) {
+    (void)parameters;
+    const plain_runner_states *x = (const void *)states;
+    (void)d_parameters;
+    const plain_runner_states *dx = (const void *)d_states;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+    const real d_length = 0.5 * d_square / length;
+    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+        - length_rate * d_length) / length;
+    return -d_length_rate;
+}
+
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_slip_constant_mid_stance(const real *parameters, const real *states,
     const tdmf_table *tables, real *after, const int *next) {
@@ -511,6 +563,7 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         y->com_vx = along;
         y->com_vy = rise;
         y->momentum = moment;
+        y->thrusting = 0.0;
         return next[1]; /* flight */
     }
     const real retracting_torque = -(p->kp * (angle - p->liftoff_factor * angle)) - kd_times_angle_rate;
@@ -528,6 +581,7 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         y->com_vx = along;
         y->com_vy = rise;
         y->momentum = moment;
+        y->thrusting = 0.0;
         return next[3]; /* flight */
     }
     if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
@@ -542,6 +596,7 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     y->com_vx = along;
     y->com_vy = rise;
     y->momentum = moment;
+    y->thrusting = 0.0;
     return next[5]; /* flight */
 }
 
@@ -605,6 +660,7 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         y->com_vx = d_along;
         y->com_vy = d_rise;
         y->momentum = d_moment;
+        y->thrusting = 0.0;
         return;
     }
     const real retracting_torque = -(p->kp * (angle - p->liftoff_factor * angle)) - kd_times_angle_rate;
@@ -622,6 +678,7 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         y->com_vx = d_along;
         y->com_vy = d_rise;
         y->momentum = d_moment;
+        y->thrusting = 0.0;
         return;
     }
     if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
@@ -636,6 +693,7 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     y->com_vx = d_along;
     y->com_vy = d_rise;
     y->momentum = d_moment;
+    y->thrusting = 0.0;
 }
 
 /* First variation of the guard of lift_off. */
@@ -746,9 +804,9 @@ static void leave_slip_constant(const real *parameters, const real *states, real
         x->bar_is_due), 0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_letter = 4.0 * after_bar + letter;
-    const real longer = select(after_bar < 0.0, -1.0,
+    const real longer = select(x->word_so_far < 0.0, x->word_so_far,
         select(by_4_times_after_bar_plus_letter < 4503599627370496.0, by_4_times_after_bar_plus_letter,
-        -1.0));
+        -select(after_bar < 4503599627370496.0, after_bar, x->word_so_far)));
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slip_so_far = x->slip_so_far + slid;
@@ -778,8 +836,9 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real d_after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far,
         dx->word_so_far);
-    const real d_longer = select(after_bar < 0.0, 0.0, select(4.0 * after_bar + letter < 4503599627370496.0,
-        4.0 * d_after_bar, 0.0));
+    const real d_longer = select(x->word_so_far < 0.0, dx->word_so_far, select(4.0 * after_bar
+        + letter < 4503599627370496.0, 4.0 * d_after_bar, -select(after_bar < 4503599627370496.0, d_after_bar,
+        dx->word_so_far)));
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slip_so_far = dx->slip_so_far + d_slid;
@@ -944,6 +1003,18 @@ static void vary_open_stick(const real *parameters, const real *states, const re
     c->friction = dx->friction;
 }
 
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
+ * counted. */
+static int react_stick_greatest_compression(const real *parameters, const real *states,
+    const tdmf_table *tables, real *after, const int *next) {
+    (void)parameters;
+    (void)states;
+    (void)tables;
+    plain_runner_states *y = (void *)after;
+    y->thrusting = 1.0;
+    return next[0]; /* stick */
+}
+
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_stick_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
@@ -1069,8 +1140,9 @@ static void leave_stick(const real *parameters, const real *states, real counted
         0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_by_2 = 4.0 * after_bar + 2.0;
-    const real longer = select(after_bar < 0.0, -1.0,
-        select(by_4_times_after_bar_plus_by_2 < 4503599627370496.0, by_4_times_after_bar_plus_by_2, -1.0));
+    const real longer = select(x->word_so_far < 0.0, x->word_so_far,
+        select(by_4_times_after_bar_plus_by_2 < 4503599627370496.0, by_4_times_after_bar_plus_by_2,
+        -select(after_bar < 4503599627370496.0, after_bar, x->word_so_far)));
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slid_from = x->foot_x;
@@ -1097,8 +1169,9 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real d_after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far,
         dx->word_so_far);
-    const real d_longer = select(after_bar < 0.0, 0.0, select(4.0 * after_bar + 2.0 < 4503599627370496.0,
-        4.0 * d_after_bar, 0.0));
+    const real d_longer = select(x->word_so_far < 0.0, dx->word_so_far, select(4.0 * after_bar
+        + 2.0 < 4503599627370496.0, 4.0 * d_after_bar, -select(after_bar < 4503599627370496.0, d_after_bar,
+        dx->word_so_far)));
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slid_from = dx->foot_x;
@@ -2086,6 +2159,7 @@ static int react_graze_place_graze_to_flight(const real *parameters, const real 
     y->com_vx = vx;
     y->com_vy = vy;
     y->momentum = moment;
+    y->thrusting = 0.0;
     return next[0]; /* flight */
 }
 
@@ -2123,6 +2197,7 @@ static void vary_react_graze_place_graze_to_flight(const real *parameters, const
     y->com_vx = d_vx;
     y->com_vy = d_vy;
     y->momentum = d_moment;
+    y->thrusting = 0.0;
 }
 
 /* First variation of the guard of graze_to_flight. */
@@ -2623,20 +2698,21 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_states[58] = p->free_length;
     of_states[59] = p->free_length * sqrt_of_stiffness_over_body_mass;
     of_states[60] = 1.0;
-    of_states[61] = p->stiffness * p->free_length * p->free_length;
-    of_states[62] = 1.0;
+    of_states[61] = 1.0;
+    of_states[62] = p->stiffness * p->free_length * p->free_length;
     of_states[63] = 1.0;
-    of_states[64] = p->stiffness * p->free_length * p->free_length;
+    of_states[64] = 1.0;
     of_states[65] = p->stiffness * p->free_length * p->free_length;
     of_states[66] = p->stiffness * p->free_length * p->free_length;
-    of_states[67] = 1.0;
+    of_states[67] = p->stiffness * p->free_length * p->free_length;
     of_states[68] = 1.0;
-    of_states[69] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[69] = 1.0;
     of_states[70] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[71] = 1.0;
-    of_states[72] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[73] = 1.0;
-    of_states[74] = p->stiffness * p->free_length * p->free_length;
+    of_states[71] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[72] = 1.0;
+    of_states[73] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[74] = 1.0;
+    of_states[75] = p->stiffness * p->free_length * p->free_length;
     of_events[EVENT_begins] = 1.0;
     of_events[EVENT_falls] = p->free_length;
     of_events[EVENT_collapses] = p->free_length;
@@ -2645,6 +2721,7 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_events[EVENT_touchdown] = p->free_length;
     of_events[EVENT_clamp] = p->stiffness * p->free_length * p->free_length;
     of_events[EVENT_release] = p->stiffness * p->free_length * p->free_length;
+    of_events[EVENT_greatest_compression] = p->free_length * sqrt_of_stiffness_over_body_mass;
     of_events[EVENT_mid_stance] = 1.0;
     of_events[EVENT_lift_off] = p->stiffness * p->free_length;
     of_events[EVENT_slips_forward] = p->stiffness * p->free_length;
@@ -2665,10 +2742,14 @@ static const tdmf_watch_kind watches_start_of_run[] = {
 };
 static const tdmf_guard_kind guards_slip_constant[] = {
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
+    {.event = EVENT_greatest_compression, .react = react_slip_constant_greatest_compression,
+        .vary_react = vary_react_slip_constant_greatest_compression,
+        .is_watched = watches_slip_constant_greatest_compression,
+        .vary_guard = vary_guard_slip_constant_greatest_compression, .next = {MODE_slip_constant}},
     {.event = EVENT_mid_stance, .is_counted = true, .react = react_slip_constant_mid_stance,
         .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_constant}},
@@ -2688,10 +2769,14 @@ static const tdmf_watch_kind watches_slip_constant[] = {
 };
 static const tdmf_guard_kind guards_stick[] = {
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
+    {.event = EVENT_greatest_compression, .react = react_stick_greatest_compression,
+        .vary_react = vary_react_slip_constant_greatest_compression,
+        .is_watched = watches_slip_constant_greatest_compression,
+        .vary_guard = vary_guard_slip_constant_greatest_compression, .next = {MODE_stick}},
     {.event = EVENT_mid_stance, .is_counted = true, .react = react_stick_mid_stance,
         .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_stick}},
@@ -2714,10 +2799,10 @@ static const tdmf_watch_kind watches_stick[] = {
 };
 static const tdmf_guard_kind guards_flight_place_calm[] = {
     {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
+        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
         .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
         .vary_react = vary_react_flight_place_calm_apex, .is_watched = watches_flight_place_calm_apex,
@@ -2734,10 +2819,10 @@ static const tdmf_watch_kind watches_flight_place_calm[] = {
 };
 static const tdmf_guard_kind guards_flight_rest_calm[] = {
     {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
+        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
         .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
         .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
@@ -2756,10 +2841,10 @@ static const tdmf_watch_kind watches_flight_rest_calm[] = {
 };
 static const tdmf_guard_kind guards_flight_retract_calm[] = {
     {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
+        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
         .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
         .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
@@ -2784,10 +2869,10 @@ static const tdmf_watch_kind watches_fallen[] = {
 };
 static const tdmf_guard_kind guards_graze_place[] = {
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_mid_stance, .is_counted = true, .react = react_graze_place_mid_stance,
         .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_graze_place}},
@@ -2805,10 +2890,10 @@ static const tdmf_watch_kind watches_graze_place[] = {
 };
 static const tdmf_guard_kind guards_graze_rest[] = {
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex_in_graze, .is_counted = true, .react = react_graze_rest_apex_in_graze,
         .vary_react = vary_react_graze_rest_apex_in_graze, .vary_guard = vary_guard_graze_rest_apex_in_graze,
         .next = {MODE_graze_place}},
@@ -2832,10 +2917,10 @@ static const tdmf_watch_kind watches_graze_rest[] = {
 };
 static const tdmf_guard_kind guards_graze_retract[] = {
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex_in_graze, .is_counted = true, .react = react_graze_rest_apex_in_graze,
         .vary_react = vary_react_graze_rest_apex_in_graze, .vary_guard = vary_guard_graze_rest_apex_in_graze,
         .next = {MODE_graze_place}},
@@ -2866,14 +2951,14 @@ static const tdmf_mode_kind modes[] = {
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run},
     {.motion = &tdmf_plain_runner_motions[MODE_slip_constant], .open = open_slip_constant,
-        .vary_open = vary_open_slip_constant, .guard_count = 5, .guards = guards_slip_constant,
+        .vary_open = vary_open_slip_constant, .guard_count = 6, .guards = guards_slip_constant,
         .watch_count = 2, .watches = watches_slip_constant, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_slip_constant,
         .vary_leave = vary_leave_slip_constant, .from_world = from_world_slip_constant,
         .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
         .vary_to_world = vary_to_world_slip_constant},
     {.motion = &tdmf_plain_runner_motions[MODE_stick], .open = open_stick, .vary_open = vary_open_stick,
-        .guard_count = 6, .guards = guards_stick, .watch_count = 2, .watches = watches_stick,
+        .guard_count = 7, .guards = guards_stick, .watch_count = 2, .watches = watches_stick,
         .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run, .leave = leave_stick,
         .vary_leave = vary_leave_stick, .from_world = from_world_slip_constant,
         .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
@@ -2945,15 +3030,15 @@ static const char *const state_names[] = {"time", "events", "last_event", "is_op
     "slip_distance", "peak_force", "peak_vertical_force", "apex_time", "apex_com_height", "apex_com_speed",
     "apex_length", "apex_angle", "apex_length_rate", "apex_angle_rate", "seen_x", "seen_y", "length", "angle",
     "seen_vx", "seen_vy", "length_rate", "angle_rate", "com_x", "com_y", "com_vx", "com_vy", "momentum", "x",
-    "y", "vx", "vy", "foot_x", "foot_vx", "winding", "damper_loss", "friction", "way", "friction_loss",
-    "impact_loss", "external_torque", "liftoff_angle", "driving", "placing", "touchdown_time", "was_placed",
-    "placed_for", "rises_again", "work"};
+    "y", "vx", "vy", "foot_x", "foot_vx", "winding", "thrusting", "damper_loss", "friction", "way",
+    "friction_loss", "impact_loss", "external_torque", "liftoff_angle", "driving", "placing",
+    "touchdown_time", "was_placed", "placed_for", "rises_again", "work"};
 static const char *const parameter_names[] = {"body_mass", "foot_mass", "stiffness", "damping", "free_length",
-    "least_length", "gravity", "drive_torque", "kp", "kd", "touchdown_angle", "liftoff_factor",
-    "swing_clamp"};
+    "least_length", "gravity", "notes_compression", "drive_torque", "kp", "kd", "touchdown_angle",
+    "liftoff_factor", "swing_clamp"};
 static const char *const event_names[] = {"begins", "falls", "collapses", "apex", "apex_in_graze",
-    "touchdown", "clamp", "release", "mid_stance", "lift_off", "slips_forward", "slips_backward",
-    "comes_to_rest", "graze_to_contact", "graze_to_flight"};
+    "touchdown", "clamp", "release", "greatest_compression", "mid_stance", "lift_off", "slips_forward",
+    "slips_backward", "comes_to_rest", "graze_to_contact", "graze_to_flight"};
 static const char *const output_names[] = {0};
 static const char *const table_names[] = {0};
 static const char *const section_names[] = {"at_apex"};
@@ -2961,14 +3046,15 @@ static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.4722627765193387, 0.6417114468531165, 0.9999993776846997,
     -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05, 1.1268102275039307e-06,
-    4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0,
-    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-static const double parameter_defaults[] = {1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01, 0.2, 0.1, 0.1,
+    4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+static const double parameter_defaults[] = {1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01, 1.0, 0.2, 0.1, 0.1,
     0.6981317007977318, 1.2, 0.0};
-static const double parameter_least[] = {1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09, -1e+18, 0.0, 0.0,
-    -1.5707963267948966, 0.0, -1.7976931348623157e+308};
+static const double parameter_least[] = {1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09,
+    -1.7976931348623157e+308, -1e+18, 0.0, 0.0, -1.5707963267948966, 0.0, -1.7976931348623157e+308};
 static const double parameter_most[] = {1000000000.0, 1000000000.0, 1000000000000.0, 1000000000000.0,
-    1000000.0, 1000000.0, 1000000.0, 1e+18, 1e+18, 1e+18, 1.5707963267948966, 100.0, 1.7976931348623157e+308};
+    1000000.0, 1000000.0, 1000000.0, 1.7976931348623157e+308, 1e+18, 1e+18, 1e+18, 1.5707963267948966, 100.0,
+    1.7976931348623157e+308};
 
 const tdmf_model_kind tdmf_plain_runner_model = {
     .modes = modes,
@@ -2983,11 +3069,11 @@ const tdmf_model_kind tdmf_plain_runner_model = {
     .seeds = TDMF_FOR_SEEDS(tdmf_plain_runner_seeds),
     .mode_count = 10,
     .mode_names = mode_names,
-    .state_count = 75,
+    .state_count = 76,
     .state_names = state_names,
-    .parameter_count = 13,
+    .parameter_count = 14,
     .parameter_names = parameter_names,
-    .event_count = 15,
+    .event_count = 16,
     .event_names = event_names,
     .output_count = 0,
     .output_names = output_names,

@@ -7,8 +7,9 @@
 enum {MODE_start_of_run, MODE_slip_constant, MODE_stick, MODE_flight_place_calm, MODE_flight_rest_calm,
     MODE_flight_retract_calm, MODE_fallen, MODE_graze_place, MODE_graze_rest, MODE_graze_retract, MODE_COUNT};
 enum {EVENT_begins, EVENT_falls, EVENT_collapses, EVENT_apex, EVENT_apex_in_graze, EVENT_touchdown,
-    EVENT_clamp, EVENT_release, EVENT_mid_stance, EVENT_lift_off, EVENT_slips_forward, EVENT_slips_backward,
-    EVENT_comes_to_rest, EVENT_graze_to_contact, EVENT_graze_to_flight, EVENT_COUNT};
+    EVENT_clamp, EVENT_release, EVENT_greatest_compression, EVENT_mid_stance, EVENT_lift_off,
+    EVENT_slips_forward, EVENT_slips_backward, EVENT_comes_to_rest, EVENT_graze_to_contact,
+    EVENT_graze_to_flight, EVENT_COUNT};
 enum {OUTPUT_COUNT};
 
 enum {TABLE_COUNT};
@@ -21,6 +22,8 @@ typedef struct {
     real free_length; /* m: Length of the unloaded leg, l0 */
     real least_length; /* m: Leg length below which the runner falls */
     real gravity; /* m/s2: Acceleration of gravity, g */
+    real notes_compression; /* 1: Whether a thrust that is set later acts at once if the leg has been shortest
+        before */
     real drive_torque; /* N.m: Hip torque in the first half of a stance, tau0 */
     real kp; /* N.m/rad: Proportional gain of the hip in flight */
     real kd; /* N.m.s/rad: Derivative gain of the hip in flight */
@@ -50,7 +53,7 @@ typedef struct {
     real y_then; /* m: Height of the centre of mass at the start of the stride */
     real count; /* 1: Number of completed strides */
     real word_code; /* 1: Gait word: + slip forward, 0 stick, - slip backward,
-        | new stance; -1 for over 26 letters */
+        | new stance; negative if cut */
     real period; /* s: Period of the last stride, T */
     real distance; /* m: Distance covered in the last stride */
     real rise_of_stride; /* m: Height gained in the last stride */
@@ -92,6 +95,7 @@ typedef struct {
     real foot_x; /* m: Position of the foot along the ground */
     real foot_vx; /* m/s: Velocity of the foot along the ground */
     real winding; /* rad: Leg angle less its principal value: a multiple of 2 pi */
+    real thrusting; /* 1: 1 from greatest compression to lift-off, else 0 */
     real damper_loss; /* J: Energy lost in the damper since the start */
     real friction; /* 1: Friction coefficient between foot and ground, mu */
     real way; /* 1: Direction of slip, 1 or -1 */

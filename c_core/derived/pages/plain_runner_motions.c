@@ -420,6 +420,17 @@ static void guard_slip_constant_collapses(const real *constants, const real *ser
     }
 }
 
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
+ * counted. */
+static void guard_slip_constant_greatest_compression(const real *constants, const real *series, int order,
+    real *g) {
+    (void)constants;
+    const slip_constant_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = -s->length_rate[k];
+    }
+}
+
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static void guard_slip_constant_mid_stance(const real *constants, const real *series, int order, real *g) {
     const slip_constant_constants *c = (const void *)constants;
@@ -483,19 +494,24 @@ static void bounds_slip_constant(const real *constants, const real *series, cons
     const interval span_6 = interval_sum(span_4, span_5);
     const interval span_7 = interval_at(c->foot_mass_times_gravity, c->foot_mass_times_gravity);
     const interval span_8 = interval_sum(span_6, span_7);
-    bounds[3] = span_8;
+    bounds[4] = span_8;
     const interval span_9 = interval_at(c->way, c->way);
     const interval span_10 = interval_of_series(s->foot_vx, power, order);
     const interval span_11 = interval_product(span_9, span_10);
-    bounds[4] = span_11;
+    bounds[5] = span_11;
     if (watched >> 2 & 1) {
+        const interval span_12 = interval_of_series(s->length_rate, power, order);
+        const interval span_13 = interval_at(-span_12.high, -span_12.low);
+        bounds[2] = span_13;
+    }
+    if (watched >> 3 & 1) {
         const interval span_12 = interval_of_series(s->seen_angle, power, order);
         const interval span_13 = interval_at(c->winding, c->winding);
         const interval span_14 = interval_sum(span_12, span_13);
-        bounds[2] = span_14;
+        bounds[3] = span_14;
     }
-    if (watched >> 6 & 1) {
-        bounds[6] = span_8;
+    if (watched >> 7 & 1) {
+        bounds[7] = span_8;
     }
 }
 
@@ -829,6 +845,16 @@ static void guard_stick_collapses(const real *constants, const real *series, int
     }
 }
 
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
+ * counted. */
+static void guard_stick_greatest_compression(const real *constants, const real *series, int order, real *g) {
+    (void)constants;
+    const stick_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = -s->length_rate[k];
+    }
+}
+
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static void guard_stick_mid_stance(const real *constants, const real *series, int order, real *g) {
     const stick_constants *c = (const void *)constants;
@@ -903,24 +929,29 @@ static void bounds_stick(const real *constants, const real *series, const real *
     const interval span_6 = interval_sum(span_4, span_5);
     const interval span_7 = interval_at(c->foot_mass_times_gravity, c->foot_mass_times_gravity);
     const interval span_8 = interval_sum(span_6, span_7);
-    bounds[3] = span_8;
+    bounds[4] = span_8;
     const interval span_9 = interval_at(c->friction, c->friction);
     const interval span_10 = interval_product(span_9, span_8);
     const interval span_11 = interval_of_series(s->axial_times_x_, power, order);
     const interval span_12 = interval_of_series(s->turning_times_y_, power, order);
     const interval span_13 = interval_difference(span_11, span_12);
     const interval span_14 = interval_sum(span_10, span_13);
-    bounds[4] = span_14;
+    bounds[5] = span_14;
     const interval span_15 = interval_difference(span_10, span_13);
-    bounds[5] = span_15;
+    bounds[6] = span_15;
     if (watched >> 2 & 1) {
+        const interval span_16 = interval_of_series(s->length_rate, power, order);
+        const interval span_17 = interval_at(-span_16.high, -span_16.low);
+        bounds[2] = span_17;
+    }
+    if (watched >> 3 & 1) {
         const interval span_16 = interval_of_series(s->seen_angle, power, order);
         const interval span_17 = interval_at(c->winding, c->winding);
         const interval span_18 = interval_sum(span_16, span_17);
-        bounds[2] = span_18;
+        bounds[3] = span_18;
     }
-    if (watched >> 7 & 1) {
-        bounds[7] = span_8;
+    if (watched >> 8 & 1) {
+        bounds[8] = span_8;
     }
 }
 
@@ -3017,28 +3048,32 @@ static const tdmf_vary_polynomial vary_observed_start_of_run[] = {NULL};
 static const int moving_start_of_run[] = {0};
 static const int degrees_start_of_run[] = {1};
 static const int judged_start_of_run[] = {0};
+static const int divided_start_of_run[] = {0};
 static const int divisors_start_of_run[] = {0};
 static const int integrals_start_of_run[] = {0};
 static const int factors_start_of_run[] = {0};
 static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_falls,
-    guard_slip_constant_collapses, guard_slip_constant_mid_stance, guard_slip_constant_lift_off,
-    guard_slip_constant_comes_to_rest, guard_slip_constant_power_of_hip, guard_slip_constant_force_on_foot};
+    guard_slip_constant_collapses, guard_slip_constant_greatest_compression, guard_slip_constant_mid_stance,
+    guard_slip_constant_lift_off, guard_slip_constant_comes_to_rest, guard_slip_constant_power_of_hip,
+    guard_slip_constant_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_slip_constant_power_of_hip,
     d_observed_slip_constant_force_on_foot};
-static const int moving_slip_constant[] = {54, 55, 56, 57, 58, 59, 61, 64, 74, 0};
+static const int moving_slip_constant[] = {54, 55, 56, 57, 58, 59, 62, 65, 75, 0};
 static const int degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99};
 static const int judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 10};
+static const int divided_slip_constant[] = {-1, -1, -1, -1, -1, -1, -1};
 static const int divisors_slip_constant[] = {14, 13};
 static const int integrals_slip_constant[] = {8, -1};
 static const int factors_slip_constant[] = {27, -1, -1, -1};
 static const tdmf_polynomial polynomials_stick[] = {guard_stick_falls, guard_stick_collapses,
-    guard_stick_mid_stance, guard_stick_lift_off, guard_stick_slips_forward, guard_stick_slips_backward,
-    guard_stick_power_of_hip, guard_stick_force_on_foot};
+    guard_stick_greatest_compression, guard_stick_mid_stance, guard_stick_lift_off, guard_stick_slips_forward,
+    guard_stick_slips_backward, guard_stick_power_of_hip, guard_stick_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_power_of_hip,
     d_observed_stick_force_on_foot};
-static const int moving_stick[] = {54, 55, 56, 57, 61, 74, 0, 58};
+static const int moving_stick[] = {54, 55, 56, 57, 62, 75, 0, 58};
 static const int degrees_stick[] = {99, 99, 99, 99, 99, 99, 1, 1, 99};
 static const int judged_stick[] = {2, 3, 4, 5, 8};
+static const int divided_stick[] = {-1, -1, -1, -1, -1};
 static const int divisors_stick[] = {12, 11};
 static const int integrals_stick[] = {5, -1};
 static const int factors_stick[] = {23, -1, -1, -1};
@@ -3047,9 +3082,10 @@ static const tdmf_polynomial polynomials_flight_place_calm[] = {guard_flight_pla
     guard_flight_place_calm_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_flight_place_calm[] =
     {d_observed_flight_place_calm_power_of_hip};
-static const int moving_flight_place_calm[] = {43, 44, 47, 50, 53, 61, 74, 0, 49, 52, 69};
+static const int moving_flight_place_calm[] = {43, 44, 47, 50, 53, 62, 75, 0, 49, 52, 70};
 static const int degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1, 1, 1};
 static const int judged_flight_place_calm[] = {1, 2, 4, 5, 6};
+static const int divided_flight_place_calm[] = {-1, -1, 0, -1, -1};
 static const int divisors_flight_place_calm[] = {11};
 static const int integrals_flight_place_calm[] = {6};
 static const int factors_flight_place_calm[] = {15, 12};
@@ -3058,9 +3094,10 @@ static const tdmf_polynomial polynomials_flight_rest_calm[] = {guard_flight_rest
     guard_flight_rest_calm_release, guard_flight_rest_calm_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_flight_rest_calm[] =
     {d_observed_flight_rest_calm_power_of_hip};
-static const int moving_flight_rest_calm[] = {43, 44, 47, 50, 61, 74, 0, 49, 52, 53};
+static const int moving_flight_rest_calm[] = {43, 44, 47, 50, 62, 75, 0, 49, 52, 53};
 static const int degrees_flight_rest_calm[] = {99, 99, 99, 2, 99, 99, 1, 1, 1, 1};
 static const int judged_flight_rest_calm[] = {1, 2, 4, 5};
+static const int divided_flight_rest_calm[] = {-1, -1, -1, -1};
 static const int divisors_flight_rest_calm[] = {10};
 static const int integrals_flight_rest_calm[] = {5};
 static const int factors_flight_rest_calm[] = {11, -1};
@@ -3069,9 +3106,10 @@ static const tdmf_polynomial polynomials_flight_retract_calm[] = {guard_flight_r
     guard_flight_retract_calm_clamp, guard_flight_retract_calm_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_flight_retract_calm[] =
     {d_observed_flight_retract_calm_power_of_hip};
-static const int moving_flight_retract_calm[] = {43, 44, 47, 50, 53, 61, 74, 0, 49, 52};
+static const int moving_flight_retract_calm[] = {43, 44, 47, 50, 53, 62, 75, 0, 49, 52};
 static const int degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1, 1};
 static const int judged_flight_retract_calm[] = {1, 2, 4, 5, 6};
+static const int divided_flight_retract_calm[] = {-1, -1, 0, -1, -1};
 static const int divisors_flight_retract_calm[] = {10};
 static const int integrals_flight_retract_calm[] = {6};
 static const int factors_flight_retract_calm[] = {14, 11};
@@ -3080,6 +3118,7 @@ static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0};
 static const int degrees_fallen[] = {0};
 static const int judged_fallen[] = {0};
+static const int divided_fallen[] = {0};
 static const int divisors_fallen[] = {0};
 static const int integrals_fallen[] = {0};
 static const int factors_fallen[] = {0};
@@ -3087,9 +3126,10 @@ static const tdmf_polynomial polynomials_graze_place[] = {guard_graze_place_fall
     guard_graze_place_collapses, guard_graze_place_mid_stance, guard_graze_place_graze_to_contact,
     guard_graze_place_graze_to_flight, guard_graze_place_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_graze_place[] = {d_observed_graze_place_power_of_hip};
-static const int moving_graze_place[] = {54, 55, 56, 58, 59, 61, 74, 0, 57, 69};
+static const int moving_graze_place[] = {54, 55, 56, 58, 59, 62, 75, 0, 57, 70};
 static const int degrees_graze_place[] = {99, 2, 99, 99, 99, 99, 99, 1, 1, 1, 99};
 static const int judged_graze_place[] = {2, 4, 5, 6, 10};
+static const int divided_graze_place[] = {-1, -1, -1, -1, -1};
 static const int divisors_graze_place[] = {14, 0, 13};
 static const int integrals_graze_place[] = {6};
 static const int factors_graze_place[] = {22, 25};
@@ -3097,9 +3137,10 @@ static const tdmf_polynomial polynomials_graze_rest[] = {guard_graze_rest_falls,
     guard_graze_rest_apex_in_graze, guard_graze_rest_release, guard_graze_rest_mid_stance,
     guard_graze_rest_graze_to_contact, guard_graze_rest_graze_to_flight, guard_graze_rest_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_graze_rest[] = {d_observed_graze_rest_power_of_hip};
-static const int moving_graze_rest[] = {54, 55, 56, 58, 59, 61, 74, 0, 57};
+static const int moving_graze_rest[] = {54, 55, 56, 58, 59, 62, 75, 0, 57};
 static const int degrees_graze_rest[] = {99, 2, 99, 99, 99, 99, 99, 1, 1, 99};
 static const int judged_graze_rest[] = {2, 4, 5, 6, 9};
+static const int divided_graze_rest[] = {-1, -1, -1, -1, -1};
 static const int divisors_graze_rest[] = {13, 0, 12};
 static const int integrals_graze_rest[] = {6};
 static const int factors_graze_rest[] = {21, 24};
@@ -3108,9 +3149,10 @@ static const tdmf_polynomial polynomials_graze_retract[] = {guard_graze_retract_
     guard_graze_retract_mid_stance, guard_graze_retract_graze_to_contact, guard_graze_retract_graze_to_flight,
     guard_graze_retract_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_graze_retract[] = {d_observed_graze_retract_power_of_hip};
-static const int moving_graze_retract[] = {54, 55, 56, 58, 59, 61, 74, 0, 57};
+static const int moving_graze_retract[] = {54, 55, 56, 58, 59, 62, 75, 0, 57};
 static const int degrees_graze_retract[] = {99, 2, 99, 99, 99, 99, 99, 1, 1, 99};
 static const int judged_graze_retract[] = {2, 4, 5, 6, 9};
+static const int divided_graze_retract[] = {-1, -1, -1, -1, -1};
 static const int divisors_graze_retract[] = {13, 0, 12};
 static const int integrals_graze_retract[] = {6};
 static const int factors_graze_retract[] = {21, 24};
@@ -3118,61 +3160,62 @@ static const int factors_graze_retract[] = {21, 24};
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
     {.moving_count = 1, .extra_count = 0, .series_count = 1, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_start_of_run, .degrees = degrees_start_of_run,
-        .judged = judged_start_of_run, .divisors = divisors_start_of_run, .integrals = integrals_start_of_run,
-        .factors = factors_start_of_run, .polynomials = polynomials_start_of_run,
-        .vary_observed = vary_observed_start_of_run, .expand = expand_start_of_run, .vary = vary_start_of_run,
-        .bounds = bounds_start_of_run},
+        .judged = judged_start_of_run, .divided = divided_start_of_run, .divisors = divisors_start_of_run,
+        .integrals = integrals_start_of_run, .factors = factors_start_of_run,
+        .polynomials = polynomials_start_of_run, .vary_observed = vary_observed_start_of_run,
+        .expand = expand_start_of_run, .vary = vary_start_of_run, .bounds = bounds_start_of_run},
     {.moving_count = 10, .extra_count = 1, .series_count = 28, .constant_count = 12, .judged_count = 7,
         .divisor_count = 2, .moving = moving_slip_constant, .degrees = degrees_slip_constant,
-        .judged = judged_slip_constant, .divisors = divisors_slip_constant,
+        .judged = judged_slip_constant, .divided = divided_slip_constant, .divisors = divisors_slip_constant,
         .integrals = integrals_slip_constant, .factors = factors_slip_constant,
         .polynomials = polynomials_slip_constant, .vary_observed = vary_observed_slip_constant,
         .expand = expand_slip_constant, .vary = vary_slip_constant, .bounds = bounds_slip_constant},
     {.moving_count = 8, .extra_count = 1, .series_count = 24, .constant_count = 11, .judged_count = 5,
         .divisor_count = 2, .moving = moving_stick, .degrees = degrees_stick, .judged = judged_stick,
-        .divisors = divisors_stick, .integrals = integrals_stick, .factors = factors_stick,
-        .polynomials = polynomials_stick, .vary_observed = vary_observed_stick, .expand = expand_stick,
-        .vary = vary_stick, .bounds = bounds_stick},
+        .divided = divided_stick, .divisors = divisors_stick, .integrals = integrals_stick,
+        .factors = factors_stick, .polynomials = polynomials_stick, .vary_observed = vary_observed_stick,
+        .expand = expand_stick, .vary = vary_stick, .bounds = bounds_stick},
     {.moving_count = 11, .extra_count = 0, .series_count = 18, .constant_count = 13, .judged_count = 5,
         .divisor_count = 1, .moving = moving_flight_place_calm, .degrees = degrees_flight_place_calm,
-        .judged = judged_flight_place_calm, .divisors = divisors_flight_place_calm,
-        .integrals = integrals_flight_place_calm, .factors = factors_flight_place_calm,
-        .polynomials = polynomials_flight_place_calm, .vary_observed = vary_observed_flight_place_calm,
-        .expand = expand_flight_place_calm, .vary = vary_flight_place_calm,
-        .bounds = bounds_flight_place_calm},
+        .judged = judged_flight_place_calm, .divided = divided_flight_place_calm,
+        .divisors = divisors_flight_place_calm, .integrals = integrals_flight_place_calm,
+        .factors = factors_flight_place_calm, .polynomials = polynomials_flight_place_calm,
+        .vary_observed = vary_observed_flight_place_calm, .expand = expand_flight_place_calm,
+        .vary = vary_flight_place_calm, .bounds = bounds_flight_place_calm},
     {.moving_count = 10, .extra_count = 0, .series_count = 15, .constant_count = 14, .judged_count = 4,
         .divisor_count = 1, .moving = moving_flight_rest_calm, .degrees = degrees_flight_rest_calm,
-        .judged = judged_flight_rest_calm, .divisors = divisors_flight_rest_calm,
-        .integrals = integrals_flight_rest_calm, .factors = factors_flight_rest_calm,
-        .polynomials = polynomials_flight_rest_calm, .vary_observed = vary_observed_flight_rest_calm,
-        .expand = expand_flight_rest_calm, .vary = vary_flight_rest_calm, .bounds = bounds_flight_rest_calm},
+        .judged = judged_flight_rest_calm, .divided = divided_flight_rest_calm,
+        .divisors = divisors_flight_rest_calm, .integrals = integrals_flight_rest_calm,
+        .factors = factors_flight_rest_calm, .polynomials = polynomials_flight_rest_calm,
+        .vary_observed = vary_observed_flight_rest_calm, .expand = expand_flight_rest_calm,
+        .vary = vary_flight_rest_calm, .bounds = bounds_flight_rest_calm},
     {.moving_count = 10, .extra_count = 0, .series_count = 17, .constant_count = 13, .judged_count = 5,
         .divisor_count = 1, .moving = moving_flight_retract_calm, .degrees = degrees_flight_retract_calm,
-        .judged = judged_flight_retract_calm, .divisors = divisors_flight_retract_calm,
-        .integrals = integrals_flight_retract_calm, .factors = factors_flight_retract_calm,
-        .polynomials = polynomials_flight_retract_calm, .vary_observed = vary_observed_flight_retract_calm,
-        .expand = expand_flight_retract_calm, .vary = vary_flight_retract_calm,
-        .bounds = bounds_flight_retract_calm},
+        .judged = judged_flight_retract_calm, .divided = divided_flight_retract_calm,
+        .divisors = divisors_flight_retract_calm, .integrals = integrals_flight_retract_calm,
+        .factors = factors_flight_retract_calm, .polynomials = polynomials_flight_retract_calm,
+        .vary_observed = vary_observed_flight_retract_calm, .expand = expand_flight_retract_calm,
+        .vary = vary_flight_retract_calm, .bounds = bounds_flight_retract_calm},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_fallen, .degrees = degrees_fallen, .judged = judged_fallen,
-        .divisors = divisors_fallen, .integrals = integrals_fallen, .factors = factors_fallen,
-        .polynomials = polynomials_fallen, .vary_observed = vary_observed_fallen, .expand = expand_fallen,
-        .vary = vary_fallen, .bounds = NULL},
+        .divided = divided_fallen, .divisors = divisors_fallen, .integrals = integrals_fallen,
+        .factors = factors_fallen, .polynomials = polynomials_fallen, .vary_observed = vary_observed_fallen,
+        .expand = expand_fallen, .vary = vary_fallen, .bounds = NULL},
     {.moving_count = 10, .extra_count = 1, .series_count = 27, .constant_count = 14, .judged_count = 5,
         .divisor_count = 3, .moving = moving_graze_place, .degrees = degrees_graze_place,
-        .judged = judged_graze_place, .divisors = divisors_graze_place, .integrals = integrals_graze_place,
-        .factors = factors_graze_place, .polynomials = polynomials_graze_place,
-        .vary_observed = vary_observed_graze_place, .expand = expand_graze_place, .vary = vary_graze_place,
-        .bounds = bounds_graze_place},
+        .judged = judged_graze_place, .divided = divided_graze_place, .divisors = divisors_graze_place,
+        .integrals = integrals_graze_place, .factors = factors_graze_place,
+        .polynomials = polynomials_graze_place, .vary_observed = vary_observed_graze_place,
+        .expand = expand_graze_place, .vary = vary_graze_place, .bounds = bounds_graze_place},
     {.moving_count = 9, .extra_count = 1, .series_count = 26, .constant_count = 15, .judged_count = 5,
         .divisor_count = 3, .moving = moving_graze_rest, .degrees = degrees_graze_rest,
-        .judged = judged_graze_rest, .divisors = divisors_graze_rest, .integrals = integrals_graze_rest,
-        .factors = factors_graze_rest, .polynomials = polynomials_graze_rest,
-        .vary_observed = vary_observed_graze_rest, .expand = expand_graze_rest, .vary = vary_graze_rest,
-        .bounds = bounds_graze_rest},
+        .judged = judged_graze_rest, .divided = divided_graze_rest, .divisors = divisors_graze_rest,
+        .integrals = integrals_graze_rest, .factors = factors_graze_rest,
+        .polynomials = polynomials_graze_rest, .vary_observed = vary_observed_graze_rest,
+        .expand = expand_graze_rest, .vary = vary_graze_rest, .bounds = bounds_graze_rest},
     {.moving_count = 9, .extra_count = 1, .series_count = 26, .constant_count = 15, .judged_count = 5,
         .divisor_count = 3, .moving = moving_graze_retract, .degrees = degrees_graze_retract,
-        .judged = judged_graze_retract, .divisors = divisors_graze_retract,
+        .judged = judged_graze_retract, .divided = divided_graze_retract, .divisors = divisors_graze_retract,
         .integrals = integrals_graze_retract, .factors = factors_graze_retract,
         .polynomials = polynomials_graze_retract, .vary_observed = vary_observed_graze_retract,
         .expand = expand_graze_retract, .vary = vary_graze_retract, .bounds = bounds_graze_retract},

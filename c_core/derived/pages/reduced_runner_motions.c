@@ -2107,6 +2107,7 @@ static const tdmf_vary_polynomial vary_observed_start_of_run[] = {NULL};
 static const int moving_start_of_run[] = {0};
 static const int degrees_start_of_run[] = {1};
 static const int judged_start_of_run[] = {0};
+static const int divided_start_of_run[] = {0};
 static const int divisors_start_of_run[] = {0};
 static const int integrals_start_of_run[] = {0};
 static const int factors_start_of_run[] = {0};
@@ -2115,6 +2116,7 @@ static const tdmf_vary_polynomial vary_observed_no_start[] = {NULL};
 static const int moving_no_start[] = {0};
 static const int degrees_no_start[] = {0};
 static const int judged_no_start[] = {0};
+static const int divided_no_start[] = {0};
 static const int divisors_no_start[] = {0};
 static const int integrals_no_start[] = {0};
 static const int factors_no_start[] = {0};
@@ -2124,6 +2126,7 @@ static const tdmf_vary_polynomial vary_observed_flight_place[] = {d_observed_fli
 static const int moving_flight_place[] = {57, 58, 71, 0, 59, 60, 52, 80};
 static const int degrees_flight_place[] = {2, 2, 2, 1, 1, 1, 1, 1};
 static const int judged_flight_place[] = {0};
+static const int divided_flight_place[] = {0};
 static const int divisors_flight_place[] = {0};
 static const int integrals_flight_place[] = {-1};
 static const int factors_flight_place[] = {-1, -1};
@@ -2132,6 +2135,7 @@ static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0};
 static const int degrees_fallen[] = {0};
 static const int judged_fallen[] = {0};
+static const int divided_fallen[] = {0};
 static const int divisors_fallen[] = {0};
 static const int integrals_fallen[] = {0};
 static const int factors_fallen[] = {0};
@@ -2145,6 +2149,7 @@ static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_sl
 static const int moving_slip_constant[] = {62, 63, 64, 65, 66, 67, 71, 72, 75, 82, 0};
 static const int degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99};
 static const int judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 9, 11};
+static const int divided_slip_constant[] = {-1, -1, -1, -1, -1, -1, -1, -1};
 static const int divisors_slip_constant[] = {15, 14};
 static const int integrals_slip_constant[] = {9, -1, -1};
 static const int factors_slip_constant[] = {28, -1, -1, -1, -1, -1};
@@ -2157,6 +2162,7 @@ static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_powe
 static const int moving_stick[] = {62, 63, 64, 65, 71, 72, 82, 0, 66};
 static const int degrees_stick[] = {99, 99, 99, 99, 99, 99, 99, 1, 1, 99};
 static const int judged_stick[] = {2, 3, 4, 5, 6, 9};
+static const int divided_stick[] = {-1, -1, -1, -1, -1, -1};
 static const int divisors_stick[] = {13, 12};
 static const int integrals_stick[] = {6, -1, -1};
 static const int factors_stick[] = {24, -1, -1, -1, -1, -1};
@@ -2165,6 +2171,7 @@ static const tdmf_vary_polynomial vary_observed_no_stance[] = {NULL};
 static const int moving_no_stance[] = {0};
 static const int degrees_no_stance[] = {0};
 static const int judged_no_stance[] = {0};
+static const int divided_no_stance[] = {0};
 static const int divisors_no_stance[] = {0};
 static const int integrals_no_stance[] = {0};
 static const int factors_no_stance[] = {0};
@@ -2173,6 +2180,7 @@ static const tdmf_vary_polynomial vary_observed_no_apex[] = {NULL};
 static const int moving_no_apex[] = {0};
 static const int degrees_no_apex[] = {0};
 static const int judged_no_apex[] = {0};
+static const int divided_no_apex[] = {0};
 static const int divisors_no_apex[] = {0};
 static const int integrals_no_apex[] = {0};
 static const int factors_no_apex[] = {0};
@@ -2182,6 +2190,7 @@ static const tdmf_vary_polynomial vary_observed_flight_retract[] = {d_observed_f
 static const int moving_flight_retract[] = {57, 58, 71, 0, 59, 60};
 static const int degrees_flight_retract[] = {2, 2, 2, 1, 1, 1};
 static const int judged_flight_retract[] = {0};
+static const int divided_flight_retract[] = {0};
 static const int divisors_flight_retract[] = {0};
 static const int integrals_flight_retract[] = {-1};
 static const int factors_flight_retract[] = {-1, -1};
@@ -2195,6 +2204,7 @@ static const tdmf_vary_polynomial vary_observed_slip_falling[] = {d_observed_sli
 static const int moving_slip_falling[] = {62, 63, 64, 65, 66, 67, 71, 72, 75, 82, 0};
 static const int degrees_slip_falling[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99};
 static const int judged_slip_falling[] = {2, 3, 5, 6, 7, 8, 9, 11};
+static const int divided_slip_falling[] = {-1, -1, -1, -1, -1, -1, -1, -1};
 static const int divisors_slip_falling[] = {15, 14};
 static const int integrals_slip_falling[] = {9, -1, -1};
 static const int factors_slip_falling[] = {32, -1, -1, -1, -1, -1};
@@ -2202,60 +2212,63 @@ static const int factors_slip_falling[] = {32, -1, -1, -1, -1, -1};
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_reduced_runner_motions)[] = {
     {.moving_count = 1, .extra_count = 0, .series_count = 1, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_start_of_run, .degrees = degrees_start_of_run,
-        .judged = judged_start_of_run, .divisors = divisors_start_of_run, .integrals = integrals_start_of_run,
-        .factors = factors_start_of_run, .polynomials = polynomials_start_of_run,
-        .vary_observed = vary_observed_start_of_run, .expand = expand_start_of_run, .vary = vary_start_of_run,
-        .bounds = bounds_start_of_run},
+        .judged = judged_start_of_run, .divided = divided_start_of_run, .divisors = divisors_start_of_run,
+        .integrals = integrals_start_of_run, .factors = factors_start_of_run,
+        .polynomials = polynomials_start_of_run, .vary_observed = vary_observed_start_of_run,
+        .expand = expand_start_of_run, .vary = vary_start_of_run, .bounds = bounds_start_of_run},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_no_start, .degrees = degrees_no_start, .judged = judged_no_start,
-        .divisors = divisors_no_start, .integrals = integrals_no_start, .factors = factors_no_start,
-        .polynomials = polynomials_no_start, .vary_observed = vary_observed_no_start,
-        .expand = expand_no_start, .vary = vary_no_start, .bounds = NULL},
+        .divided = divided_no_start, .divisors = divisors_no_start, .integrals = integrals_no_start,
+        .factors = factors_no_start, .polynomials = polynomials_no_start,
+        .vary_observed = vary_observed_no_start, .expand = expand_no_start, .vary = vary_no_start,
+        .bounds = NULL},
     {.moving_count = 8, .extra_count = 0, .series_count = 8, .constant_count = 11, .judged_count = 0,
         .divisor_count = 0, .moving = moving_flight_place, .degrees = degrees_flight_place,
-        .judged = judged_flight_place, .divisors = divisors_flight_place, .integrals = integrals_flight_place,
-        .factors = factors_flight_place, .polynomials = polynomials_flight_place,
-        .vary_observed = vary_observed_flight_place, .expand = expand_flight_place, .vary = vary_flight_place,
-        .bounds = bounds_flight_place},
+        .judged = judged_flight_place, .divided = divided_flight_place, .divisors = divisors_flight_place,
+        .integrals = integrals_flight_place, .factors = factors_flight_place,
+        .polynomials = polynomials_flight_place, .vary_observed = vary_observed_flight_place,
+        .expand = expand_flight_place, .vary = vary_flight_place, .bounds = bounds_flight_place},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_fallen, .degrees = degrees_fallen, .judged = judged_fallen,
-        .divisors = divisors_fallen, .integrals = integrals_fallen, .factors = factors_fallen,
-        .polynomials = polynomials_fallen, .vary_observed = vary_observed_fallen, .expand = expand_fallen,
-        .vary = vary_fallen, .bounds = NULL},
+        .divided = divided_fallen, .divisors = divisors_fallen, .integrals = integrals_fallen,
+        .factors = factors_fallen, .polynomials = polynomials_fallen, .vary_observed = vary_observed_fallen,
+        .expand = expand_fallen, .vary = vary_fallen, .bounds = NULL},
     {.moving_count = 11, .extra_count = 1, .series_count = 29, .constant_count = 19, .judged_count = 8,
         .divisor_count = 2, .moving = moving_slip_constant, .degrees = degrees_slip_constant,
-        .judged = judged_slip_constant, .divisors = divisors_slip_constant,
+        .judged = judged_slip_constant, .divided = divided_slip_constant, .divisors = divisors_slip_constant,
         .integrals = integrals_slip_constant, .factors = factors_slip_constant,
         .polynomials = polynomials_slip_constant, .vary_observed = vary_observed_slip_constant,
         .expand = expand_slip_constant, .vary = vary_slip_constant, .bounds = bounds_slip_constant},
     {.moving_count = 9, .extra_count = 1, .series_count = 25, .constant_count = 17, .judged_count = 6,
         .divisor_count = 2, .moving = moving_stick, .degrees = degrees_stick, .judged = judged_stick,
-        .divisors = divisors_stick, .integrals = integrals_stick, .factors = factors_stick,
-        .polynomials = polynomials_stick, .vary_observed = vary_observed_stick, .expand = expand_stick,
-        .vary = vary_stick, .bounds = bounds_stick},
+        .divided = divided_stick, .divisors = divisors_stick, .integrals = integrals_stick,
+        .factors = factors_stick, .polynomials = polynomials_stick, .vary_observed = vary_observed_stick,
+        .expand = expand_stick, .vary = vary_stick, .bounds = bounds_stick},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_no_stance, .degrees = degrees_no_stance,
-        .judged = judged_no_stance, .divisors = divisors_no_stance, .integrals = integrals_no_stance,
-        .factors = factors_no_stance, .polynomials = polynomials_no_stance,
+        .judged = judged_no_stance, .divided = divided_no_stance, .divisors = divisors_no_stance,
+        .integrals = integrals_no_stance, .factors = factors_no_stance, .polynomials = polynomials_no_stance,
         .vary_observed = vary_observed_no_stance, .expand = expand_no_stance, .vary = vary_no_stance,
         .bounds = NULL},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_no_apex, .degrees = degrees_no_apex, .judged = judged_no_apex,
-        .divisors = divisors_no_apex, .integrals = integrals_no_apex, .factors = factors_no_apex,
-        .polynomials = polynomials_no_apex, .vary_observed = vary_observed_no_apex, .expand = expand_no_apex,
-        .vary = vary_no_apex, .bounds = NULL},
+        .divided = divided_no_apex, .divisors = divisors_no_apex, .integrals = integrals_no_apex,
+        .factors = factors_no_apex, .polynomials = polynomials_no_apex,
+        .vary_observed = vary_observed_no_apex, .expand = expand_no_apex, .vary = vary_no_apex,
+        .bounds = NULL},
     {.moving_count = 6, .extra_count = 0, .series_count = 6, .constant_count = 4, .judged_count = 0,
         .divisor_count = 0, .moving = moving_flight_retract, .degrees = degrees_flight_retract,
-        .judged = judged_flight_retract, .divisors = divisors_flight_retract,
-        .integrals = integrals_flight_retract, .factors = factors_flight_retract,
-        .polynomials = polynomials_flight_retract, .vary_observed = vary_observed_flight_retract,
-        .expand = expand_flight_retract, .vary = vary_flight_retract, .bounds = bounds_flight_retract},
+        .judged = judged_flight_retract, .divided = divided_flight_retract,
+        .divisors = divisors_flight_retract, .integrals = integrals_flight_retract,
+        .factors = factors_flight_retract, .polynomials = polynomials_flight_retract,
+        .vary_observed = vary_observed_flight_retract, .expand = expand_flight_retract,
+        .vary = vary_flight_retract, .bounds = bounds_flight_retract},
     {.moving_count = 11, .extra_count = 1, .series_count = 33, .constant_count = 21, .judged_count = 8,
         .divisor_count = 2, .moving = moving_slip_falling, .degrees = degrees_slip_falling,
-        .judged = judged_slip_falling, .divisors = divisors_slip_falling, .integrals = integrals_slip_falling,
-        .factors = factors_slip_falling, .polynomials = polynomials_slip_falling,
-        .vary_observed = vary_observed_slip_falling, .expand = expand_slip_falling, .vary = vary_slip_falling,
-        .bounds = bounds_slip_falling},
+        .judged = judged_slip_falling, .divided = divided_slip_falling, .divisors = divisors_slip_falling,
+        .integrals = integrals_slip_falling, .factors = factors_slip_falling,
+        .polynomials = polynomials_slip_falling, .vary_observed = vary_observed_slip_falling,
+        .expand = expand_slip_falling, .vary = vary_slip_falling, .bounds = bounds_slip_falling},
 };
 
 #ifdef TDMF_LANES

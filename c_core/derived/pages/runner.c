@@ -1090,9 +1090,9 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
 
 /* Whether greatest_compression is watched. */
 static real watches_slip_constant_greatest_compression(const real *parameters, const real *states) {
-    (void)parameters;
+    const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
-    if (x->thrusting <= 0.0) {
+    if (x->thrusting <= 0.0 && p->notes_compression > 0.0) {
         return 1.0;
     }
     return 0.0;
@@ -1910,9 +1910,9 @@ static void leave_slip_constant(const real *parameters, const real *states, real
         x->bar_is_due), 0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_letter = 4.0 * after_bar + letter;
-    const real longer = select(after_bar < 0.0, -1.0,
+    const real longer = select(x->word_so_far < 0.0, x->word_so_far,
         select(by_4_times_after_bar_plus_letter < 4503599627370496.0, by_4_times_after_bar_plus_letter,
-        -1.0));
+        -select(after_bar < 4503599627370496.0, after_bar, x->word_so_far)));
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slip_so_far = x->slip_so_far + slid;
@@ -1942,8 +1942,9 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real d_after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far,
         dx->word_so_far);
-    const real d_longer = select(after_bar < 0.0, 0.0, select(4.0 * after_bar + letter < 4503599627370496.0,
-        4.0 * d_after_bar, 0.0));
+    const real d_longer = select(x->word_so_far < 0.0, dx->word_so_far, select(4.0 * after_bar
+        + letter < 4503599627370496.0, 4.0 * d_after_bar, -select(after_bar < 4503599627370496.0, d_after_bar,
+        dx->word_so_far)));
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slip_so_far = dx->slip_so_far + d_slid;
@@ -2834,8 +2835,9 @@ static void leave_stick(const real *parameters, const real *states, real counted
         0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_by_2 = 4.0 * after_bar + 2.0;
-    const real longer = select(after_bar < 0.0, -1.0,
-        select(by_4_times_after_bar_plus_by_2 < 4503599627370496.0, by_4_times_after_bar_plus_by_2, -1.0));
+    const real longer = select(x->word_so_far < 0.0, x->word_so_far,
+        select(by_4_times_after_bar_plus_by_2 < 4503599627370496.0, by_4_times_after_bar_plus_by_2,
+        -select(after_bar < 4503599627370496.0, after_bar, x->word_so_far)));
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slid_from = x->foot_x;
@@ -2862,8 +2864,9 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real d_after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far,
         dx->word_so_far);
-    const real d_longer = select(after_bar < 0.0, 0.0, select(4.0 * after_bar + 2.0 < 4503599627370496.0,
-        4.0 * d_after_bar, 0.0));
+    const real d_longer = select(x->word_so_far < 0.0, dx->word_so_far, select(4.0 * after_bar
+        + 2.0 < 4503599627370496.0, 4.0 * d_after_bar, -select(after_bar < 4503599627370496.0, d_after_bar,
+        dx->word_so_far)));
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slid_from = dx->foot_x;
@@ -8350,10 +8353,10 @@ static const tdmf_guard_kind guards_slip_constant[] = {
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
         .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_slip_constant}},
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression, .react = react_slip_constant_greatest_compression,
         .vary_react = vary_react_slip_constant_greatest_compression,
         .is_watched = watches_slip_constant_greatest_compression,
@@ -8388,10 +8391,10 @@ static const tdmf_guard_kind guards_stick[] = {
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
         .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_stick}},
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression, .react = react_stick_greatest_compression,
         .vary_react = vary_react_slip_constant_greatest_compression,
         .is_watched = watches_slip_constant_greatest_compression,
@@ -8441,10 +8444,10 @@ static const tdmf_guard_kind guards_flight_place_calm[] = {
         .is_watched = watches_flight_place_calm_new_ground,
         .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_place_calm}},
     {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
+        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
         .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
         .vary_react = vary_react_flight_place_calm_apex, .is_watched = watches_flight_place_calm_apex,
@@ -8483,10 +8486,10 @@ static const tdmf_guard_kind guards_flight_rest_calm[] = {
         .is_watched = watches_flight_place_calm_new_ground,
         .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_rest_calm}},
     {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
+        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
         .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
         .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
@@ -8527,10 +8530,10 @@ static const tdmf_guard_kind guards_flight_retract_calm[] = {
         .is_watched = watches_flight_place_calm_new_ground,
         .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_retract_calm}},
     {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
+        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
         .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
         .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
@@ -8565,10 +8568,10 @@ static const tdmf_guard_kind guards_graze_place[] = {
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
         .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_graze_place}},
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_mid_stance, .is_counted = true, .react = react_graze_place_mid_stance,
         .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_graze_place}},
@@ -8596,10 +8599,10 @@ static const tdmf_guard_kind guards_graze_rest[] = {
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
         .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_graze_rest}},
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex_in_graze, .is_counted = true, .react = react_graze_rest_apex_in_graze,
         .vary_react = vary_react_graze_rest_apex_in_graze, .vary_guard = vary_guard_graze_rest_apex_in_graze,
         .next = {MODE_graze_place}},
@@ -8633,10 +8636,10 @@ static const tdmf_guard_kind guards_graze_retract[] = {
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
         .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_graze_retract}},
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex_in_graze, .is_counted = true, .react = react_graze_rest_apex_in_graze,
         .vary_react = vary_react_graze_rest_apex_in_graze, .vary_guard = vary_guard_graze_rest_apex_in_graze,
         .next = {MODE_graze_place}},
@@ -8663,10 +8666,10 @@ static const tdmf_guard_kind guards_slip_falling[] = {
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
         .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_slip_falling}},
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .vary_guard = vary_guard_slip_constant_collapses,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression, .react = react_slip_constant_greatest_compression,
         .vary_react = vary_react_slip_constant_greatest_compression,
         .is_watched = watches_slip_constant_greatest_compression,
@@ -8716,10 +8719,10 @@ static const tdmf_guard_kind guards_flight_place_pushed[] = {
         .is_watched = watches_flight_place_calm_new_ground,
         .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_place_pushed}},
     {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
+        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
         .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
         .vary_react = vary_react_flight_place_calm_apex, .is_crossing = true,
@@ -8753,10 +8756,10 @@ static const tdmf_guard_kind guards_flight_rest_pushed[] = {
         .is_watched = watches_flight_place_calm_new_ground,
         .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_rest_pushed}},
     {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
+        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
         .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
         .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
@@ -8793,10 +8796,10 @@ static const tdmf_guard_kind guards_flight_retract_pushed[] = {
         .is_watched = watches_flight_place_calm_new_ground,
         .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_retract_pushed}},
     {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .vary_guard = vary_guard_flight_place_calm_falls,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
+        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls,
+        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
         .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
         .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
@@ -8940,7 +8943,7 @@ static const tdmf_mode_kind modes[] = {
 static const tdmf_set_kind sets[] = {
     {.is_state = true, .index = 53, .set = set_extension},
     {.is_state = false, .index = 13, .set = set_thrust},
-    {.is_state = false, .index = 14, .set = set_more_thrust},
+    {.is_state = false, .index = 15, .set = set_more_thrust},
     {.index = -1},
 };
 static const tdmf_section_kind sections[] = {
@@ -8969,9 +8972,9 @@ static const char *const state_names[] = {"time", "events", "last_event", "is_op
     "work", "external_torque_rate"};
 static const char *const parameter_names[] = {"ground_height", "ground_slope", "patch_begin", "patch_end",
     "patch_friction", "by_stride", "body_mass", "foot_mass", "stiffness", "damping", "free_length",
-    "least_length", "gravity", "thrust", "more_thrust", "static_ratio", "stribeck_velocity", "drive_torque",
-    "kp", "kd", "touchdown_angle", "liftoff_factor", "retraction_rate", "swing_clamp", "more_angle",
-    "more_torque"};
+    "least_length", "gravity", "thrust", "notes_compression", "more_thrust", "static_ratio",
+    "stribeck_velocity", "drive_torque", "kp", "kd", "touchdown_angle", "liftoff_factor", "retraction_rate",
+    "swing_clamp", "more_angle", "more_torque"};
 static const char *const event_names[] = {"passes_end", "passes_begin", "next_segment_comes", "ramp_ends",
     "begins", "wind_rises", "new_ground", "falls", "collapses", "apex", "apex_in_graze", "touchdown", "clamp",
     "release", "greatest_compression", "mid_stance", "lift_off", "enters_layer", "leaves_layer",
@@ -8991,15 +8994,15 @@ static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 
     4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.0, 0.0, 0.0, 0.6, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 static const double parameter_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01,
-    0.0, 0.0, 1.0, 0.0, 0.2, 0.1, 0.1, 0.6981317007977318, 1.2, 0.0, 0.0, 0.0, 0.0};
+    0.0, 1.0, 0.0, 1.0, 0.0, 0.2, 0.1, 0.1, 0.6981317007977318, 1.2, 0.0, 0.0, 0.0, 0.0};
 static const double parameter_least[] = {-1000000000.0, -1.0, -1000000000.0, -1000000000.0, 0.0,
-    -1.7976931348623157e+308, 1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09, 0.0, -1000000.0, 1.0, 0.0,
-    -1e+18, 0.0, 0.0, -1.5707963267948966, 0.0, -1000000000.0, -1.7976931348623157e+308, -3.141592653589793,
-    -1e+18};
+    -1.7976931348623157e+308, 1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09, 0.0, -1.7976931348623157e+308,
+    -1000000.0, 1.0, 0.0, -1e+18, 0.0, 0.0, -1.5707963267948966, 0.0, -1000000000.0, -1.7976931348623157e+308,
+    -3.141592653589793, -1e+18};
 static const double parameter_most[] = {1000000000.0, 1.0, 1000000000.0, 1000000000.0, 1000000.0,
     1.7976931348623157e+308, 1000000000.0, 1000000000.0, 1000000000000.0, 1000000000000.0, 1000000.0,
-    1000000.0, 1000000.0, 1000000.0, 1000000.0, 1000000.0, 1000000000.0, 1e+18, 1e+18, 1e+18,
-    1.5707963267948966, 100.0, 1000000000.0, 1.7976931348623157e+308, 3.141592653589793, 1e+18};
+    1000000.0, 1000000.0, 1000000.0, 1.7976931348623157e+308, 1000000.0, 1000000.0, 1000000000.0, 1e+18,
+    1e+18, 1e+18, 1.5707963267948966, 100.0, 1000000000.0, 1.7976931348623157e+308, 3.141592653589793, 1e+18};
 
 const tdmf_model_kind tdmf_runner_model = {
     .modes = modes,
@@ -9016,7 +9019,7 @@ const tdmf_model_kind tdmf_runner_model = {
     .mode_names = mode_names,
     .state_count = 98,
     .state_names = state_names,
-    .parameter_count = 26,
+    .parameter_count = 27,
     .parameter_names = parameter_names,
     .event_count = 25,
     .event_names = event_names,

@@ -38,6 +38,8 @@ typedef struct {
     real least_length; /* m: Leg length below which the runner falls */
     real gravity; /* m/s2: Acceleration of gravity, g */
     real thrust; /* m: Increase of the rest length from greatest compression to lift-off, epsilon */
+    real notes_compression; /* 1: Whether a thrust that is set later acts at once if the leg has been shortest
+        before */
     real more_thrust; /* m: Added to leg.thrust */
     real static_ratio; /* 1: Static over kinetic friction coefficient, rho */
     real stribeck_velocity; /* m/s: Stribeck velocity: scale of the slip speed over which friction falls,
@@ -76,7 +78,7 @@ typedef struct {
     real y_then; /* m: Height of the centre of mass at the start of the stride */
     real count; /* 1: Number of completed strides */
     real word_code; /* 1: Gait word: + slip forward, 0 stick, - slip backward,
-        | new stance; -1 for over 26 letters */
+        | new stance; negative if cut */
     real period; /* s: Period of the last stride, T */
     real distance; /* m: Distance covered in the last stride */
     real rise_of_stride; /* m: Height gained in the last stride */

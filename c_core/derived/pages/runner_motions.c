@@ -6904,6 +6904,7 @@ static const tdmf_vary_polynomial vary_observed_start_of_run[] = {NULL};
 static const int moving_start_of_run[] = {53, 54, 55, 83, 88, 0};
 static const int degrees_start_of_run[] = {1, 1, 1, 1, 1, 1};
 static const int judged_start_of_run[] = {0};
+static const int divided_start_of_run[] = {0};
 static const int divisors_start_of_run[] = {0};
 static const int integrals_start_of_run[] = {0};
 static const int factors_start_of_run[] = {0};
@@ -6917,6 +6918,7 @@ static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_sl
 static const int moving_slip_constant[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 85, 96, 53, 54, 55, 83, 88, 0};
 static const int degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99};
 static const int judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 9, 10, 17};
+static const int divided_slip_constant[] = {-1, -1, -1, -1, -1, -1, -1, -1, -1};
 static const int divisors_slip_constant[] = {21, 20};
 static const int integrals_slip_constant[] = {10, -1, -1};
 static const int factors_slip_constant[] = {39, -1, -1, -1, -1, -1};
@@ -6929,6 +6931,7 @@ static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_powe
 static const int moving_stick[] = {69, 70, 71, 72, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0, 73};
 static const int degrees_stick[] = {99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99};
 static const int judged_stick[] = {2, 3, 4, 5, 6, 7, 15};
+static const int divided_stick[] = {-1, -1, -1, -1, -1, -1, -1};
 static const int divisors_stick[] = {19, 18};
 static const int integrals_stick[] = {7, -1, -1};
 static const int factors_stick[] = {34, -1, -1, -1, -1, -1};
@@ -6943,6 +6946,7 @@ static const int moving_flight_place_calm[] = {58, 59, 62, 65, 68, 77, 79, 96, 5
     91};
 static const int degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1, 1};
 static const int judged_flight_place_calm[] = {1, 2, 4, 5, 6, 7};
+static const int divided_flight_place_calm[] = {-1, -1, 0, -1, -1, -1};
 static const int divisors_flight_place_calm[] = {17};
 static const int integrals_flight_place_calm[] = {7};
 static const int factors_flight_place_calm[] = {21, 18};
@@ -6956,6 +6960,7 @@ static const tdmf_vary_polynomial vary_observed_flight_rest_calm[] =
 static const int moving_flight_rest_calm[] = {58, 59, 62, 65, 68, 77, 79, 96, 53, 54, 55, 83, 88, 0, 64, 67};
 static const int degrees_flight_rest_calm[] = {99, 99, 99, 2, 2, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1};
 static const int judged_flight_rest_calm[] = {1, 2, 5, 6, 7};
+static const int divided_flight_rest_calm[] = {-1, -1, -1, -1, -1};
 static const int divisors_flight_rest_calm[] = {16};
 static const int integrals_flight_rest_calm[] = {7};
 static const int factors_flight_rest_calm[] = {21, -1};
@@ -6971,6 +6976,7 @@ static const int moving_flight_retract_calm[] = {58, 59, 62, 65, 68, 77, 79, 96,
     67};
 static const int degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1};
 static const int judged_flight_retract_calm[] = {1, 2, 4, 5, 6, 7};
+static const int divided_flight_retract_calm[] = {-1, -1, 0, -1, -1, -1};
 static const int divisors_flight_retract_calm[] = {16};
 static const int integrals_flight_retract_calm[] = {7};
 static const int factors_flight_retract_calm[] = {20, 17};
@@ -6979,6 +6985,7 @@ static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0};
 static const int degrees_fallen[] = {0};
 static const int judged_fallen[] = {0};
+static const int divided_fallen[] = {0};
 static const int divisors_fallen[] = {0};
 static const int integrals_fallen[] = {0};
 static const int factors_fallen[] = {0};
@@ -6990,6 +6997,7 @@ static const tdmf_vary_polynomial vary_observed_graze_place[] = {d_observed_graz
 static const int moving_graze_place[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0, 91};
 static const int degrees_graze_place[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99};
 static const int judged_graze_place[] = {2, 5, 6, 7, 8, 9, 17};
+static const int divided_graze_place[] = {-1, -1, -1, -1, -1, -1, -1};
 static const int divisors_graze_place[] = {21, 0, 20};
 static const int integrals_graze_place[] = {9};
 static const int factors_graze_place[] = {32, 35};
@@ -7002,6 +7010,7 @@ static const tdmf_vary_polynomial vary_observed_graze_rest[] = {d_observed_graze
 static const int moving_graze_rest[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0};
 static const int degrees_graze_rest[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99};
 static const int judged_graze_rest[] = {2, 5, 6, 7, 8, 9, 16};
+static const int divided_graze_rest[] = {-1, -1, -1, -1, -1, -1, -1};
 static const int divisors_graze_rest[] = {20, 0, 19};
 static const int integrals_graze_rest[] = {9};
 static const int factors_graze_rest[] = {31, 34};
@@ -7014,6 +7023,7 @@ static const tdmf_vary_polynomial vary_observed_graze_retract[] = {d_observed_gr
 static const int moving_graze_retract[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0};
 static const int degrees_graze_retract[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99};
 static const int judged_graze_retract[] = {2, 5, 6, 7, 8, 9, 16};
+static const int divided_graze_retract[] = {-1, -1, -1, -1, -1, -1, -1};
 static const int divisors_graze_retract[] = {20, 0, 19};
 static const int integrals_graze_retract[] = {9};
 static const int factors_graze_retract[] = {31, 34};
@@ -7027,6 +7037,7 @@ static const tdmf_vary_polynomial vary_observed_slip_falling[] = {d_observed_sli
 static const int moving_slip_falling[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 85, 96, 53, 54, 55, 83, 88, 0};
 static const int degrees_slip_falling[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99};
 static const int judged_slip_falling[] = {2, 3, 5, 6, 7, 8, 9, 10, 17};
+static const int divided_slip_falling[] = {-1, -1, -1, -1, -1, -1, -1, -1, -1};
 static const int divisors_slip_falling[] = {21, 20};
 static const int integrals_slip_falling[] = {10, -1, -1};
 static const int factors_slip_falling[] = {44, -1, -1, -1, -1, -1};
@@ -7042,6 +7053,7 @@ static const int moving_flight_place_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68,
 static const int degrees_flight_place_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1,
     1, 1};
 static const int judged_flight_place_pushed[] = {1, 2, 7, 8, 9, 10, 11};
+static const int divided_flight_place_pushed[] = {-1, -1, 0, -1, -1, -1, -1};
 static const int divisors_flight_place_pushed[] = {19};
 static const int integrals_flight_place_pushed[] = {11};
 static const int factors_flight_place_pushed[] = {28, 20};
@@ -7057,6 +7069,7 @@ static const int moving_flight_rest_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68, 
 static const int degrees_flight_rest_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1,
     1};
 static const int judged_flight_rest_pushed[] = {1, 2, 7, 8, 9, 10, 11};
+static const int divided_flight_rest_pushed[] = {-1, -1, 0, -1, -1, -1, -1};
 static const int divisors_flight_rest_pushed[] = {18};
 static const int integrals_flight_rest_pushed[] = {11};
 static const int factors_flight_rest_pushed[] = {36, -1};
@@ -7073,6 +7086,7 @@ static const int moving_flight_retract_pushed[] = {58, 59, 62, 64, 65, 66, 67, 6
 static const int degrees_flight_retract_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1,
     1};
 static const int judged_flight_retract_pushed[] = {1, 2, 7, 8, 9, 10, 11};
+static const int divided_flight_retract_pushed[] = {-1, -1, 0, -1, -1, -1, -1};
 static const int divisors_flight_retract_pushed[] = {18};
 static const int integrals_flight_retract_pushed[] = {11};
 static const int factors_flight_retract_pushed[] = {27, 19};
@@ -7080,89 +7094,90 @@ static const int factors_flight_retract_pushed[] = {27, 19};
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
     {.moving_count = 6, .extra_count = 0, .series_count = 6, .constant_count = 7, .judged_count = 0,
         .divisor_count = 0, .moving = moving_start_of_run, .degrees = degrees_start_of_run,
-        .judged = judged_start_of_run, .divisors = divisors_start_of_run, .integrals = integrals_start_of_run,
-        .factors = factors_start_of_run, .polynomials = polynomials_start_of_run,
-        .vary_observed = vary_observed_start_of_run, .expand = expand_start_of_run, .vary = vary_start_of_run,
-        .bounds = bounds_start_of_run},
+        .judged = judged_start_of_run, .divided = divided_start_of_run, .divisors = divisors_start_of_run,
+        .integrals = integrals_start_of_run, .factors = factors_start_of_run,
+        .polynomials = polynomials_start_of_run, .vary_observed = vary_observed_start_of_run,
+        .expand = expand_start_of_run, .vary = vary_start_of_run, .bounds = bounds_start_of_run},
     {.moving_count = 17, .extra_count = 1, .series_count = 40, .constant_count = 26, .judged_count = 9,
         .divisor_count = 2, .moving = moving_slip_constant, .degrees = degrees_slip_constant,
-        .judged = judged_slip_constant, .divisors = divisors_slip_constant,
+        .judged = judged_slip_constant, .divided = divided_slip_constant, .divisors = divisors_slip_constant,
         .integrals = integrals_slip_constant, .factors = factors_slip_constant,
         .polynomials = polynomials_slip_constant, .vary_observed = vary_observed_slip_constant,
         .expand = expand_slip_constant, .vary = vary_slip_constant, .bounds = bounds_slip_constant},
     {.moving_count = 15, .extra_count = 1, .series_count = 35, .constant_count = 26, .judged_count = 7,
         .divisor_count = 2, .moving = moving_stick, .degrees = degrees_stick, .judged = judged_stick,
-        .divisors = divisors_stick, .integrals = integrals_stick, .factors = factors_stick,
-        .polynomials = polynomials_stick, .vary_observed = vary_observed_stick, .expand = expand_stick,
-        .vary = vary_stick, .bounds = bounds_stick},
+        .divided = divided_stick, .divisors = divisors_stick, .integrals = integrals_stick,
+        .factors = factors_stick, .polynomials = polynomials_stick, .vary_observed = vary_observed_stick,
+        .expand = expand_stick, .vary = vary_stick, .bounds = bounds_stick},
     {.moving_count = 17, .extra_count = 0, .series_count = 24, .constant_count = 30, .judged_count = 6,
         .divisor_count = 1, .moving = moving_flight_place_calm, .degrees = degrees_flight_place_calm,
-        .judged = judged_flight_place_calm, .divisors = divisors_flight_place_calm,
-        .integrals = integrals_flight_place_calm, .factors = factors_flight_place_calm,
-        .polynomials = polynomials_flight_place_calm, .vary_observed = vary_observed_flight_place_calm,
-        .expand = expand_flight_place_calm, .vary = vary_flight_place_calm,
-        .bounds = bounds_flight_place_calm},
+        .judged = judged_flight_place_calm, .divided = divided_flight_place_calm,
+        .divisors = divisors_flight_place_calm, .integrals = integrals_flight_place_calm,
+        .factors = factors_flight_place_calm, .polynomials = polynomials_flight_place_calm,
+        .vary_observed = vary_observed_flight_place_calm, .expand = expand_flight_place_calm,
+        .vary = vary_flight_place_calm, .bounds = bounds_flight_place_calm},
     {.moving_count = 16, .extra_count = 0, .series_count = 22, .constant_count = 29, .judged_count = 5,
         .divisor_count = 1, .moving = moving_flight_rest_calm, .degrees = degrees_flight_rest_calm,
-        .judged = judged_flight_rest_calm, .divisors = divisors_flight_rest_calm,
-        .integrals = integrals_flight_rest_calm, .factors = factors_flight_rest_calm,
-        .polynomials = polynomials_flight_rest_calm, .vary_observed = vary_observed_flight_rest_calm,
-        .expand = expand_flight_rest_calm, .vary = vary_flight_rest_calm, .bounds = bounds_flight_rest_calm},
+        .judged = judged_flight_rest_calm, .divided = divided_flight_rest_calm,
+        .divisors = divisors_flight_rest_calm, .integrals = integrals_flight_rest_calm,
+        .factors = factors_flight_rest_calm, .polynomials = polynomials_flight_rest_calm,
+        .vary_observed = vary_observed_flight_rest_calm, .expand = expand_flight_rest_calm,
+        .vary = vary_flight_rest_calm, .bounds = bounds_flight_rest_calm},
     {.moving_count = 16, .extra_count = 0, .series_count = 23, .constant_count = 29, .judged_count = 6,
         .divisor_count = 1, .moving = moving_flight_retract_calm, .degrees = degrees_flight_retract_calm,
-        .judged = judged_flight_retract_calm, .divisors = divisors_flight_retract_calm,
-        .integrals = integrals_flight_retract_calm, .factors = factors_flight_retract_calm,
-        .polynomials = polynomials_flight_retract_calm, .vary_observed = vary_observed_flight_retract_calm,
-        .expand = expand_flight_retract_calm, .vary = vary_flight_retract_calm,
-        .bounds = bounds_flight_retract_calm},
+        .judged = judged_flight_retract_calm, .divided = divided_flight_retract_calm,
+        .divisors = divisors_flight_retract_calm, .integrals = integrals_flight_retract_calm,
+        .factors = factors_flight_retract_calm, .polynomials = polynomials_flight_retract_calm,
+        .vary_observed = vary_observed_flight_retract_calm, .expand = expand_flight_retract_calm,
+        .vary = vary_flight_retract_calm, .bounds = bounds_flight_retract_calm},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_fallen, .degrees = degrees_fallen, .judged = judged_fallen,
-        .divisors = divisors_fallen, .integrals = integrals_fallen, .factors = factors_fallen,
-        .polynomials = polynomials_fallen, .vary_observed = vary_observed_fallen, .expand = expand_fallen,
-        .vary = vary_fallen, .bounds = NULL},
+        .divided = divided_fallen, .divisors = divisors_fallen, .integrals = integrals_fallen,
+        .factors = factors_fallen, .polynomials = polynomials_fallen, .vary_observed = vary_observed_fallen,
+        .expand = expand_fallen, .vary = vary_fallen, .bounds = NULL},
     {.moving_count = 17, .extra_count = 1, .series_count = 37, .constant_count = 27, .judged_count = 7,
         .divisor_count = 3, .moving = moving_graze_place, .degrees = degrees_graze_place,
-        .judged = judged_graze_place, .divisors = divisors_graze_place, .integrals = integrals_graze_place,
-        .factors = factors_graze_place, .polynomials = polynomials_graze_place,
-        .vary_observed = vary_observed_graze_place, .expand = expand_graze_place, .vary = vary_graze_place,
-        .bounds = bounds_graze_place},
+        .judged = judged_graze_place, .divided = divided_graze_place, .divisors = divisors_graze_place,
+        .integrals = integrals_graze_place, .factors = factors_graze_place,
+        .polynomials = polynomials_graze_place, .vary_observed = vary_observed_graze_place,
+        .expand = expand_graze_place, .vary = vary_graze_place, .bounds = bounds_graze_place},
     {.moving_count = 16, .extra_count = 1, .series_count = 36, .constant_count = 27, .judged_count = 7,
         .divisor_count = 3, .moving = moving_graze_rest, .degrees = degrees_graze_rest,
-        .judged = judged_graze_rest, .divisors = divisors_graze_rest, .integrals = integrals_graze_rest,
-        .factors = factors_graze_rest, .polynomials = polynomials_graze_rest,
-        .vary_observed = vary_observed_graze_rest, .expand = expand_graze_rest, .vary = vary_graze_rest,
-        .bounds = bounds_graze_rest},
+        .judged = judged_graze_rest, .divided = divided_graze_rest, .divisors = divisors_graze_rest,
+        .integrals = integrals_graze_rest, .factors = factors_graze_rest,
+        .polynomials = polynomials_graze_rest, .vary_observed = vary_observed_graze_rest,
+        .expand = expand_graze_rest, .vary = vary_graze_rest, .bounds = bounds_graze_rest},
     {.moving_count = 16, .extra_count = 1, .series_count = 36, .constant_count = 27, .judged_count = 7,
         .divisor_count = 3, .moving = moving_graze_retract, .degrees = degrees_graze_retract,
-        .judged = judged_graze_retract, .divisors = divisors_graze_retract,
+        .judged = judged_graze_retract, .divided = divided_graze_retract, .divisors = divisors_graze_retract,
         .integrals = integrals_graze_retract, .factors = factors_graze_retract,
         .polynomials = polynomials_graze_retract, .vary_observed = vary_observed_graze_retract,
         .expand = expand_graze_retract, .vary = vary_graze_retract, .bounds = bounds_graze_retract},
     {.moving_count = 17, .extra_count = 1, .series_count = 45, .constant_count = 28, .judged_count = 9,
         .divisor_count = 2, .moving = moving_slip_falling, .degrees = degrees_slip_falling,
-        .judged = judged_slip_falling, .divisors = divisors_slip_falling, .integrals = integrals_slip_falling,
-        .factors = factors_slip_falling, .polynomials = polynomials_slip_falling,
-        .vary_observed = vary_observed_slip_falling, .expand = expand_slip_falling, .vary = vary_slip_falling,
-        .bounds = bounds_slip_falling},
+        .judged = judged_slip_falling, .divided = divided_slip_falling, .divisors = divisors_slip_falling,
+        .integrals = integrals_slip_falling, .factors = factors_slip_falling,
+        .polynomials = polynomials_slip_falling, .vary_observed = vary_observed_slip_falling,
+        .expand = expand_slip_falling, .vary = vary_slip_falling, .bounds = bounds_slip_falling},
     {.moving_count = 19, .extra_count = 0, .series_count = 39, .constant_count = 31, .judged_count = 7,
         .divisor_count = 1, .moving = moving_flight_place_pushed, .degrees = degrees_flight_place_pushed,
-        .judged = judged_flight_place_pushed, .divisors = divisors_flight_place_pushed,
-        .integrals = integrals_flight_place_pushed, .factors = factors_flight_place_pushed,
-        .polynomials = polynomials_flight_place_pushed, .vary_observed = vary_observed_flight_place_pushed,
-        .expand = expand_flight_place_pushed, .vary = vary_flight_place_pushed,
-        .bounds = bounds_flight_place_pushed},
+        .judged = judged_flight_place_pushed, .divided = divided_flight_place_pushed,
+        .divisors = divisors_flight_place_pushed, .integrals = integrals_flight_place_pushed,
+        .factors = factors_flight_place_pushed, .polynomials = polynomials_flight_place_pushed,
+        .vary_observed = vary_observed_flight_place_pushed, .expand = expand_flight_place_pushed,
+        .vary = vary_flight_place_pushed, .bounds = bounds_flight_place_pushed},
     {.moving_count = 18, .extra_count = 0, .series_count = 37, .constant_count = 30, .judged_count = 7,
         .divisor_count = 1, .moving = moving_flight_rest_pushed, .degrees = degrees_flight_rest_pushed,
-        .judged = judged_flight_rest_pushed, .divisors = divisors_flight_rest_pushed,
-        .integrals = integrals_flight_rest_pushed, .factors = factors_flight_rest_pushed,
-        .polynomials = polynomials_flight_rest_pushed, .vary_observed = vary_observed_flight_rest_pushed,
-        .expand = expand_flight_rest_pushed, .vary = vary_flight_rest_pushed,
-        .bounds = bounds_flight_rest_pushed},
+        .judged = judged_flight_rest_pushed, .divided = divided_flight_rest_pushed,
+        .divisors = divisors_flight_rest_pushed, .integrals = integrals_flight_rest_pushed,
+        .factors = factors_flight_rest_pushed, .polynomials = polynomials_flight_rest_pushed,
+        .vary_observed = vary_observed_flight_rest_pushed, .expand = expand_flight_rest_pushed,
+        .vary = vary_flight_rest_pushed, .bounds = bounds_flight_rest_pushed},
     {.moving_count = 18, .extra_count = 0, .series_count = 38, .constant_count = 30, .judged_count = 7,
         .divisor_count = 1, .moving = moving_flight_retract_pushed, .degrees = degrees_flight_retract_pushed,
-        .judged = judged_flight_retract_pushed, .divisors = divisors_flight_retract_pushed,
-        .integrals = integrals_flight_retract_pushed, .factors = factors_flight_retract_pushed,
-        .polynomials = polynomials_flight_retract_pushed,
+        .judged = judged_flight_retract_pushed, .divided = divided_flight_retract_pushed,
+        .divisors = divisors_flight_retract_pushed, .integrals = integrals_flight_retract_pushed,
+        .factors = factors_flight_retract_pushed, .polynomials = polynomials_flight_retract_pushed,
         .vary_observed = vary_observed_flight_retract_pushed, .expand = expand_flight_retract_pushed,
         .vary = vary_flight_retract_pushed, .bounds = bounds_flight_retract_pushed},
 };

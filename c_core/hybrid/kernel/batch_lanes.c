@@ -523,7 +523,8 @@ static lane_ends make_step(const lane_pool *w, lane_batch *b, const tdmf_mode_ki
     ends.arrives = goes & mask_not(left > 0.0);
     goes &= mask_not(ends.arrives);
     advance(w, b, left, goes, after_event);
-    const mask reaches = goes & (step->end <= 1.0) & (step->first != NO_EVENT);
+    mask reaches = goes & (step->end <= 1.0) & (step->first != NO_EVENT);
+    reaches &= mask_not(looks_again(step, reaches));
     ends.is_late = goes & mask_not(reaches) & (b->steps >= b->last_step);
     ends.takes = step->is_due | reaches;
     ends.shifts = mask_not(b->is_shifted) & (reaches | (step->is_due & step->is_reached));

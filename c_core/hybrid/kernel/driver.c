@@ -74,6 +74,7 @@ static bool begin_step(work *w, double left) {
         longest = most_time_scales * w->mode->time_scale(w->state->r->p, w->state->r->x);
     }
     choose_size(&w->step, &remainder, longest, left);
+    w->state->reach = w->step.reach;
     return w->step.size >= 0.0;
 }
 
@@ -258,7 +259,35 @@ static void shift_back(work *w) {
     w->state->r->is_shifted = false;
 }
 
+/* Raises largest values to those of an instant after an event. */
+static void observe_instant(work *w) {
+    tdmf_page_run *r = w->state->r;
+    for (int i = 0; i < w->step.observed_count; ++i) {
+        const int into = w->mode->watches[i].into;
+        const double now = is_largest(&w->step, i) ? expanded(&w->step, i)[0] : r->x[into];
+        const bool is_raised = now > r->x[into] + zero_margin * scale_of_observed(&w->step, i);
+        w->step.observed[i].share = is_raised ? 0.0 : -1.0;
+        for (int seed = 0; seed < r->seed_count && is_raised; ++seed) {
+            double *varied = &seed_dx(w, seed)[into];
+            read_variation(w, 0, vary(w, seed));
+            *varied = observed_variation(&w->step, i, seed_d(w, seed), w->t, r->shift[seed], *varied);
+        }
+        r->x[into] = real_max(now, r->x[into]);
+    }
+}
+
 /* ---- the run ------------------------------------------------------------------------------------------- */
+
+void tdmf_leave_guard(tdmf_driver *w, run_state *state, mode_start *at) {
+    w->state = state;
+    w->at = at;
+    load(w);
+    if (state->r->is_shifted && begin_step(w, 0.0)) {
+        search_events(&w->step, true);
+        shift_back(w);
+        observe_instant(w);
+    }
+}
 
 /* Goes on in a mode up to the next event, and takes it. */
 static tdmf_run_outcome to_event(work *w, double until) {
@@ -291,7 +320,8 @@ static tdmf_run_outcome to_event(work *w, double until) {
                 r->time = until;
                 r->time_rest = 0.0;
             }
-            if (w->step.end > 1.0 || w->step.first == NO_EVENT) {
+            const bool reaches = w->step.end <= 1.0 && w->step.first != NO_EVENT;
+            if (looks_again(&w->step, reaches) || !reaches) {
                 continue;
             }
         }

@@ -50,6 +50,7 @@ typedef struct {
     int event;
     bool is_counted;         /* passed to `leave` */
     bool is_crossing;        /* the guard has to cross zero: the event is not due at once */
+    bool ends;               /* it leads to modes that end the run only */
     tdmf_answer *is_watched; /* evaluated where the mode begins; NULL: always watched */
     tdmf_react *react;       /* writes the states that change and returns the next mode */
     tdmf_vary_react *vary_react;

@@ -26,6 +26,8 @@ typedef struct {
     const int *degrees; /* degrees of states that are polynomials in time; a large number for others */
     int judged_count;
     const int *judged; /* series whose last coefficients control the size of a step */
+    const int *
+        divided; /* states by whose squares these are divided, or -1: their errors grow where that is small */
     int divisor_count;
     const int *divisors;                /* series that occur as divisors */
     const tdmf_polynomial *polynomials; /* guards, then observed quantities */

@@ -273,14 +273,14 @@ static void raise_largest(double *largest, double value, double *share, double a
     }
 }
 
-double tdmf_largest_in_step(const double *g, int order, double largest, double *share) {
+double tdmf_largest_in_step(const double *g, int order, double rounding, double largest, double *share) {
     double b[TERMS], rate[TERMS], end = 0.0, rates = 0.0, highest = g[0];
     for (int k = 1; k < order; ++k) {
         rate[k - 1] = k * g[k];
         rates += fabs(rate[k - 1]);
         end += g[k];
     }
-    raise_largest(&largest, g[0], share, 0.0);
+    raise_largest(&largest, g[0], share, g[0] > largest + rounding ? 0.0 : *share);
     raise_largest(&largest, g[0] + end, share, 1.0);
     if (rates <= 2.0 * fabs(rate[0])) { /* the rate keeps its sign */
         return largest;

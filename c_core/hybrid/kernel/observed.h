@@ -19,8 +19,9 @@ double tdmf_integral_where_positive(const double *integral, int order, const dou
 double tdmf_integral_over(const double *g, int order, const positive_pieces *pieces);
 
 /* The largest value of a polynomial that is scaled to the step; at least `largest`. If it is larger, `share`
- * receives its time. */
-double tdmf_largest_in_step(const double *g, int order, double largest, double *share);
+ * receives its time. At the beginning of the step it has to be larger by `rounding`: there it may be the one
+ * that is known. */
+double tdmf_largest_in_step(const double *g, int order, double rounding, double largest, double *share);
 
 static const double part_tolerance = 0.01; /* of a positive integral, relative to that of a step */
 
@@ -186,6 +187,7 @@ static inline real positive_integral(page_step *step, int watch, mask lanes) {
 static inline real largest_value(page_step *step, int watch, real largest, mask lanes) {
     observed_part *of = &step->observed[watch];
     const int order = step->order;
+    const real band = zero_margin * scale_of_observed(step, watch);
     lanes &= mask_not(bounds_of_observed(step, watch).high <= largest);
     if (!any(lanes)) {
         return largest;
@@ -195,8 +197,10 @@ static inline real largest_value(page_step *step, int watch, real largest, mask 
     for (int lane = 0; lane < LANES; ++lane) {
         if (has_lane(&lanes, lane)) {
             double own[TERMS], share = lane_of(&of->share, lane);
+            const double rounding = lane_of(&band, lane);
             scaled_lane(step, g, order, lane, own);
-            set_lane(&largest, lane, tdmf_largest_in_step(own, order, lane_of(&largest, lane), &share));
+            set_lane(&largest, lane,
+                     tdmf_largest_in_step(own, order, rounding, lane_of(&largest, lane), &share));
             set_lane(&of->share, lane, share);
         }
     }

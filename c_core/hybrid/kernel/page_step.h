@@ -12,12 +12,12 @@
 
 #include <string.h>
 
-static const double most_time_scales = 3.0;    /* of a law in a step */
-static const double largest_size = 1e10;       /* powers of a step do not overflow */
-static const double smallest_share = 1e-200;   /* of a scale: dividing by it raises no exception */
-static const double divisor_change = 0.75;     /* of a divisor within a step, relative to it */
-static const double guard_tolerance = 10.0;    /* of a guard's series, relative to that of a step */
-static const double variation_tolerance = 1e3; /* of a variation's, relative to that of a step */
+static const double most_time_scales = 3.0;     /* of a law in a step */
+static const double largest_size = 1e10;        /* powers of a step do not overflow */
+static const double smallest_share = 1e-200;    /* of a scale: dividing by it raises no exception */
+static const double divisor_change = 0.75;      /* of a divisor within a step, relative to it */
+static const double guard_tolerance = 10.0;     /* of a guard's series, relative to that of a step */
+static const double variation_tolerance = 10.0; /* of a variation's, relative to that of a step */
 
 static const double short_line = 1e-10; /* share of a step in which a guard is a straight line */
 
@@ -32,7 +32,8 @@ typedef struct {
     mask is_watched, was_taken; /* was_taken: its event was taken at the instant at which the mode begins */
     mask was_above, is_late;    /* above zero since the mode began; below zero since its event was taken */
     mask rises;                 /* from zero, as soon as time passes */
-    real scale;
+    mask is_near;               /* the last step ended at its root, and its event was not taken */
+    real scale, late_scale;
 } guard_watch;
 
 /* Pieces of a step, as shares of it, in which a polynomial is positive. */
@@ -66,6 +67,7 @@ typedef struct {
     observed_part *observed;
     guard_watch guards[TDMF_GUARD_LIMIT];
     mask begins;      /* no time has passed in the mode */
+    bool looks;       /* some guard may be near */
     uint64_t watched; /* a bit for each guard that a lane watches, then for each observed quantity */
     /* Written by each step. */
     int order;         /* of the series */
@@ -130,6 +132,7 @@ static inline int changing_place(const page_step *step, int i) {
 /* Loads a mode, but for its constants, into a lane. */
 static inline void load_mode(page_step *step, int lane, const mode_start *at, const double *scales) {
     set_mask(&step->begins, lane, at->begins);
+    step->looks = true;
     step->watched |= (((uint64_t)1 << step->observed_count) - 1) << step->guard_count;
     for (int i = 0; i < step->guard_count; ++i) {
         guard_watch *watch = &step->guards[i];
@@ -137,8 +140,10 @@ static inline void load_mode(page_step *step, int lane, const mode_start *at, co
         set_mask(&watch->is_watched, lane, at->guards[i].is_watched);
         set_mask(&watch->was_taken, lane, at->guards[i].was_taken);
         set_lane(&watch->scale, lane, at->guards[i].scale);
+        set_lane(&watch->late_scale, lane, at->guards[i].late_scale);
         set_mask(&watch->was_above, lane, at->guards[i].was_above);
         set_mask(&watch->is_late, lane, at->guards[i].is_late);
+        set_mask(&watch->is_near, lane, at->guards[i].is_near);
         set_mask(&watch->rises, lane, false);
     }
     for (int i = 0; i < changing_count(step); ++i) {
@@ -152,6 +157,7 @@ static inline void keep_guards(const page_step *step, int lane, mode_start *at) 
         at->guards[i].is_watched = has_lane(&step->guards[i].is_watched, lane);
         at->guards[i].was_above = has_lane(&step->guards[i].was_above, lane);
         at->guards[i].is_late = has_lane(&step->guards[i].is_late, lane);
+        at->guards[i].is_near = has_lane(&step->guards[i].is_near, lane);
     }
 }
 
@@ -161,6 +167,7 @@ static inline void unload_mode(const page_step *step, int lane, mode_start *at) 
     for (int i = 0; i < step->guard_count; ++i) {
         at->guards[i].was_taken = has_lane(&step->guards[i].was_taken, lane);
         at->guards[i].scale = lane_of(&step->guards[i].scale, lane);
+        at->guards[i].late_scale = lane_of(&step->guards[i].late_scale, lane);
     }
     keep_guards(step, lane, at);
 }
@@ -184,7 +191,12 @@ static inline mask judge_series(const page_step *step, series_remainder *remaind
     remainder->last = remainder->last_but_one = broadcast(0.0);
     for (int i = 0; i < m->judged_count; ++i) {
         const int j = m->judged[i];
-        const real unit = j < m->moving_count ? step->units[j] : broadcast(1.0);
+        const int over = m->divided[i];
+        real unit = j < m->moving_count ? step->units[j] : broadcast(1.0);
+        if (over >= 0) {
+            const real share = step->s[over][0] / step->units[over];
+            unit *= real_min(broadcast(1.0), share * share);
+        }
         add_to_remainder(remainder, step->s[j], step->order - 1, unit);
         left_out += real_abs(step->s[j][step->order]);
     }
@@ -407,7 +419,7 @@ static inline mask begin_below(page_step *step, int guard, real *g, real *floor,
     const bool is_crossing = step->kinds[guard].is_crossing;
     const double late =
         late_margin + (rough_share * step->tolerance < roughest ? rough_share * step->tolerance : roughest);
-    const real value = g[0], band = -2.0 * *floor, late_band = late * watch->scale;
+    const real value = g[0], band = -2.0 * *floor, late_band = late * watch->late_scale;
     const mask is_zero = lanes & (value >= -band), was_taken = watch->was_taken & step->begins;
     const mask is_near = lanes & mask_not(is_zero) & (step->begins | watch->is_late) & (value > -late_band);
     real divided[TERMS];
@@ -515,6 +527,26 @@ static inline real end_step(page_step *step) {
         set_power_pairs(step->power, elapsed, step->order);
     }
     return elapsed;
+}
+
+/* An event that ends the run is taken only where a step that begins close to it finds it, too. A longer step
+ * errs by the tolerance, and a fall that it finds may be none. Returns the lanes that go on without the
+ * event.
+ */
+static inline mask looks_again(page_step *step, mask reaches) {
+    mask again = mask_of(false);
+    if (!step->looks && !any(reaches)) {
+        return again;
+    }
+    for (int i = 0; i < step->guard_count; ++i) {
+        if (step->kinds[i].ends) {
+            guard_watch *watch = &step->guards[i];
+            watch->is_near = reaches & (step->first == integer_of(i)) & mask_not(watch->is_near);
+            again |= watch->is_near;
+        }
+    }
+    step->looks = any(again);
+    return again;
 }
 
 /* The change of a series in a time whose powers are given. */

@@ -40,10 +40,17 @@ static bool has_event(uint64_t events, int event) {
     return (events >> event & 1) != 0;
 }
 
+/* Where numbers are large, guards that are zero are rounded to more than their margins, and events may be due
+ * in turns. Links of a longer chain double the band in which such an event may be late, until the chain ends.
+ */
+static const int longest_usual_chain = 16;
+
 void tdmf_begin_mode(const run_state *state, mode_start *at) {
     const tdmf_page_run *r = state->r;
     const tdmf_model_kind *model = state->model;
     const tdmf_mode_kind *mode = &model->modes[r->mode];
+    const bool in_turns = (r->taken & (r->taken - 1)) != 0;
+    const int longer = in_turns && r->chain > longest_usual_chain ? r->chain - longest_usual_chain : 0;
     at->begins = true;
     mode->open(r->p, r->x, at->c);
     for (int i = 0; i < mode->guard_count; ++i) {
@@ -54,6 +61,7 @@ void tdmf_begin_mode(const run_state *state, mode_start *at) {
             .was_above = has_event(r->above, kind->event),
             .is_late = has_event(r->late, kind->event),
             .scale = state->event_scales[kind->event],
+            .late_scale = ldexp(state->event_scales[kind->event], longer),
         };
         at->guards[i] = guard;
     }

@@ -11,12 +11,14 @@ typedef struct {
     double *scales, *event_scales; /* by state, and by event */
     long last_step, last_event;    /* numbers of steps and events at which the limits are reached */
     bool stops;                    /* unless an event is due at once */
+    double reach;                  /* time for which the series of the last step can be trusted */
 } run_state;
 
 typedef struct {
     bool is_watched, was_taken; /* was_taken: its event was taken at the instant at which the mode begins */
     bool was_above, is_late;    /* above zero since the mode began; below zero since its event was taken */
-    double scale;
+    bool is_near;               /* the last step ended at its root, and its event was not taken */
+    double scale, late_scale; /* late_scale: of the band in which an event that was just taken may be late */
 } guard_start;
 
 /* A mode at its beginning, or under way, and working memory for events. */
@@ -76,6 +78,9 @@ tdmf_driver *tdmf_place_driver(const tdmf_model_kind *model, int seed_count, dou
 /* Begins or resumes a run in its working memory, and returns its driver. */
 tdmf_driver *tdmf_begin_in_memory(run_state *state, mode_start *at, const tdmf_model_kind *model,
                                   tdmf_page_run *r);
+
+/* Goes back from the guard of an event at which a run has stopped to a fixed time. */
+void tdmf_leave_guard(tdmf_driver *w, run_state *state, mode_start *at);
 
 /* Goes on in a mode up to the next event, and takes it. Returns TDMF_RUN_GOES_ON, or the outcome of the run.
  */

@@ -11,7 +11,7 @@ extern "C" {
 
 /* What is remembered of a run. */
 typedef struct {
-    int event_count;        /* contact and phase changes since the start */
+    int event_count;        /* contact and phase changes since the start; those of one chain are one */
     double last_event_time; /* s; the start time while there was none */
     double impact_loss;     /* J, since the start */
     tdmf_stride stride;     /* the last that closed */

@@ -49,6 +49,9 @@ typedef struct {
     long step_limit;           /* steps in one call; see TDMF_STEP_LIMIT */
     long event_limit;          /* events in one call, and in each stride of several */
     tdmf_event_log *log;       /* or NULL */
+    /* Called for each event, with `subject`, right after it was taken; or NULL. */
+    void (*on_event)(void *subject, const tdmf_event *event);
+    void *subject;
     /* Leaves out of the record what nothing else depends on: the hip's positive work and the peaks of the
      * ground force, which stay as they are. Not so where variations are carried along. */
     bool without_peaks_and_positive_work;
@@ -56,7 +59,7 @@ typedef struct {
     int64_t steps, events;
     int64_t strides;     /* closed; of the reduced map stances */
     int64_t evaluations; /* of the right-hand side, or of a coefficient of its series */
-    int64_t layer_steps; /* of the steps, those that might be no longer where friction falls with speed */
+    int64_t layer_steps; /* of the steps, those in the layer where friction falls with speed */
 } tdmf_solver;
 
 /* The native solver gives up a runner that takes more steps than this within sqrt(m/k): at once where its

@@ -6,8 +6,9 @@
 extern "C" {
 #endif
 
-/* Room for a gait word and its terminator. A longer word keeps its first letters and ends in '~'. */
-enum { TDMF_WORD_CAPACITY = 64 };
+/* Room for a gait word and its terminator. A word of more than 26 letters keeps the first 26 and ends in '~'.
+ */
+enum { TDMF_WORD_CAPACITY = 28 };
 
 /* A completed stride, apex to apex; all zero and the word empty until one closes. */
 typedef struct {

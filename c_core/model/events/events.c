@@ -63,7 +63,7 @@ tdmf_evaluation tdmf_evaluate_run(const tdmf_run *run, const tdmf_mode *mode) {
     return tdmf_evaluate_along(run->system, mode, run->motion->state, run->direction);
 }
 
-bool tdmf_take_transitions(tdmf_run *run, tdmf_guard reached, bool observes) {
+static bool take_chain(tdmf_run *run, tdmf_guard reached, bool observes) {
     for (int links = 0; links <= TDMF_CHAIN_LIMIT; ++links) {
         const tdmf_evaluation at = tdmf_evaluate_run(run, &run->motion->mode);
         const tdmf_guard due = first_due(&at, reached);
@@ -79,4 +79,13 @@ bool tdmf_take_transitions(tdmf_run *run, tdmf_guard reached, bool observes) {
         kinds[due].reset(run);
     }
     return false;
+}
+
+/* All changes of contact and phase at one instant count as one. */
+bool tdmf_take_transitions(tdmf_run *run, tdmf_guard reached, bool observes) {
+    int *count = &run->motion->record.event_count;
+    const int before = *count;
+    const bool resolved = take_chain(run, reached, observes);
+    *count = *count > before ? before + 1 : before;
+    return resolved;
 }

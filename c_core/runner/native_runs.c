@@ -1,0 +1,142 @@
+/* The functions of solver.h that run a motion on the runner's page. */
+#include "input_rates.h"
+#include "instant.h"
+#include "page_solver.h"
+#include "record.h"
+#include "request.h"
+#include "tdmf_slip/automaton.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* Directions, if any. */
+typedef struct {
+    const tdmf_seed *seeds;
+    tdmf_variation *variations;
+    int count;
+} directions;
+
+static bool suits_plain_page(const tdmf_page_point *point, const directions *varied) {
+    bool suits = tdmf_suits_plain_page(point);
+    for (int i = 0; i < varied->count; ++i) {
+        suits = suits && tdmf_varies_plain_page(&varied->seeds[i]);
+    }
+    return suits;
+}
+
+/* A push that is 0 and varies acts as one that is ramped, too slowly for any result. */
+static tdmf_inputs rates_with_push(const tdmf_inputs *rates, const directions *varied) {
+    tdmf_inputs with_push = *rates;
+    for (int i = 0; i < varied->count; ++i) {
+        if (tdmf_is_pushed(&varied->seeds[i].inputs)) {
+            with_push.body.external_fx += DBL_MIN;
+        }
+    }
+    return with_push;
+}
+
+/* Along a gain there is no derivative where both gains are zero, because the clamp has a kink. */
+static bool is_kinked(const tdmf_parameters *p, const tdmf_parameters *d) {
+    return p->hip.swing_clamp && p->hip.kp == 0.0 && p->hip.kd == 0.0 &&
+           (d->hip.kp != 0.0 || d->hip.kd != 0.0);
+}
+
+static void write_undefined(tdmf_variation *variation) {
+    for (int i = 0; i < TDMF_VARIED_COUNT; ++i) {
+        variation->state[i] = NAN;
+    }
+}
+
+/* The time that is left, which may be longer than a double can count. */
+static double duration_of(tdmf_instant begin, double until) {
+    const tdmf_instant end = {until, 0.0};
+    return tdmf_time_between(begin, end);
+}
+
+static tdmf_outcome run_motion(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
+                               double until, int stop_event, tdmf_motion *motion, const directions *varied) {
+    const int strides = motion->record.stride.count;
+    const tdmf_instant begin = tdmf_instant_of(motion);
+    const tdmf_motion before = *motion;
+    if (motion->mode.fallen) {
+        return TDMF_FELL;
+    }
+    const tdmf_inputs given = rates_with_push(rates, varied);
+    const tdmf_page_point point = tdmf_page_of_motion(system, &given, motion);
+    tdmf_page_solver s;
+    tdmf_begin_page_solver(&s, solver, system, &point, suits_plain_page(&point, varied));
+    s.motion = &before;
+    for (int i = 0; i < varied->count; ++i) {
+        const tdmf_page_direction d =
+            tdmf_page_of_variation(&point, motion->state, &varied->seeds[i], &varied->variations[i]);
+        tdmf_add_direction(&s, &d);
+    }
+    const tdmf_outcome outcome = tdmf_run_page_solver(&s, duration_of(begin, until), stop_event);
+    if (outcome == TDMF_TOO_STIFF && s.run.run.steps == 1) {
+        tdmf_resolve(system, motion); /* not begun, but an input may have jumped */
+        return outcome;
+    }
+    tdmf_end_runner_run(&s.run, &s.point);
+    tdmf_motion_of_page(system, &s.point, s.last_mode, motion);
+    if (s.run.run.steps == 0 && s.run.run.events == 0) { /* nothing but the rounding of the two maps */
+        memcpy(motion->state, before.state, TDMF_MECHANICAL_COUNT * sizeof *motion->state);
+    }
+    if (outcome == TDMF_ARRIVED && !s.has_stopped) {
+        const tdmf_instant end = {until, 0.0};
+        motion->record.progress.now = end;
+        motion->time = until;
+    }
+    tdmf_inputs inputs =
+        tdmf_inputs_after(system.inputs, rates, tdmf_time_between(begin, tdmf_instant_of(motion)));
+    tdmf_observe((tdmf_system){system.model, &inputs}, motion);
+    for (int i = 0; i < varied->count; ++i) {
+        const tdmf_page_direction d = tdmf_direction_at_end(&s, i);
+        varied->variations[i] = tdmf_variation_of_page(&s.point, &d, motion->record.stride.count > strides);
+        if (is_kinked(&system.model->parameters, &varied->seeds[i].parameters)) {
+            write_undefined(&varied->variations[i]);
+        }
+    }
+    return outcome;
+}
+
+static const directions none = {NULL, NULL, 0};
+
+tdmf_outcome tdmf_native_advance(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
+                                 double until, tdmf_motion *motion) {
+    const tdmf_inputs *given = tdmf_rates_or_zero(rates);
+    return tdmf_is_sound_request(solver, system, given, until, motion)
+               ? run_motion(solver, system, given, until, -1, motion, &none)
+               : TDMF_REFUSED;
+}
+
+static tdmf_stride_outcome run_stride(tdmf_solver *solver, tdmf_system system, double until,
+                                      tdmf_motion *motion, const directions *varied) {
+    tdmf_stride_outcome result = {TDMF_REFUSED, false};
+    if (!tdmf_is_sound_request(solver, system, &tdmf_zero_input_rates, until, motion)) {
+        return result;
+    }
+    const int strides = motion->record.stride.count;
+    do { /* the first apex may open a stride and close none */
+        result.outcome =
+            run_motion(solver, system, &tdmf_zero_input_rates, until, EVENT_apex, motion, varied);
+        result.closed = motion->record.stride.count > strides;
+    } while (result.outcome == TDMF_ARRIVED && !result.closed && motion->time < until);
+    solver->strides += result.closed;
+    return result;
+}
+
+tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, tdmf_system system, double until,
+                                       tdmf_motion *motion) {
+    return run_stride(solver, system, until, motion, &none);
+}
+
+tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, tdmf_system system, double until,
+                                              tdmf_motion *motion, const tdmf_seed *seeds,
+                                              tdmf_variation *variations, int count) {
+    const tdmf_stride_outcome refused = {TDMF_REFUSED, false};
+    const directions varied = {seeds, variations, count};
+    return tdmf_are_sound_seeds(seeds, count, TDMF_VARIATION_LIMIT) && (count == 0 || variations != NULL)
+               ? run_stride(solver, system, until, motion, &varied)
+               : refused;
+}
