@@ -47,6 +47,11 @@ def experiment_of(model):
     return {"start_time": 0.0, "stop_time": 10.0} | getattr(model, "experiment", {})
 
 
+def empty(name):
+    """The row of a table of C that has none; a row of a struct is in braces."""
+    return ["{0},"] if name.startswith("unit_") else ["0,"]
+
+
 class World:
     """The continuous states of a unit, and the names that values depend on."""
 
@@ -402,7 +407,7 @@ class Unit:
             f"const fmu_variable fmu_variables[] = {{\n{lines_of(variables)}}};",
             f"const size_t fmu_variable_count = {len(variables)};\n",
             *(f"static const char *const names_of_{n}[] = {{{of}}};\n" for n, of in items),
-            *(f"const {name}[] = {{\n{lines_of(of or ['{0},'])}}};\n" for name, of in rows.items()),
+            *(f"const {name}[] = {{\n{lines_of(of or empty(name))}}};\n" for name, of in rows.items()),
         ]
         return "\n".join(parts)
 

@@ -1,5 +1,5 @@
 /* A run of any page: its start, events in Model Exchange, and the driver's work in Co-Simulation. */
-#include "page_instant.h"
+#include "jumps.h"
 
 #include "run_state.h"
 #include "variables.h"
@@ -205,41 +205,6 @@ static const char *message(fmu *fmu, tdmf_run_outcome outcome, char text[FMU_TEX
     return text;
 }
 
-/* ---- jumps --------------------------------------------------------------------------------------------- */
-
-static void account_for_all(fmu *fmu) {
-    memcpy(fmu->accounted, fmu->motion.numbers, sizeof fmu->accounted);
-}
-
-static int place_of(const tdmf_set_kind *kind) {
-    return kind->is_state ? UNIT_PARAMETER_COUNT + kind->index : kind->index;
-}
-
-static bool has_jumped(const fmu *fmu, const tdmf_set_kind *kind) {
-    const int place = place_of(kind);
-    return kind->set[fmu->motion.mode] != NULL && fmu->motion.numbers[place] != fmu->accounted[place];
-}
-
-/* Changes the states that depend on jumps of quantities. True where there was such a jump. */
-static bool account_for_jumps(fmu *fmu) {
-    bool found = false;
-    for (int i = 0; i < unit_model->set_count; ++i) {
-        const tdmf_set_kind *kind = &unit_model->sets[i];
-        if (has_jumped(fmu, kind)) {
-            double *number = &fmu->motion.numbers[place_of(kind)], value = *number;
-            tdmf_page_run run = run_of(fmu);
-            *number = fmu->accounted[place_of(kind)];
-            tdmf_page_set(unit_model, &run, kind->is_state, kind->index, value);
-            found = true;
-        }
-    }
-    account_for_all(fmu);
-    if (found) {
-        show_to_world(fmu);
-    }
-    return found;
-}
-
 /* ---- events of Model Exchange -------------------------------------------------------------------------- */
 
 static void note_guards(fmu *fmu, const guard_state *guards) {
@@ -331,16 +296,17 @@ bool fmu_complete_step(fmu *fmu) {
     for (int i = 0; i < mode_of(fmu)->guard_count; ++i) {
         asks |= guards[i].is_due; /* where an importer has passed over it, or an input lets it be watched */
     }
-    for (int i = 0; i < unit_model->set_count; ++i) {
-        asks |= has_jumped(fmu, &unit_model->sets[i]);
+    if (quantity_has_jumped(fmu)) {
+        return true;
     }
+    account_for_all(fmu);
     return asks;
 }
 
 void fmu_enter_event_mode(fmu *fmu) {
     if (fmu->is_exchange) {
         observe(fmu);
-        fmu->has_jumped |= account_for_jumps(fmu);
+        fmu->has_jumped |= account_for_drifts(fmu);
     }
 }
 
@@ -417,7 +383,7 @@ static const char *conclude(fmu *fmu, tdmf_run_outcome outcome, double until, ch
     }
     show_to_world(fmu);
     account_for_all(fmu);
-    if (input_out_of_range(fmu, text) != NULL) {
+    if (outcome == TDMF_RUN_ARRIVED && input_out_of_range(fmu, text) != NULL) {
         return text;
     }
     return has_arrived(outcome) ? NULL : message(fmu, outcome, text);

@@ -46,7 +46,9 @@ typedef struct fmu {
         starts[UNIT_STATE_COUNT + 1]; /* of states in other coordinates than the world's, where these begin */
     double importer_tolerance;        /* infinite where the importer has none */
     double stop_time;                 /* infinite where the importer has none */
-    double accounted[UNIT_NUMBER_COUNT + 1];   /* values up to which jumps have changed other states */
+    /* Numbers up to which jumps have changed other states; in Model Exchange with the rates of states there.
+     */
+    double accounted[UNIT_NUMBER_COUNT + 1], accounted_rates[UNIT_STATE_COUNT + 1], accounted_time;
     unsigned char watch[UNIT_EVENT_COUNT + 1]; /* a watch_state for each event */
     int64_t steps, evaluations;
     /* Co-Simulation with event mode: the run stands at an event that is not yet taken. What comes of it, with

@@ -147,8 +147,7 @@ static double within_largest(double value) {
     return isnan(value) || value > largest ? largest : value < -largest ? -largest : value;
 }
 
-/* Rates of all states that move, by their numbers in the page. */
-static void rates_at(const fmu *fmu, const instant *at, double *rates) {
+void rates_at(const fmu *fmu, const instant *at, double *rates) {
     const tdmf_mode_kind *mode = mode_of(fmu);
     memset(rates, 0, UNIT_STATE_COUNT * sizeof *rates);
     for (int i = 0; i < mode->motion->moving_count; ++i) {

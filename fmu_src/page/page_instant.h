@@ -34,6 +34,9 @@ double *states_of(const fmu *fmu);
 void show_to_world(fmu *fmu);
 void take_from_world(fmu *fmu);
 
+/* Rates of all states that move, by their numbers in the page. */
+void rates_at(const fmu *fmu, const instant *at, double *rates);
+
 /* The guards of the mode, in their order. */
 void guards_at(const fmu *fmu, const instant *at, guard_state guards[TDMF_GUARD_LIMIT]);
 

@@ -120,6 +120,10 @@ static void pass_run(transfer *bytes, saved_run *run) {
     }
     pass_motion(bytes, &fmu->motion);
     pass_numbers(bytes, fmu->accounted);
+    for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
+        pass_between(bytes, "a rate", &fmu->accounted_rates[i], -DBL_MAX, DBL_MAX);
+    }
+    pass_time(bytes, &fmu->accounted_time);
     for (int i = 0; i < UNIT_EVENT_COUNT; ++i) {
         pass(bytes, &fmu->watch[i], sizeof fmu->watch[i]);
         require(bytes, fmu->watch[i] <= WATCH_RISING, "how a guard was seen");

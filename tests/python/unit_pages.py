@@ -195,6 +195,34 @@ class Hopper(Model):
         return {"stance": 2, "broken": 3}.get(h.mode, 1)
 
 
+class Cart(Model):
+    """A cart on a spring whose other end is moved."""
+
+    start = "rolls", {}
+    mass, stiffness = parameter(1, "kg", above=0), parameter(20, "N/m", above=0)
+    hand = input(0, "m", "Position of the other end")
+    x, v = state(0.1, "m"), state(0, "m/s")
+    work = state(0, "J", "Work of the hand")
+
+    def pull(c):
+        """Force of the spring on the cart."""
+        return c.stiffness * (c.hand - c.x)
+
+    @mode()
+    def rolls(c):
+        return {"x": c.v, "v": c.pull() / c.mass, "work": c.pull() * c.hand_rate}
+
+    @on_set("hand")
+    def jumped(c, after):
+        """Work of a jump of the hand."""
+        return c.replace(work=c.work + (c.pull() + after.pull()) / 2 * (after.hand - c.hand))
+
+    @output("J")
+    def energy(c):
+        """Energy of cart and spring, which is the work of the hand and that of the start."""
+        return c.mass * c.v**2 / 2 + c.stiffness * (c.hand - c.x) ** 2 / 2
+
+
 class Yoyo(Model):
     """A mass that swings on a string until the string is slack, and flies free from there."""
 
