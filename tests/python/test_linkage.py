@@ -5,7 +5,6 @@ import pytest
 from tdmf_slip import Runner, find_gait
 from tdmf_slip.analysis.settled import evenly, linked, settled_gaits
 from tdmf_slip.library.fixed_point import gait_near
-from tdmf_slip.library.quantities import scale_of
 
 NAMES = ("hip.touchdown_angle", "hip.stance_torque")
 LOW, HIGH = np.array([0.4, 0.05]), np.array([0.9, 0.5])
@@ -65,9 +64,9 @@ def test_every_unit_of_the_fmu_has_its_dimensions(fmu):
     runner = Runner({"leg.free_length": 2.0, "body.mass": 9.0, "leg.stiffness": 4.0, "leg.length": 2.0})
     units = {variable.unit or "1" for variable in fmu.variables.values()}
     assert len(units) > 10
-    assert all(scale_of(runner, unit) > 0.0 for unit in units)
+    assert all(runner.scale_of(unit) > 0.0 for unit in units)
     scales = runner.c_model.scales
     for unit, scale in (("m/s", scales.speed), ("N", scales.force), ("J", scales.energy)):
-        assert scale_of(runner, unit) == pytest.approx(scale, rel=1e-15)
-    of_section = [scale_of(runner, fmu.variables[f"apex.{name}"].unit) for name in runner.coordinates]
+        assert runner.scale_of(unit) == pytest.approx(scale, rel=1e-15)
+    of_section = [runner.scale_of(fmu.variables[f"apex.{name}"].unit) for name in runner.coordinates]
     assert of_section == pytest.approx(runner.scales, rel=1e-15)
