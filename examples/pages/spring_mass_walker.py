@@ -109,7 +109,7 @@ class SpringMassWalker(Model):
 
     @output("J")
     def energy(b):
-        """Mechanical energy, which nothing changes."""
+        """Mechanical energy, which is constant until a fall."""
         feet = {"single": [b.foot], "double": [b.foot, b.front_foot]}.get(b.mode, [])
         springs = sum(b.stiffness * (b.free_length - b.length(foot)) ** 2 / 2 for foot in feet)
         return springs + b.mass * ((b.vx**2 + b.vy**2) / 2 + b.gravity * b.y)
