@@ -36,6 +36,7 @@ class Page:
         self.check_start()
         self.keys = self.reachable()
         self.check_words()
+        self.check_unreached()
 
     # ---- the model on symbols
 
@@ -353,6 +354,17 @@ class Page:
                     if isinstance(value, str) and value not in mentioned:
                         text = f"asks for {word}=`{value}`, which no decision gives"
                         raise page_error(function, name, f"{text}{similar(value, mentioned)}")
+
+    def check_unreached(self):
+        """Run what no run reaches, and requirements of a start, which refuses errors in them."""
+        reached = {mode for mode, _ in self.keys}
+        for mode, function in self.modes.items():
+            if mode not in reached and not function.words:
+                self.rates((mode, ()))
+                for name in self.watched((mode, ())):
+                    self.decide((mode, ()), name)
+        for name, function in self.model.marked("is_required").items():
+            self.number(function, self.keys[0], name)
 
     def check_start(self):
         """Run the start on plain numbers, which detects divisions by zero and endless chains."""

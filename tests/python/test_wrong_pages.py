@@ -124,6 +124,9 @@ WRONG = [
     ("leaving that returns nothing", {"more": "def leaving(b, counted):\n        pass"}, "returns nothing; it has to return the model"),
     ("a jump that returns nothing", {"more": '@on_set("gravity")\n    def heavier(b, after):\n        pass'}, "returns nothing; it has to return the model"),
     ("a start that is only a mode", {"more": 'start = "fall"'}, "has the start 'fall'; it has to be a mode and its words"),
+    ("a typo in a mode that no run reaches", {"more": "@mode()\n    def rests(b):\n        return dict(height=b.sped)"}, "`rests` reads `sped`, which it does not have here; did you mean `speed`"),
+    ("a typo in an event that no run reaches", {"more": '@mode()\n    def rests(b):\n        return {}\n    @event("rests", when=lambda b: b.height, unit="m")\n    def leaves(b):\n        return b.to("fal")'}, "goes to `fal`, which is no mode of the page; did you mean `fall`"),
+    ("a requirement that is nothing", {"more": '@require("height", "positive")\n    def above(b):\n        pass'}, "`above` returns nothing; it has to return a number"),
     # scales and kinds
     ("a scale of no unit", {"more": 'scales = {"metre": lambda b: 1}'}, "unit `metre`, in which `metre` is no unit"),
     ("a scale in another unit", {"more": 'scales = {"m": lambda b: b.gravity}'}, "`scale of m` is in m.s-2; its unit is m"),
