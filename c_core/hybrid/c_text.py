@@ -133,6 +133,11 @@ def lines_of(lines, indent="    "):
     return "".join(f"{indent}{line}\n" for line in lines)
 
 
+def declared_in_c(of, names, size=""):
+    """Variables or members of a type, such as arrays of a size."""
+    return f"{of} {', '.join(f'{name}{size}' for name in names)};"
+
+
 def comment(text):
     """A comment of C, or nothing where there is no text."""
     return f"/* {' '.join(text.split())} */\n" if text else ""
@@ -140,13 +145,14 @@ def comment(text):
 
 def function_in_c(result, name, given, body, about, structs):
     """A function of C. `structs` gives the variable, type and `const` by which it reads an array."""
-    begin = ""
+    begin, unused = "", []
     for argument in re.findall(r"(\w+)(?:,|$)", given):
         variable, struct, const = structs.get(argument, ("", "", ""))
         if variable and re.search(rf"\b{variable}->", body):
             begin += f"    {const}{struct} *{variable} = ({const}void *){argument};\n"
         elif not re.search(rf"\b{argument}\b", body):
-            begin += f"    (void){argument};\n"
+            unused.append(f"(void){argument}")
+    begin += f"    {', '.join(unused)};\n" if unused else ""
     return f"{comment(about)}static {result} {name}({given}) {{\n{begin}{body}}}\n"
 
 

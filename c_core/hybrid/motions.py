@@ -2,7 +2,7 @@
 
 import re
 
-from .c_text import c_text, function_in_c, lines_of, name_of, real_text, take_name
+from .c_text import c_text, declared_in_c, function_in_c, lines_of, name_of, real_text, take_name
 from .errors import reading
 from .expressions import forget_expressions, leaves_of, lift, made, ordered, replaced, symbol
 from .series import NO_DEGREE, Expansion, degrees_of, kind_of, refuse_kinks, with_rates_seen, with_recursions
@@ -23,7 +23,7 @@ int odd, {mode}_series *s) {{
 {step}}}
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_{mode}(const real *constants, int order, real *series) {{
+TDMF_ALSO_FOR_AVX2 static void expand_{mode}(const real *constants, int order, real *series) {{
     const {mode}_constants copy = *(const {mode}_constants *)(const void *)constants, *c = &copy;
     {mode}_series *s = (void *)series;
     static const {mode}_sums none;
@@ -65,7 +65,8 @@ def loop_in_c(found):
 
 def expansion_in_c(found, first=()):
     """The series that an expansion adds, and a loop over their coefficients."""
-    own = [f"real {array}[TERMS];" for array in found.arrays.values() if "->" not in array]
+    own = [array for array in found.arrays.values() if "->" not in array and array not in found.wanted]
+    own = [declared_in_c("real", own, "[TERMS]")] if own else []
     new = [n for n in found.ahead if n in found.arrays and n not in found.known]
     lines = own + list(first) + [found.define(n, "0")[-1] for n in new]
     return lines_of(lines) + loop_in_c(found)
@@ -165,8 +166,8 @@ class Motion:
 
     def struct(self, what, members, size="", of="real"):
         """A struct of reals, or pairs of reals."""
-        lines = lines_of(f"{of} {m}{size};" for m in members or ["none"])
-        return f"typedef struct {{\n{lines}}} {self.name}_{what};\n"
+        declared = declared_in_c(of, members or ["none"], size)
+        return f"typedef struct {{\n    {declared}\n}} {self.name}_{what};\n"
 
     def function_of(self, name, given, body, about):
         """A function of the motion, which reads its arrays as structs."""
@@ -276,7 +277,8 @@ class Motion:
             given = "const real *constants, const real *series, const real *power, int order"
             given += ", uint64_t watched, interval *bounds"
             about = "Bounds of guards and observed quantities; `watched` has a bit for each of them."
-            yield self.function_of(f"bounds_{self.name}", given, lines_of(lines), about)
+            text = self.function_of(f"bounds_{self.name}", given, lines_of(lines), about)
+            yield text.replace("static void", "TDMF_ALSO_FOR_AVX2 static void", 1)
 
     def terms(self, node, more=0):
         """How many terms a series has: few if it is a polynomial of a low degree."""

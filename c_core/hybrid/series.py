@@ -79,6 +79,9 @@ class Expansion:
 
     def _give_arrays(self, into):
         taken = {name_of(node) for node in self.arrays}
+        for array, node in self.wanted.items():
+            if node in self.made and kind_of(node) != "linear":
+                self.arrays[node] = array
         read = [series for node in self.made for series in self.series_in(node)]
         for node in [*(n for n in self.made if kind_of(n) != "linear"), *read]:
             if node not in self.arrays:
@@ -169,7 +172,8 @@ class Expansion:
         ahead, late = set(self.ahead), [s for s in self.rates if s not in self.early]
         lines += [line for node in self.ahead for line in self.define(node, "k + 1")]
         lines += [line for node in self.made if node not in ahead for line in self.define(node, "k")]
-        lines += [f"{array}[k] = {self.coefficient(node, 'k')};" for array, node in self.wanted.items()]
+        written = {array: node for array, node in self.wanted.items() if self.arrays.get(node) != array}
+        lines += [f"{array}[k] = {self.coefficient(node, 'k')};" for array, node in written.items()]
         lines += [f"{a}[k + 1] = series_reciprocal[k + 1] * ({rate});" for a, rate in map(rates.get, late)]
         return list(dict.fromkeys(lines))
 

@@ -3,19 +3,13 @@
 
 /* Constants of start_of_run. */
 static void open_start_of_run(const real *parameters, const real *states, real *constants) {
-    (void)parameters;
-    (void)states;
-    (void)constants;
+    (void)parameters, (void)states, (void)constants;
 }
 
 /* First variation of open_start_of_run. */
 static void vary_open_start_of_run(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)constants;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)constants;
 }
 
 /* begins: Every run begins at an apex, with the foot above the ground. */
@@ -23,8 +17,8 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
     real *after, const int *next) {
     const classic_slip_parameters *p = (const void *)parameters;
     const classic_slip_states *x = (const void *)states;
-    (void)tables;
     classic_slip_states *y = (void *)after;
+    (void)tables;
     const real sin_of_slope_over_cos_of_slope = real_sin(p->slope) / real_cos(p->slope);
     const real above_ground = x->y_ - sin_of_slope_over_cos_of_slope * x->x_;
     y->apex_x = x->x_;
@@ -47,9 +41,8 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     const classic_slip_states *x = (const void *)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
     const classic_slip_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     classic_slip_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real cos_of_slope = real_cos(p->slope);
     const real sin_of_slope = real_sin(p->slope);
     const real sin_of_slope_over_cos_of_slope = sin_of_slope / cos_of_slope;
@@ -67,28 +60,19 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
 /* First variation of the guard of begins. */
 static real vary_guard_start_of_run_begins(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states;
     return 0.0;
 }
 
 /* Outputs in start_of_run. */
 static void outputs_start_of_run(const real *parameters, const real *states, real *outputs) {
-    (void)parameters;
-    (void)states;
-    (void)outputs;
+    (void)parameters, (void)states, (void)outputs;
 }
 
 /* First variation of outputs_start_of_run. */
 static void vary_outputs_start_of_run(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *outputs) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)outputs;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)outputs;
 }
 
 /* Constants of flight_down. */
@@ -110,9 +94,9 @@ static void open_flight_down(const real *parameters, const real *states, real *c
 static void vary_open_flight_down(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
     const classic_slip_parameters *p = (const void *)parameters;
-    (void)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
     const classic_slip_states *dx = (const void *)d_states;
+    (void)states;
     flight_down_constants *c = (void *)constants;
     const real d_minus_gravity = -dp->gravity;
     const real d_minus_retraction_rate = -dp->retraction_rate;
@@ -133,8 +117,8 @@ static int react_flight_down_touchdown(const real *parameters, const real *state
     real *after, const int *next) {
     const classic_slip_parameters *p = (const void *)parameters;
     const classic_slip_states *x = (const void *)states;
-    (void)tables;
     classic_slip_states *y = (void *)after;
+    (void)tables;
     const real cos_of_slope = real_cos(p->slope);
     const real foot_y = x->y_ - p->free_length * real_cos(x->angle);
     const real y__minus_foot_y = x->y_ - foot_y;
@@ -173,9 +157,8 @@ static void vary_react_flight_down_touchdown(const real *parameters, const real 
     const classic_slip_states *x = (const void *)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
     const classic_slip_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     classic_slip_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real sin_of_angle = real_sin(x->angle);
     const real cos_of_angle = real_cos(x->angle);
     const real d_foot_x = dx->x_ + (dp->free_length * sin_of_angle
@@ -248,23 +231,14 @@ static real vary_guard_flight_down_touchdown(const real *parameters, const real 
 /* falls: The mass reaches the ground. */
 static int react_flight_down_falls(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
-    (void)after;
+    (void)parameters, (void)states, (void)tables, (void)after;
     return next[0]; /* fallen */
 }
 
 /* First variation of falls. */
 static void vary_react_flight_down_falls(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
-    (void)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed, (void)after;
 }
 
 /* First variation of the guard of falls. */
@@ -309,9 +283,9 @@ static void open_stance(const real *parameters, const real *states, real *consta
 static void vary_open_stance(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
     const classic_slip_parameters *p = (const void *)parameters;
-    (void)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
     const classic_slip_states *dx = (const void *)d_states;
+    (void)states;
     stance_constants *c = (void *)constants;
     const real stiffness_over_mass = p->stiffness / p->mass;
     const real d_stiffness_over_mass = (dp->stiffness - stiffness_over_mass * dp->mass) / p->mass;
@@ -339,10 +313,9 @@ static void vary_open_stance(const real *parameters, const real *states, const r
 /* take_off: The spring is relaxed. */
 static int react_stance_take_off(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
     const classic_slip_states *x = (const void *)states;
-    (void)tables;
     classic_slip_states *y = (void *)after;
+    (void)parameters, (void)tables;
     const real time_minus_touchdown_time = x->time - x->touchdown_time;
     const real squared_cosine = 1.0 - x->tilt * x->tilt;
     const real cosine = real_sqrt(select(squared_cosine > 1e-18, squared_cosine, 1e-18));
@@ -358,13 +331,10 @@ static int react_stance_take_off(const real *parameters, const real *states, con
 /* First variation of take_off. */
 static void vary_react_stance_take_off(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
     const classic_slip_states *x = (const void *)states;
-    (void)d_parameters;
     const classic_slip_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     classic_slip_states *y = (void *)after;
+    (void)parameters, (void)d_parameters, (void)tables, (void)seed;
     const real squared_cosine = 1.0 - x->tilt * x->tilt;
     const real cosine = real_sqrt(select(squared_cosine > 1e-18, squared_cosine, 1e-18));
     const real d_squared_cosine = -(2.0 * (x->tilt * dx->tilt));
@@ -387,10 +357,9 @@ static real vary_guard_stance_take_off(const real *parameters, const real *state
 /* leaves_cone: The leg reaches theta = -arctan mu: the energy left in the spring is lost. */
 static int react_stance_leaves_cone(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
     const classic_slip_states *x = (const void *)states;
-    (void)tables;
     classic_slip_states *y = (void *)after;
+    (void)parameters, (void)tables;
     const real time_minus_touchdown_time = x->time - x->touchdown_time;
     const real squared_cosine = 1.0 - x->tilt * x->tilt;
     const real cosine = real_sqrt(select(squared_cosine > 1e-18, squared_cosine, 1e-18));
@@ -407,13 +376,10 @@ static int react_stance_leaves_cone(const real *parameters, const real *states, 
 /* First variation of leaves_cone. */
 static void vary_react_stance_leaves_cone(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
     const classic_slip_states *x = (const void *)states;
-    (void)d_parameters;
     const classic_slip_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     classic_slip_states *y = (void *)after;
+    (void)parameters, (void)d_parameters, (void)tables, (void)seed;
     const real squared_cosine = 1.0 - x->tilt * x->tilt;
     const real cosine = real_sqrt(select(squared_cosine > 1e-18, squared_cosine, 1e-18));
     const real d_squared_cosine = -(2.0 * (x->tilt * dx->tilt));
@@ -454,10 +420,9 @@ static real vary_guard_stance_leaves_cone(const real *parameters, const real *st
 /* slides_out: The leg turns back and leaves the friction cone. */
 static int react_stance_slides_out(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
     const classic_slip_states *x = (const void *)states;
-    (void)tables;
     classic_slip_states *y = (void *)after;
+    (void)parameters, (void)tables;
     const real squared_cosine = 1.0 - x->tilt * x->tilt;
     const real cosine = real_sqrt(select(squared_cosine > 1e-18, squared_cosine, 1e-18));
     y->stance_time = x->time - x->touchdown_time;
@@ -523,9 +488,9 @@ static void open_flight_up(const real *parameters, const real *states, real *con
 static void vary_open_flight_up(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
     const classic_slip_parameters *p = (const void *)parameters;
-    (void)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
     const classic_slip_states *dx = (const void *)d_states;
+    (void)states;
     flight_up_constants *c = (void *)constants;
     const real d_minus_gravity = -dp->gravity;
     const real cos_of_slope = real_cos(p->slope);
@@ -543,8 +508,8 @@ static int react_flight_up_apex(const real *parameters, const real *states, cons
     real *after, const int *next) {
     const classic_slip_parameters *p = (const void *)parameters;
     const classic_slip_states *x = (const void *)states;
-    (void)tables;
     classic_slip_states *y = (void *)after;
+    (void)tables;
     const real sin_of_slope_over_cos_of_slope = real_sin(p->slope) / real_cos(p->slope);
     const real above_ground = x->y_ - sin_of_slope_over_cos_of_slope * x->x_;
     const real energy = p->mass * (0.5 * (x->vx * x->vx) + p->gravity * above_ground);
@@ -568,9 +533,8 @@ static void vary_react_flight_up_apex(const real *parameters, const real *states
     const classic_slip_states *x = (const void *)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
     const classic_slip_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     classic_slip_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real cos_of_slope = real_cos(p->slope);
     const real sin_of_slope = real_sin(p->slope);
     const real sin_of_slope_over_cos_of_slope = sin_of_slope / cos_of_slope;
@@ -591,18 +555,16 @@ static void vary_react_flight_up_apex(const real *parameters, const real *states
 /* First variation of the guard of apex. */
 static real vary_guard_flight_up_apex(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const classic_slip_states *dx = (const void *)d_states;
+    (void)parameters, (void)states, (void)d_parameters;
     return dx->vy;
 }
 
 /* at_energy: Apices of the energy `energy`. */
 static void enter_at_energy(const real *parameters, const real *states, const real *at, real *after) {
     const classic_slip_parameters *p = (const void *)parameters;
-    (void)states;
     classic_slip_states *y = (void *)after;
+    (void)states;
     const real at_apex_height = at[0];
     const real kinetic = p->energy / p->mass - p->gravity * at_apex_height;
     const real speed = real_sqrt(2.0 * select(kinetic > 0.0, kinetic, 0.0));
@@ -616,10 +578,9 @@ static void enter_at_energy(const real *parameters, const real *states, const re
 static void vary_enter_at_energy(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, const real *at, const real *d_at, real *after) {
     const classic_slip_parameters *p = (const void *)parameters;
-    (void)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
-    (void)d_states;
     classic_slip_states *y = (void *)after;
+    (void)states, (void)d_states;
     const real at_apex_height = at[0];
     const real d_at_apex_height = d_at[0];
     const real energy_over_mass = p->energy / p->mass;
@@ -637,8 +598,8 @@ static void vary_enter_at_energy(const real *parameters, const real *states, con
 /* at_apex: All apices. */
 static void enter_at_apex(const real *parameters, const real *states, const real *at, real *after) {
     const classic_slip_parameters *p = (const void *)parameters;
-    (void)states;
     classic_slip_states *y = (void *)after;
+    (void)states;
     const real at_apex_height = at[0];
     const real at_apex_energy = at[1];
     const real kinetic = at_apex_energy / p->mass - p->gravity * at_apex_height;
@@ -653,10 +614,9 @@ static void enter_at_apex(const real *parameters, const real *states, const real
 static void vary_enter_at_apex(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, const real *at, const real *d_at, real *after) {
     const classic_slip_parameters *p = (const void *)parameters;
-    (void)states;
     const classic_slip_parameters *dp = (const void *)d_parameters;
-    (void)d_states;
     classic_slip_states *y = (void *)after;
+    (void)states, (void)d_states;
     const real at_apex_height = at[0];
     const real at_apex_energy = at[1];
     const real d_at_apex_height = d_at[0];

@@ -54,11 +54,7 @@ typedef struct {
 } no_start_constants;
 
 typedef struct {
-    real vx;
-    real minus_gravity;
-    real minus_retraction_rate;
-    real free_length;
-    real sin_of_slope_over_cos_of_slope;
+    real vx, minus_gravity, minus_retraction_rate, free_length, sin_of_slope_over_cos_of_slope;
 } flight_down_constants;
 
 typedef struct {
@@ -70,22 +66,12 @@ typedef struct {
 } slides_constants;
 
 typedef struct {
-    real stiffness_over_mass;
-    real free_length;
-    real foot_x;
-    real foot_y;
-    real gravity;
-    real free_length_times_free_length;
-    real friction;
-    real inverse_by_1_plus_friction;
-    real cos_of_slope;
-    real sin_of_slope;
+    real stiffness_over_mass, free_length, foot_x, foot_y, gravity, free_length_times_free_length, friction,
+        inverse_by_1_plus_friction, cos_of_slope, sin_of_slope;
 } stance_constants;
 
 typedef struct {
-    real vx;
-    real minus_gravity;
-    real sin_of_slope_over_cos_of_slope;
+    real vx, minus_gravity, sin_of_slope_over_cos_of_slope;
 } flight_up_constants;
 
 extern const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_classic_slip_motions)[];

@@ -10,19 +10,16 @@ typedef struct {
 
 /* All coefficients. */
 static void expand_start_of_run(const real *constants, int order, real *expanded) {
-    (void)constants;
-    (void)order;
     start_of_run_series *s = (void *)expanded;
+    (void)constants, (void)order;
     s->time[1] = broadcast(1.0);
 }
 
 /* First variation of the series. */
 static void vary_start_of_run(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     start_of_run_series *t = (void *)varied;
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
     }
@@ -30,21 +27,16 @@ static void vary_start_of_run(const real *constants, const real *series, const r
 
 /* begins: Every run begins at an apex, with the foot above the ground. */
 static void guard_start_of_run_begins(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
-    (void)series;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = constant_of(k, broadcast(-1.0));
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_start_of_run(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
-    (void)constants;
-    (void)series;
-    (void)power;
-    (void)order;
-    (void)watched;
+TDMF_ALSO_FOR_AVX2 static void bounds_start_of_run(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
+    (void)constants, (void)series, (void)power, (void)order, (void)watched;
     const interval span_0 = interval_at(broadcast(-1.0), broadcast(-1.0));
     bounds[0] = span_0;
 }
@@ -58,30 +50,20 @@ typedef struct {
 
 /* All coefficients. */
 static void expand_no_start(const real *constants, int order, real *expanded) {
-    (void)constants;
-    (void)order;
-    (void)expanded;
+    (void)constants, (void)order, (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_no_start(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
-    (void)order;
-    (void)varied;
+    (void)constants, (void)series, (void)d_constants, (void)order, (void)varied;
 }
 
 /* ---- flight_down */
 
 /* The mass is ballistic. The leg turns after the apex, on the way down. */
 typedef struct {
-    real y_[TERMS];
-    real time[TERMS];
-    real x_[TERMS];
-    real vy[TERMS];
-    real angle[TERMS];
+    real y_[TERMS], time[TERMS], x_[TERMS], vy[TERMS], angle[TERMS];
 } flight_down_series;
 
 /* All coefficients. */
@@ -100,10 +82,9 @@ static void expand_flight_down(const real *constants, int order, real *expanded)
 /* First variation of the series. */
 static void vary_flight_down(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    (void)constants;
-    (void)series;
     const flight_down_constants *d = (const void *)d_constants;
     flight_down_series *t = (void *)varied;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         t->y_[k + 1] = t->vy[k] * series_reciprocal[k + 1];
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
@@ -117,8 +98,7 @@ static void vary_flight_down(const real *constants, const real *series, const re
 static void guard_flight_down_touchdown(const real *constants, const real *series, int order, real *g) {
     const flight_down_constants *c = (const void *)constants;
     const flight_down_series *s = (const void *)series;
-    real own_cos_of_angle[TERMS];
-    real own_sin_of_angle[TERMS];
+    real own_cos_of_angle[TERMS], own_sin_of_angle[TERMS];
     for (int k = 0; k < order; ++k) {
         sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
         g[k] = s->y_[k] - c->free_length * own_cos_of_angle[k]
@@ -137,12 +117,11 @@ static void guard_flight_down_falls(const real *constants, const real *series, i
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_down(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_flight_down(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const flight_down_constants *c = (const void *)constants;
     const flight_down_series *s = (const void *)series;
-    (void)order;
-    (void)watched;
+    (void)order, (void)watched;
     const interval span_0 = interval_of_series(s->angle, power, 2);
     const interval span_1 = interval_of_series(s->y_, power, 3);
     const interval span_2 = interval_at(c->free_length, c->free_length);
@@ -171,19 +150,13 @@ typedef struct {
 
 /* All coefficients. */
 static void expand_fallen(const real *constants, int order, real *expanded) {
-    (void)constants;
-    (void)order;
-    (void)expanded;
+    (void)constants, (void)order, (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_fallen(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
-    (void)order;
-    (void)varied;
+    (void)constants, (void)series, (void)d_constants, (void)order, (void)varied;
 }
 
 /* ---- slides */
@@ -195,47 +168,25 @@ typedef struct {
 
 /* All coefficients. */
 static void expand_slides(const real *constants, int order, real *expanded) {
-    (void)constants;
-    (void)order;
-    (void)expanded;
+    (void)constants, (void)order, (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_slides(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
-    (void)order;
-    (void)varied;
+    (void)constants, (void)series, (void)d_constants, (void)order, (void)varied;
 }
 
 /* ---- stance */
 
 /* The foot stands, and the leg pushes with k (l0 - r) (1). */
 typedef struct {
-    real x_[TERMS];
-    real y_[TERMS];
-    real vx[TERMS];
-    real vy[TERMS];
-    real time[TERMS];
-    real x_2[TERMS];
-    real x_times_x[TERMS];
-    real y_2[TERMS];
-    real y_times_y[TERMS];
-    real length[TERMS];
-    real push[TERMS];
-    real push_times_x[TERMS];
-    real push_times_y[TERMS];
+    real x_[TERMS], y_[TERMS], vx[TERMS], vy[TERMS], time[TERMS], x_2[TERMS], x_times_x[TERMS], y_2[TERMS],
+        y_times_y[TERMS], length[TERMS], push[TERMS], push_times_x[TERMS], push_times_y[TERMS];
 } stance_series;
 
 typedef struct {
-    pair x_times_x;
-    pair y_times_y;
-    pair length;
-    pair push;
-    pair push_times_x;
-    pair push_times_y;
+    pair x_times_x, y_times_y, length, push, push_times_x, push_times_y;
 } stance_sums;
 
 typedef struct {
@@ -291,7 +242,7 @@ KERNEL void step_stance(const stance_constants *c, const stance_factors *by, int
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_stance(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_stance(const real *constants, int order, real *series) {
     const stance_constants copy = *(const stance_constants *)(const void *)constants, *c = &copy;
     stance_series *s = (void *)series;
     static const stance_sums none;
@@ -324,17 +275,9 @@ static void vary_stance(const real *constants, const real *series, const real *d
     const stance_series *s = (const void *)series;
     const stance_constants *d = (const void *)d_constants;
     stance_series *t = (void *)varied;
-    real x_2_times_d_x_2[TERMS];
-    real y_2_times_d_y_2[TERMS];
-    real d_length[TERMS];
-    real push_times_d_length[TERMS];
-    real d_push[TERMS];
-    real d_push_times_x_2[TERMS];
-    real push_times_d_x_2[TERMS];
-    real d_push_times_y_2[TERMS];
-    real push_times_d_y_2[TERMS];
-    real d_x_2[TERMS];
-    real d_y_2[TERMS];
+    real x_2_times_d_x_2[TERMS], y_2_times_d_y_2[TERMS], d_length[TERMS], push_times_d_length[TERMS],
+        d_push[TERMS], d_push_times_x_2[TERMS], push_times_d_x_2[TERMS], d_push_times_y_2[TERMS],
+        push_times_d_y_2[TERMS], d_x_2[TERMS], d_y_2[TERMS];
     for (int k = 0; k < order; ++k) {
         t->x_[k + 1] = t->vx[k] * series_reciprocal[k + 1];
         t->y_[k + 1] = t->vy[k] * series_reciprocal[k + 1];
@@ -367,14 +310,8 @@ static void d_observed_stance_tilt_ahead(const real *constants, const real *seri
     const stance_series *s = (const void *)series;
     const stance_constants *d = (const void *)d_constants;
     const stance_series *t = (const void *)d_series;
-    real own_tilt_ahead[TERMS];
-    real own_x_2_times_d_x_2[TERMS];
-    real own_y_2_times_d_y_2[TERMS];
-    real own_d_length[TERMS];
-    real own_tilt_ahead_times_d_length[TERMS];
-    real own_d_tilt_ahead[TERMS];
-    real own_d_x_2[TERMS];
-    real own_d_y_2[TERMS];
+    real own_tilt_ahead[TERMS], own_x_2_times_d_x_2[TERMS], own_y_2_times_d_y_2[TERMS], own_d_length[TERMS],
+        own_tilt_ahead_times_d_length[TERMS], own_d_x_2[TERMS], own_d_y_2[TERMS];
     for (int k = 0; k < order; ++k) {
         own_d_x_2[k] = with_constant(k, t->x_[k], -d->foot_x);
         own_d_y_2[k] = with_constant(k, t->y_[k], -d->foot_y);
@@ -385,11 +322,9 @@ static void d_observed_stance_tilt_ahead(const real *constants, const real *seri
         own_d_length[k] = (own_x_2_times_d_x_2[k] + own_y_2_times_d_y_2[k] - product_so_far(own_d_length,
             s->length, k)) / s->length[0];
         own_tilt_ahead_times_d_length[k] = product(own_tilt_ahead, own_d_length, k);
-        own_d_tilt_ahead[k] = (d->cos_of_slope * s->x_2[k] + c->cos_of_slope * own_d_x_2[k]
-            + d->sin_of_slope * s->y_2[k] + c->sin_of_slope * own_d_y_2[k]
-            - own_tilt_ahead_times_d_length[k] - product_so_far(own_d_tilt_ahead, s->length,
-            k)) / s->length[0];
-        dg[k] = own_d_tilt_ahead[k];
+        dg[k] = (d->cos_of_slope * s->x_2[k] + c->cos_of_slope * own_d_x_2[k] + d->sin_of_slope * s->y_2[k]
+            + c->sin_of_slope * own_d_y_2[k] - own_tilt_ahead_times_d_length[k] - product_so_far(dg,
+            s->length, k)) / s->length[0];
     }
 }
 
@@ -400,14 +335,8 @@ static void d_observed_stance_tilt_behind(const real *constants, const real *ser
     const stance_series *s = (const void *)series;
     const stance_constants *d = (const void *)d_constants;
     const stance_series *t = (const void *)d_series;
-    real own_tilt_ahead[TERMS];
-    real own_x_2_times_d_x_2[TERMS];
-    real own_y_2_times_d_y_2[TERMS];
-    real own_d_length[TERMS];
-    real own_tilt_ahead_times_d_length[TERMS];
-    real own_d_tilt_ahead[TERMS];
-    real own_d_x_2[TERMS];
-    real own_d_y_2[TERMS];
+    real own_tilt_ahead[TERMS], own_x_2_times_d_x_2[TERMS], own_y_2_times_d_y_2[TERMS], own_d_length[TERMS],
+        own_tilt_ahead_times_d_length[TERMS], own_d_tilt_ahead[TERMS], own_d_x_2[TERMS], own_d_y_2[TERMS];
     for (int k = 0; k < order; ++k) {
         own_d_x_2[k] = with_constant(k, t->x_[k], -d->foot_x);
         own_d_y_2[k] = with_constant(k, t->y_[k], -d->foot_y);
@@ -469,11 +398,9 @@ static void guard_stance_collapses(const real *constants, const real *series, in
 static void guard_stance_tilt_ahead(const real *constants, const real *series, int order, real *g) {
     const stance_constants *c = (const void *)constants;
     const stance_series *s = (const void *)series;
-    real own_tilt_ahead[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_tilt_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k]
-            - product_so_far(own_tilt_ahead, s->length, k)) / s->length[0];
-        g[k] = own_tilt_ahead[k];
+        g[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k] - product_so_far(g, s->length,
+            k)) / s->length[0];
     }
 }
 
@@ -490,8 +417,8 @@ static void guard_stance_tilt_behind(const real *constants, const real *series, 
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_stance(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_stance(const real *constants, const real *series, const real *power,
+    int order, uint64_t watched, interval *bounds) {
     const stance_constants *c = (const void *)constants;
     const stance_series *s = (const void *)series;
     (void)watched;
@@ -529,10 +456,7 @@ static void bounds_stance(const real *constants, const real *series, const real 
 
 /* The mass is ballistic. The leg turns after the apex, on the way down. */
 typedef struct {
-    real y_[TERMS];
-    real time[TERMS];
-    real x_[TERMS];
-    real vy[TERMS];
+    real y_[TERMS], time[TERMS], x_[TERMS], vy[TERMS];
 } flight_up_series;
 
 /* All coefficients. */
@@ -550,10 +474,9 @@ static void expand_flight_up(const real *constants, int order, real *expanded) {
 /* First variation of the series. */
 static void vary_flight_up(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    (void)constants;
-    (void)series;
     const flight_up_constants *d = (const void *)d_constants;
     flight_up_series *t = (void *)varied;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         t->y_[k + 1] = t->vy[k] * series_reciprocal[k + 1];
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
@@ -573,22 +496,19 @@ static void guard_flight_up_falls(const real *constants, const real *series, int
 
 /* apex: The mass rises no more, and the leg is put to its angle. */
 static void guard_flight_up_apex(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const flight_up_series *s = (const void *)series;
-    real own_rate_of_y_[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_y_[k] = (double)(k + 1) * s->y_[k + 1];
-        g[k] = own_rate_of_y_[k];
+        g[k] = (double)(k + 1) * s->y_[k + 1];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_up(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_flight_up(const real *constants, const real *series, const real *power,
+    int order, uint64_t watched, interval *bounds) {
     const flight_up_constants *c = (const void *)constants;
     const flight_up_series *s = (const void *)series;
-    (void)order;
-    (void)watched;
+    (void)order, (void)watched;
     const interval span_0 = interval_of_series(s->y_, power, 3);
     const interval span_1 = interval_at(c->sin_of_slope_over_cos_of_slope, c->sin_of_slope_over_cos_of_slope);
     const interval span_2 = interval_of_series(s->x_, power, 2);

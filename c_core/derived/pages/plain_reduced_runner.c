@@ -3,19 +3,13 @@
 
 /* Constants of start_of_run. */
 static void open_start_of_run(const real *parameters, const real *states, real *constants) {
-    (void)parameters;
-    (void)states;
-    (void)constants;
+    (void)parameters, (void)states, (void)constants;
 }
 
 /* First variation of open_start_of_run. */
 static void vary_open_start_of_run(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)constants;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)constants;
 }
 
 /* begins: Every run begins at an apex, with the foot above the ground. */
@@ -23,8 +17,8 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
     real *after, const int *next) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
-    (void)tables;
     plain_reduced_runner_states *y = (void *)after;
+    (void)tables;
     y->liftoff_angle = x->angle;
     if (x->seen_y <= 0.0) {
         return next[0]; /* no_start */
@@ -77,9 +71,8 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     plain_reduced_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     y->liftoff_angle = dx->angle;
     if (x->seen_y <= 0.0) {
         return;
@@ -138,35 +131,26 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
 /* First variation of the guard of begins. */
 static real vary_guard_start_of_run_begins(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states;
     return 0.0;
 }
 
 /* Outputs in start_of_run. */
 static void outputs_start_of_run(const real *parameters, const real *states, real *outputs) {
-    (void)parameters;
-    (void)states;
-    (void)outputs;
+    (void)parameters, (void)states, (void)outputs;
 }
 
 /* First variation of outputs_start_of_run. */
 static void vary_outputs_start_of_run(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *outputs) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)outputs;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)outputs;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
 static void leave_start_of_run(const real *parameters, const real *states, real counted, real *after) {
-    (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
@@ -176,11 +160,9 @@ static void leave_start_of_run(const real *parameters, const real *states, real 
 /* First variation of leave_start_of_run. */
 static void vary_leave_start_of_run(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real counted, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters;
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->mode_began = dx->time;
@@ -237,8 +219,8 @@ static int react_flight_place_falls(const real *parameters, const real *states, 
     real *after, const int *next) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
-    (void)tables;
     plain_reduced_runner_states *y = (void *)after;
+    (void)tables;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real sine = real_sin(x->angle);
     const real cosine = real_cos(x->angle);
@@ -263,9 +245,8 @@ static void vary_react_flight_place_falls(const real *parameters, const real *st
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     plain_reduced_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
@@ -296,8 +277,8 @@ static void vary_react_flight_place_falls(const real *parameters, const real *st
 
 /* Whether falls is watched. */
 static real watches_flight_place_falls(const real *parameters, const real *states) {
-    (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
+    (void)parameters;
     if (real_cos(x->angle) < 0.01) {
         return 1.0;
     }
@@ -326,8 +307,8 @@ static int react_flight_place_touchdown(const real *parameters, const real *stat
     real *after, const int *next) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
-    (void)tables;
     plain_reduced_runner_states *y = (void *)after;
+    (void)tables;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real sine = real_sin(x->angle);
     const real turn = x->momentum / x->length;
@@ -381,9 +362,8 @@ static void vary_react_flight_place_touchdown(const real *parameters, const real
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     plain_reduced_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real sine = real_sin(x->angle);
@@ -632,10 +612,9 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
 /* falls: The body reaches the ground. */
 static int react_slip_constant_falls(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
-    (void)tables;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)tables;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real angle = real_atan2(-x->x_, x->y_) + x->winding;
@@ -656,13 +635,10 @@ static int react_slip_constant_falls(const real *parameters, const real *states,
 /* First variation of falls. */
 static void vary_react_slip_constant_falls(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters, (void)tables, (void)seed;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -688,20 +664,18 @@ static void vary_react_slip_constant_falls(const real *parameters, const real *s
 /* First variation of the guard of falls. */
 static real vary_guard_slip_constant_falls(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states, (void)d_parameters;
     return dx->y_;
 }
 
 /* First variation of the guard of collapses. */
 static real vary_guard_slip_constant_collapses(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
+    (void)parameters;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -712,10 +686,8 @@ static real vary_guard_slip_constant_collapses(const real *parameters, const rea
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_slip_constant_mid_stance(const real *parameters, const real *states,
     const tdmf_table *tables, real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->driving = 0.0;
     return next[0]; /* slip */
 }
@@ -723,20 +695,15 @@ static int react_slip_constant_mid_stance(const real *parameters, const real *st
 /* First variation of mid_stance. */
 static void vary_react_slip_constant_mid_stance(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
     y->driving = 0.0;
 }
 
 /* Whether mid_stance is watched. */
 static real watches_slip_constant_mid_stance(const real *parameters, const real *states) {
-    (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
+    (void)parameters;
     if (x->driving > 0.0) {
         return 1.0;
     }
@@ -746,10 +713,9 @@ static real watches_slip_constant_mid_stance(const real *parameters, const real 
 /* First variation of the guard of mid_stance. */
 static real vary_guard_slip_constant_mid_stance(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)d_parameters;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
     return d_angle;
@@ -760,8 +726,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     real *after, const int *next) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
-    (void)tables;
     plain_reduced_runner_states *y = (void *)after;
+    (void)tables;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real angle = real_atan2(-x->x_, x->y_) + x->winding;
@@ -810,9 +776,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     plain_reduced_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real rise = share * x->vy;
@@ -888,8 +853,8 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
     const tdmf_table *tables, real *after, const int *next) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
-    (void)tables;
     plain_reduced_runner_states *y = (void *)after;
+    (void)tables;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -915,11 +880,8 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
     plain_reduced_runner_states *y = (void *)after;
+    (void)d_parameters, (void)d_states, (void)tables, (void)seed;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -941,18 +903,17 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
 /* First variation of the guard of comes_to_rest. */
 static real vary_guard_slip_constant_comes_to_rest(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)d_parameters;
     return dx->way * x->foot_vx + x->way * dx->foot_vx;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
 static void leave_slip_constant(const real *parameters, const real *states, real counted, real *after) {
-    (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real slid = x->way * (x->foot_x - x->slid_from);
     const real lasted = x->time - x->mode_began;
@@ -978,11 +939,10 @@ static void leave_slip_constant(const real *parameters, const real *states, real
 /* First variation of leave_slip_constant. */
 static void vary_leave_slip_constant(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real counted, real *after) {
-    (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters;
     const real d_slid = dx->way * (x->foot_x - x->slid_from) + x->way * (dx->foot_x - dx->slid_from);
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
@@ -1009,9 +969,9 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
 
 /* from world, in slip. */
 static void from_world_slip_constant(const real *parameters, const real *states, real *after) {
-    (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters;
     const real sine = real_sin(x->angle);
     const real length_times_sine = x->length * sine;
     const real x_2 = -length_times_sine;
@@ -1032,11 +992,10 @@ static void from_world_slip_constant(const real *parameters, const real *states,
 /* First variation of from_world_slip_constant. */
 static void vary_from_world_slip_constant(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, real *after) {
-    (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters;
     const real sine = real_sin(x->angle);
     const real cosine = real_cos(x->angle);
     const real d_sine = cosine * dx->angle;
@@ -1064,9 +1023,9 @@ static void vary_from_world_slip_constant(const real *parameters, const real *st
 
 /* to world, in slip. */
 static void to_world_slip_constant(const real *parameters, const real *states, real *after) {
-    (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real angle = real_atan2(-x->x_, x->y_) + x->winding;
@@ -1086,11 +1045,10 @@ static void to_world_slip_constant(const real *parameters, const real *states, r
 /* First variation of to_world_slip_constant. */
 static void vary_to_world_slip_constant(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *after) {
-    (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -1163,10 +1121,8 @@ static void vary_open_stick(const real *parameters, const real *states, const re
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_stick_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->driving = 0.0;
     return next[0]; /* stick */
 }
@@ -1174,10 +1130,8 @@ static int react_stick_mid_stance(const real *parameters, const real *states, co
 /* slips_forward: The push of the leg exceeds static friction, and the foot slips forward. */
 static int react_stick_slips_forward(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->way = 1.0;
     return next[0]; /* slip */
 }
@@ -1185,13 +1139,8 @@ static int react_stick_slips_forward(const real *parameters, const real *states,
 /* First variation of slips_forward. */
 static void vary_react_stick_slips_forward(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
     y->way = 0.0;
 }
 
@@ -1232,10 +1181,8 @@ static real vary_guard_stick_slips_forward(const real *parameters, const real *s
 /* slips_backward: The push of the leg exceeds static friction, and the foot slips backward. */
 static int react_stick_slips_backward(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->way = -1.0;
     return next[0]; /* slip */
 }
@@ -1276,9 +1223,9 @@ static real vary_guard_stick_slips_backward(const real *parameters, const real *
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
 static void leave_stick(const real *parameters, const real *states, real counted, real *after) {
-    (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real lasted = x->time - x->mode_began;
     const real adds = select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due),
@@ -1301,11 +1248,10 @@ static void leave_stick(const real *parameters, const real *states, real counted
 /* First variation of leave_stick. */
 static void vary_leave_stick(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real counted, real *after) {
-    (void)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
     plain_reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters;
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
     const real adds = select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due),
@@ -1340,10 +1286,9 @@ static void open_flight_retract(const real *parameters, const real *states, real
 /* First variation of open_flight_retract. */
 static void vary_open_flight_retract(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
-    (void)parameters;
-    (void)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states;
     flight_retract_constants *c = (void *)constants;
     const real d_minus_gravity = -dp->gravity;
     c->com_vx = dx->com_vx;
@@ -1355,8 +1300,8 @@ static int react_flight_retract_apex(const real *parameters, const real *states,
     real *after, const int *next) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
-    (void)tables;
     plain_reduced_runner_states *y = (void *)after;
+    (void)tables;
     const real period = x->time - x->apex_time;
     const real distance = x->com_x - x->x_then;
     const real hip = x->work - x->work_then;
@@ -1414,9 +1359,8 @@ static void vary_react_flight_retract_apex(const real *parameters, const real *s
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     plain_reduced_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real d_period = dx->time - dx->apex_time;
     const real d_distance = dx->com_x - dx->x_then;
     const real d_hip = dx->work - dx->work_then;
@@ -1481,18 +1425,16 @@ static void vary_react_flight_retract_apex(const real *parameters, const real *s
 /* First variation of the guard of apex. */
 static real vary_guard_flight_retract_apex(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states, (void)d_parameters;
     return dx->com_vy;
 }
 
 /* at_apex: A start at an apex, with the centre of mass at x = 0 and the leg at rest. */
 static void enter_at_apex(const real *parameters, const real *states, const real *at, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
-    (void)states;
     plain_reduced_runner_states *y = (void *)after;
+    (void)states;
     const real at_apex_com_height = at[0];
     const real at_apex_com_speed = at[1];
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
@@ -1513,11 +1455,9 @@ static void enter_at_apex(const real *parameters, const real *states, const real
 static void vary_enter_at_apex(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, const real *at, const real *d_at, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
-    (void)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
-    (void)d_states;
-    (void)at;
     plain_reduced_runner_states *y = (void *)after;
+    (void)states, (void)d_states, (void)at;
     const real d_at_apex_com_height = d_at[0];
     const real d_at_apex_com_speed = d_at[1];
     const real sine = real_sin(p->touchdown_angle);

@@ -109,11 +109,7 @@ typedef struct {
 } no_start_constants;
 
 typedef struct {
-    real com_vx;
-    real minus_gravity;
-    real rate;
-    real by_1_minus_share_times_length;
-    real share_times_length;
+    real com_vx, minus_gravity, rate, by_1_minus_share_times_length, share_times_length;
 } flight_place_constants;
 
 typedef struct {
@@ -121,32 +117,13 @@ typedef struct {
 } fallen_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real stiffness;
-    real free_length;
-    real damping;
-    real stance_torque;
-    real inverse_foot_mass;
-    real way;
-    real way_times_friction;
-    real gravity;
-    real foot_mass_times_gravity;
-    real least_length;
-    real winding;
+    real inverse_body_mass, stiffness, free_length, damping, stance_torque, inverse_foot_mass, way,
+        way_times_friction, gravity, foot_mass_times_gravity, least_length, winding;
 } slip_constant_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real stiffness;
-    real free_length;
-    real damping;
-    real stance_torque;
-    real gravity;
-    real foot_vx;
-    real least_length;
-    real winding;
-    real foot_mass_times_gravity;
-    real friction;
+    real inverse_body_mass, stiffness, free_length, damping, stance_torque, gravity, foot_vx, least_length,
+        winding, foot_mass_times_gravity, friction;
 } stick_constants;
 
 typedef struct {
@@ -158,8 +135,7 @@ typedef struct {
 } no_apex_constants;
 
 typedef struct {
-    real com_vx;
-    real minus_gravity;
+    real com_vx, minus_gravity;
 } flight_retract_constants;
 
 extern const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_reduced_runner_motions)[];

@@ -3,19 +3,13 @@
 
 /* Constants of start_of_run. */
 static void open_start_of_run(const real *parameters, const real *states, real *constants) {
-    (void)parameters;
-    (void)states;
-    (void)constants;
+    (void)parameters, (void)states, (void)constants;
 }
 
 /* First variation of open_start_of_run. */
 static void vary_open_start_of_run(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)constants;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)constants;
 }
 
 /* begins: An impact if the foot is on the ground and does not rise, else flight. An apex opens a stride. */
@@ -23,8 +17,8 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
     real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)tables;
     const real slow = 1e-12 * (p->free_length * real_sqrt(p->stiffness / p->body_mass));
     const real cosine = real_cos(x->angle);
     const real turn = x->length * x->angle_rate;
@@ -125,9 +119,8 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     plain_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real slow = 1e-12 * (p->free_length * real_sqrt(p->stiffness / p->body_mass));
     const real cosine = real_cos(x->angle);
     const real turn = x->length * x->angle_rate;
@@ -236,35 +229,26 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
 /* First variation of the guard of begins. */
 static real vary_guard_start_of_run_begins(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states;
     return 0.0;
 }
 
 /* Outputs in start_of_run. */
 static void outputs_start_of_run(const real *parameters, const real *states, real *outputs) {
-    (void)parameters;
-    (void)states;
-    (void)outputs;
+    (void)parameters, (void)states, (void)outputs;
 }
 
 /* First variation of outputs_start_of_run. */
 static void vary_outputs_start_of_run(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *outputs) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)outputs;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)outputs;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
 static void leave_start_of_run(const real *parameters, const real *states, real counted, real *after) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
+    (void)parameters;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
@@ -274,11 +258,9 @@ static void leave_start_of_run(const real *parameters, const real *states, real 
 /* First variation of leave_start_of_run. */
 static void vary_leave_start_of_run(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real counted, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters;
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->mode_began = dx->time;
@@ -341,10 +323,9 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
 /* falls: The body reaches the ground. */
 static int react_slip_constant_falls(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)tables;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real angle = real_atan2(-x->x_, x->y_) + x->winding;
@@ -365,13 +346,10 @@ static int react_slip_constant_falls(const real *parameters, const real *states,
 /* First variation of falls. */
 static void vary_react_slip_constant_falls(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters, (void)tables, (void)seed;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -397,20 +375,18 @@ static void vary_react_slip_constant_falls(const real *parameters, const real *s
 /* First variation of the guard of falls. */
 static real vary_guard_slip_constant_falls(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states, (void)d_parameters;
     return dx->y_;
 }
 
 /* First variation of the guard of collapses. */
 static real vary_guard_slip_constant_collapses(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
+    (void)parameters;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -422,10 +398,8 @@ static real vary_guard_slip_constant_collapses(const real *parameters, const rea
  * counted. */
 static int react_slip_constant_greatest_compression(const real *parameters, const real *states,
     const tdmf_table *tables, real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->thrusting = 1.0;
     return next[0]; /* slip */
 }
@@ -433,13 +407,8 @@ static int react_slip_constant_greatest_compression(const real *parameters, cons
 /* First variation of greatest_compression. */
 static void vary_react_slip_constant_greatest_compression(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
     y->thrusting = 0.0;
 }
 
@@ -456,10 +425,9 @@ static real watches_slip_constant_greatest_compression(const real *parameters, c
 /* First variation of the guard of greatest_compression. */
 static real vary_guard_slip_constant_greatest_compression(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)d_parameters;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -473,10 +441,8 @@ static real vary_guard_slip_constant_greatest_compression(const real *parameters
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_slip_constant_mid_stance(const real *parameters, const real *states,
     const tdmf_table *tables, real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->driving = 0.0;
     return next[0]; /* slip */
 }
@@ -484,20 +450,15 @@ static int react_slip_constant_mid_stance(const real *parameters, const real *st
 /* First variation of mid_stance. */
 static void vary_react_slip_constant_mid_stance(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
     y->driving = 0.0;
 }
 
 /* Whether mid_stance is watched. */
 static real watches_slip_constant_mid_stance(const real *parameters, const real *states) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
+    (void)parameters;
     if (x->driving > 0.0) {
         return 1.0;
     }
@@ -507,10 +468,9 @@ static real watches_slip_constant_mid_stance(const real *parameters, const real 
 /* First variation of the guard of mid_stance. */
 static real vary_guard_slip_constant_mid_stance(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)d_parameters;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
     return d_angle;
@@ -521,8 +481,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)tables;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real rise = share * x->vy;
     const real goes_on = select(x->time <= x->touchdown_time, x->was_placed, 0.0);
@@ -607,9 +567,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     plain_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real rise = share * x->vy;
@@ -731,8 +690,8 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
     const tdmf_table *tables, real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)tables;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -758,11 +717,8 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
     plain_runner_states *y = (void *)after;
+    (void)d_parameters, (void)d_states, (void)tables, (void)seed;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -784,18 +740,17 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
 /* First variation of the guard of comes_to_rest. */
 static real vary_guard_slip_constant_comes_to_rest(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)d_parameters;
     return dx->way * x->foot_vx + x->way * dx->foot_vx;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
 static void leave_slip_constant(const real *parameters, const real *states, real counted, real *after) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
+    (void)parameters;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real slid = x->way * (x->foot_x - x->slid_from);
     const real lasted = x->time - x->mode_began;
@@ -821,11 +776,10 @@ static void leave_slip_constant(const real *parameters, const real *states, real
 /* First variation of leave_slip_constant. */
 static void vary_leave_slip_constant(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real counted, real *after) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters;
     const real d_slid = dx->way * (x->foot_x - x->slid_from) + x->way * (dx->foot_x - dx->slid_from);
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
@@ -852,9 +806,9 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
 
 /* from world, in slip. */
 static void from_world_slip_constant(const real *parameters, const real *states, real *after) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
+    (void)parameters;
     const real sine = real_sin(x->angle);
     const real length_times_sine = x->length * sine;
     const real x_2 = -length_times_sine;
@@ -875,11 +829,10 @@ static void from_world_slip_constant(const real *parameters, const real *states,
 /* First variation of from_world_slip_constant. */
 static void vary_from_world_slip_constant(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, real *after) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters;
     const real sine = real_sin(x->angle);
     const real cosine = real_cos(x->angle);
     const real d_sine = cosine * dx->angle;
@@ -907,9 +860,9 @@ static void vary_from_world_slip_constant(const real *parameters, const real *st
 
 /* to world, in slip. */
 static void to_world_slip_constant(const real *parameters, const real *states, real *after) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
+    (void)parameters;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real angle = real_atan2(-x->x_, x->y_) + x->winding;
@@ -929,11 +882,10 @@ static void to_world_slip_constant(const real *parameters, const real *states, r
 /* First variation of to_world_slip_constant. */
 static void vary_to_world_slip_constant(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *after) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -1007,10 +959,8 @@ static void vary_open_stick(const real *parameters, const real *states, const re
  * counted. */
 static int react_stick_greatest_compression(const real *parameters, const real *states,
     const tdmf_table *tables, real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->thrusting = 1.0;
     return next[0]; /* stick */
 }
@@ -1018,10 +968,8 @@ static int react_stick_greatest_compression(const real *parameters, const real *
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_stick_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->driving = 0.0;
     return next[0]; /* stick */
 }
@@ -1029,10 +977,8 @@ static int react_stick_mid_stance(const real *parameters, const real *states, co
 /* slips_forward: The push of the leg exceeds static friction, and the foot slips forward. */
 static int react_stick_slips_forward(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->way = 1.0;
     return next[0]; /* slip */
 }
@@ -1040,13 +986,8 @@ static int react_stick_slips_forward(const real *parameters, const real *states,
 /* First variation of slips_forward. */
 static void vary_react_stick_slips_forward(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
     y->way = 0.0;
 }
 
@@ -1087,10 +1028,8 @@ static real vary_guard_stick_slips_forward(const real *parameters, const real *s
 /* slips_backward: The push of the leg exceeds static friction, and the foot slips backward. */
 static int react_stick_slips_backward(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->way = -1.0;
     return next[0]; /* slip */
 }
@@ -1131,9 +1070,9 @@ static real vary_guard_stick_slips_backward(const real *parameters, const real *
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
 static void leave_stick(const real *parameters, const real *states, real counted, real *after) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
+    (void)parameters;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real lasted = x->time - x->mode_began;
     const real adds = select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due),
@@ -1156,11 +1095,10 @@ static void leave_stick(const real *parameters, const real *states, real counted
 /* First variation of leave_stick. */
 static void vary_leave_stick(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real counted, real *after) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters;
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
     const real adds = select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due),
@@ -1210,9 +1148,9 @@ static void open_flight_place_calm(const real *parameters, const real *states, r
 static void vary_open_flight_place_calm(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
     const plain_runner_parameters *p = (const void *)parameters;
-    (void)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
+    (void)states;
     flight_place_calm_constants *c = (void *)constants;
     const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass)
         - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
@@ -1241,8 +1179,8 @@ static int react_flight_place_calm_falls(const real *parameters, const real *sta
     real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)tables;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real sine = real_sin(x->angle);
     const real cosine = real_cos(x->angle);
@@ -1267,9 +1205,8 @@ static void vary_react_flight_place_calm_falls(const real *parameters, const rea
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     plain_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
@@ -1318,10 +1255,9 @@ static real vary_guard_flight_place_calm_falls(const real *parameters, const rea
 /* First variation of the guard of collapses. */
 static real vary_guard_flight_place_calm_collapses(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states;
     return dx->length - dp->least_length;
 }
 
@@ -1330,8 +1266,8 @@ static int react_flight_place_calm_apex(const real *parameters, const real *stat
     real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)tables;
     const real period = x->time - x->apex_time;
     const real distance = x->com_x - x->x_then;
     const real hip = x->work - x->work_then;
@@ -1386,9 +1322,8 @@ static void vary_react_flight_place_calm_apex(const real *parameters, const real
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     plain_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real d_period = dx->time - dx->apex_time;
     const real d_distance = dx->com_x - dx->x_then;
     const real d_hip = dx->work - dx->work_then;
@@ -1449,8 +1384,8 @@ static void vary_react_flight_place_calm_apex(const real *parameters, const real
 
 /* Whether apex is watched. */
 static real watches_flight_place_calm_apex(const real *parameters, const real *states) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
+    (void)parameters;
     if (x->rises_again > 0.0) {
         return 1.0;
     }
@@ -1460,10 +1395,8 @@ static real watches_flight_place_calm_apex(const real *parameters, const real *s
 /* First variation of the guard of apex. */
 static real vary_guard_flight_place_calm_apex(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states, (void)d_parameters;
     return dx->com_vy;
 }
 
@@ -1472,8 +1405,8 @@ static int react_flight_place_calm_touchdown(const real *parameters, const real 
     const tdmf_table *tables, real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)tables;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real sine = real_sin(x->angle);
     const real turn = x->momentum / x->length;
@@ -1529,9 +1462,8 @@ static void vary_react_flight_place_calm_touchdown(const real *parameters, const
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     plain_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real sine = real_sin(x->angle);
@@ -1795,8 +1727,8 @@ static int react_flight_rest_calm_touchdown(const real *parameters, const real *
     const tdmf_table *tables, real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)tables;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real sine = real_sin(x->angle);
     const real turn = x->momentum / x->length;
@@ -1848,23 +1780,14 @@ static int react_flight_rest_calm_touchdown(const real *parameters, const real *
 /* release: The clamp of (12) releases the retracting torque. */
 static int react_flight_rest_calm_release(const real *parameters, const real *states,
     const tdmf_table *tables, real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
-    (void)after;
+    (void)parameters, (void)states, (void)tables, (void)after;
     return next[0]; /* flight */
 }
 
 /* First variation of release. */
 static void vary_react_flight_rest_calm_release(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
-    (void)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed, (void)after;
 }
 
 /* First variation of the guard of release. */
@@ -2031,10 +1954,8 @@ static void vary_open_graze_place(const real *parameters, const real *states, co
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_graze_place_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->driving = 0.0;
     return next[0]; /* graze */
 }
@@ -2044,8 +1965,8 @@ static int react_graze_place_graze_to_contact(const real *parameters, const real
     const tdmf_table *tables, real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)tables;
     y->placing = 0.0;
     if (real_abs(x->foot_vx) > 0.0) {
         y->way = select(x->foot_vx > 0.0, 1.0, -1.0);
@@ -2076,11 +1997,8 @@ static void vary_react_graze_place_graze_to_contact(const real *parameters, cons
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
     plain_runner_states *y = (void *)after;
+    (void)d_parameters, (void)d_states, (void)tables, (void)seed;
     y->placing = 0.0;
     if (real_abs(x->foot_vx) > 0.0) {
         y->way = 0.0;
@@ -2139,8 +2057,8 @@ static int react_graze_place_graze_to_flight(const real *parameters, const real 
     const tdmf_table *tables, real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)tables;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real angle = real_atan2(-x->x_, x->y_) + x->winding;
@@ -2170,9 +2088,8 @@ static void vary_react_graze_place_graze_to_flight(const real *parameters, const
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     plain_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -2241,9 +2158,9 @@ static real vary_guard_graze_place_graze_to_flight(const real *parameters, const
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
 static void leave_graze_place(const real *parameters, const real *states, real counted, real *after) {
-    (void)parameters;
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
+    (void)parameters;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
@@ -2254,11 +2171,9 @@ static void leave_graze_place(const real *parameters, const real *states, real c
 /* First variation of leave_graze_place. */
 static void vary_leave_graze_place(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real counted, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters;
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slid_from = dx->foot_x;
@@ -2337,10 +2252,8 @@ static void vary_open_graze_rest(const real *parameters, const real *states, con
 /* apex_in_graze: Place begins. No stride closes, because the foot is on the ground. */
 static int react_graze_rest_apex_in_graze(const real *parameters, const real *states,
     const tdmf_table *tables, real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->placing = 0.0;
     return next[0]; /* graze */
 }
@@ -2348,13 +2261,8 @@ static int react_graze_rest_apex_in_graze(const real *parameters, const real *st
 /* First variation of apex_in_graze. */
 static void vary_react_graze_rest_apex_in_graze(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
     plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
     y->placing = 0.0;
 }
 
@@ -2375,10 +2283,7 @@ static real vary_guard_graze_rest_apex_in_graze(const real *parameters, const re
 /* release: The clamp of (12) releases the retracting torque. */
 static int react_graze_rest_release(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
-    (void)after;
+    (void)parameters, (void)states, (void)tables, (void)after;
     return next[0]; /* graze */
 }
 
@@ -2562,8 +2467,8 @@ static real vary_guard_graze_retract_graze_to_flight(const real *parameters, con
 /* at_apex: A start at an apex, with the centre of mass at x = 0. */
 static void enter_at_apex(const real *parameters, const real *states, const real *at, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
-    (void)states;
     plain_runner_states *y = (void *)after;
+    (void)states;
     const real at_apex_com_height = at[0];
     const real at_apex_com_speed = at[1];
     const real at_apex_length = at[2];
@@ -2591,10 +2496,9 @@ static void enter_at_apex(const real *parameters, const real *states, const real
 static void vary_enter_at_apex(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, const real *at, const real *d_at, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
-    (void)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
-    (void)d_states;
     plain_runner_states *y = (void *)after;
+    (void)states, (void)d_states;
     const real at_apex_length = at[2];
     const real at_apex_angle = at[3];
     const real at_apex_length_rate = at[4];

@@ -117,81 +117,29 @@ typedef struct {
 } start_of_run_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real stiffness;
-    real free_length;
-    real damping;
-    real stance_torque;
-    real inverse_foot_mass;
-    real way;
-    real way_times_friction;
-    real gravity;
-    real foot_mass_times_gravity;
-    real least_length;
-    real winding;
+    real inverse_body_mass, stiffness, free_length, damping, stance_torque, inverse_foot_mass, way,
+        way_times_friction, gravity, foot_mass_times_gravity, least_length, winding;
 } slip_constant_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real stiffness;
-    real free_length;
-    real damping;
-    real stance_torque;
-    real gravity;
-    real foot_vx;
-    real least_length;
-    real winding;
-    real foot_mass_times_gravity;
-    real friction;
+    real inverse_body_mass, stiffness, free_length, damping, stance_torque, gravity, foot_vx, least_length,
+        winding, foot_mass_times_gravity, friction;
 } stick_constants;
 
 typedef struct {
-    real mobility;
-    real stiffness;
-    real free_length;
-    real damping;
-    real external_torque;
-    real kp;
-    real touchdown_angle;
-    real kd;
-    real com_vx;
-    real minus_gravity;
-    real share;
-    real by_1_minus_share;
-    real least_length;
+    real mobility, stiffness, free_length, damping, external_torque, kp, touchdown_angle, kd, com_vx,
+        minus_gravity, share, by_1_minus_share, least_length;
 } flight_place_calm_constants;
 
 typedef struct {
-    real mobility;
-    real stiffness;
-    real free_length;
-    real damping;
-    real external_torque;
-    real com_vx;
-    real minus_gravity;
-    real mobility_times_external_torque;
-    real share;
-    real by_1_minus_share;
-    real least_length;
-    real kp;
-    real liftoff_factor_times_liftoff_angle;
-    real kd;
+    real mobility, stiffness, free_length, damping, external_torque, com_vx, minus_gravity,
+        mobility_times_external_torque, share, by_1_minus_share, least_length, kp,
+        liftoff_factor_times_liftoff_angle, kd;
 } flight_rest_calm_constants;
 
 typedef struct {
-    real mobility;
-    real stiffness;
-    real free_length;
-    real damping;
-    real external_torque;
-    real kp;
-    real liftoff_factor_times_liftoff_angle;
-    real kd;
-    real com_vx;
-    real minus_gravity;
-    real share;
-    real by_1_minus_share;
-    real least_length;
+    real mobility, stiffness, free_length, damping, external_torque, kp, liftoff_factor_times_liftoff_angle,
+        kd, com_vx, minus_gravity, share, by_1_minus_share, least_length;
 } flight_retract_calm_constants;
 
 typedef struct {
@@ -199,56 +147,21 @@ typedef struct {
 } fallen_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real stiffness;
-    real free_length;
-    real damping;
-    real off;
-    real inverse_foot_mass;
-    real minus_off_over_body_mass_minus_gravity;
-    real least_length;
-    real winding;
-    real external_torque;
-    real stance_torque;
-    real kp;
-    real touchdown_angle;
-    real kd;
+    real inverse_body_mass, stiffness, free_length, damping, off, inverse_foot_mass,
+        minus_off_over_body_mass_minus_gravity, least_length, winding, external_torque, stance_torque, kp,
+        touchdown_angle, kd;
 } graze_place_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real stiffness;
-    real free_length;
-    real damping;
-    real off;
-    real inverse_foot_mass;
-    real minus_off_over_body_mass_minus_gravity;
-    real least_length;
-    real share;
-    real kp;
-    real winding;
-    real liftoff_factor_times_liftoff_angle;
-    real kd;
-    real external_torque;
-    real stance_torque;
+    real inverse_body_mass, stiffness, free_length, damping, off, inverse_foot_mass,
+        minus_off_over_body_mass_minus_gravity, least_length, share, kp, winding,
+        liftoff_factor_times_liftoff_angle, kd, external_torque, stance_torque;
 } graze_rest_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real stiffness;
-    real free_length;
-    real damping;
-    real off;
-    real inverse_foot_mass;
-    real minus_off_over_body_mass_minus_gravity;
-    real least_length;
-    real share;
-    real kp;
-    real winding;
-    real liftoff_factor_times_liftoff_angle;
-    real kd;
-    real external_torque;
-    real stance_torque;
+    real inverse_body_mass, stiffness, free_length, damping, off, inverse_foot_mass,
+        minus_off_over_body_mass_minus_gravity, least_length, share, kp, winding,
+        liftoff_factor_times_liftoff_angle, kd, external_torque, stance_torque;
 } graze_retract_constants;
 
 extern const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[];

@@ -10,19 +10,16 @@ typedef struct {
 
 /* All coefficients. */
 static void expand_start_of_run(const real *constants, int order, real *expanded) {
-    (void)constants;
-    (void)order;
     start_of_run_series *s = (void *)expanded;
+    (void)constants, (void)order;
     s->time[1] = broadcast(1.0);
 }
 
 /* First variation of the series. */
 static void vary_start_of_run(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     start_of_run_series *t = (void *)varied;
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
     }
@@ -30,21 +27,16 @@ static void vary_start_of_run(const real *constants, const real *series, const r
 
 /* begins: An impact if the foot is on the ground and does not rise, else flight. An apex opens a stride. */
 static void guard_start_of_run_begins(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
-    (void)series;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = constant_of(k, broadcast(-1.0));
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_start_of_run(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
-    (void)constants;
-    (void)series;
-    (void)power;
-    (void)order;
-    (void)watched;
+TDMF_ALSO_FOR_AVX2 static void bounds_start_of_run(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
+    (void)constants, (void)series, (void)power, (void)order, (void)watched;
     const interval span_0 = interval_at(broadcast(-1.0), broadcast(-1.0));
     bounds[0] = span_0;
 }
@@ -53,56 +45,22 @@ static void bounds_start_of_run(const real *constants, const real *series, const
 
 /* m_f vdot = p - s mu f_n, where p is the push of the leg and s the direction of slip. */
 typedef struct {
-    real x_[TERMS];
-    real y_[TERMS];
-    real vx[TERMS];
-    real vy[TERMS];
-    real foot_x[TERMS];
-    real foot_vx[TERMS];
-    real damper_loss[TERMS];
-    real friction_loss[TERMS];
-    real work[TERMS];
-    real time[TERMS];
-    real seen_angle[TERMS];
-    real x__times_x_[TERMS];
-    real y__times_y_[TERMS];
-    real square[TERMS];
-    real length[TERMS];
-    real length_rate[TERMS];
-    real axial[TERMS];
-    real axial_times_x_[TERMS];
-    real turning[TERMS];
-    real turning_times_y_[TERMS];
-    real axial_times_y_[TERMS];
-    real turning_times_x_[TERMS];
-    real friction_force[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real friction_force_times_foot_vx[TERMS];
-    real x__times_vy[TERMS];
-    real y__times_vx[TERMS];
-    real angle_rate[TERMS];
+    real x_[TERMS], y_[TERMS], vx[TERMS], vy[TERMS], foot_x[TERMS], foot_vx[TERMS], damper_loss[TERMS],
+        friction_loss[TERMS], work[TERMS], time[TERMS], seen_angle[TERMS], x__times_x_[TERMS],
+        y__times_y_[TERMS], square[TERMS], length[TERMS], length_rate[TERMS], axial[TERMS],
+        axial_times_x_[TERMS], turning[TERMS], turning_times_y_[TERMS], axial_times_y_[TERMS],
+        turning_times_x_[TERMS], friction_force[TERMS], length_rate_times_length_rate[TERMS],
+        friction_force_times_foot_vx[TERMS], x__times_vy[TERMS], y__times_vx[TERMS], angle_rate[TERMS];
 } slip_constant_series;
 
 typedef struct {
-    pair x__times_x_;
-    pair y__times_y_;
-    pair length;
-    pair axial;
-    pair axial_times_x_;
-    pair turning;
-    pair turning_times_y_;
-    pair axial_times_y_;
-    pair turning_times_x_;
-    pair length_rate_times_length_rate;
-    pair friction_force_times_foot_vx;
-    pair x__times_vy;
-    pair y__times_vx;
-    pair angle_rate;
+    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, turning, turning_times_y_, axial_times_y_,
+        turning_times_x_, length_rate_times_length_rate, friction_force_times_foot_vx, x__times_vy,
+        y__times_vx, angle_rate;
 } slip_constant_sums;
 
 typedef struct {
-    real inverse_length;
-    real inverse_square;
+    real inverse_length, inverse_square;
 } slip_constant_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
@@ -204,7 +162,7 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_slip_constant(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_slip_constant(const real *constants, int order, real *series) {
     const slip_constant_constants copy = *(const slip_constant_constants *)(const void *)constants,
         *c = &copy;
     slip_constant_series *s = (void *)series;
@@ -238,33 +196,14 @@ static void vary_slip_constant(const real *constants, const real *series, const 
     const slip_constant_series *s = (const void *)series;
     const slip_constant_constants *d = (const void *)d_constants;
     slip_constant_series *t = (void *)varied;
-    real x__times_x__2[TERMS];
-    real y__times_y__2[TERMS];
-    real d_length[TERMS];
-    real d_length_rate[TERMS];
-    real axial_times_d_length[TERMS];
-    real d_axial[TERMS];
-    real d_axial_times_x_[TERMS];
-    real axial_times_x__2[TERMS];
-    real turning_times_d_square[TERMS];
-    real d_turning[TERMS];
-    real d_turning_times_y_[TERMS];
-    real turning_times_y__2[TERMS];
-    real d_axial_times_y_[TERMS];
-    real axial_times_y__2[TERMS];
-    real d_turning_times_x_[TERMS];
-    real turning_times_x__2[TERMS];
-    real length_rate_times_d_length_rate[TERMS];
-    real d_friction_force_times_foot_vx[TERMS];
-    real friction_force_times_foot_vx_2[TERMS];
-    real x__times_vy_2[TERMS];
-    real x__times_vy_3[TERMS];
-    real y__times_vx_2[TERMS];
-    real y__times_vx_3[TERMS];
-    real angle_rate_times_d_square[TERMS];
-    real d_angle_rate[TERMS];
-    real d_square[TERMS];
-    real d_friction_force[TERMS];
+    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
+        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
+        turning_times_d_square[TERMS], d_turning[TERMS], d_turning_times_y_[TERMS], turning_times_y__2[TERMS],
+        d_axial_times_y_[TERMS], axial_times_y__2[TERMS], d_turning_times_x_[TERMS],
+        turning_times_x__2[TERMS], length_rate_times_d_length_rate[TERMS],
+        d_friction_force_times_foot_vx[TERMS], friction_force_times_foot_vx_2[TERMS], x__times_vy_2[TERMS],
+        x__times_vy_3[TERMS], y__times_vx_2[TERMS], y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS],
+        d_angle_rate[TERMS], d_square[TERMS], d_friction_force[TERMS];
     t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
@@ -343,14 +282,10 @@ static void vary_slip_constant(const real *constants, const real *series, const 
 /* First variation of power_of_hip. */
 static void d_observed_slip_constant_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const slip_constant_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -361,19 +296,10 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
     const slip_constant_series *s = (const void *)series;
     const slip_constant_constants *d = (const void *)d_constants;
     const slip_constant_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS];
-    real own_y__times_y__2[TERMS];
-    real own_d_length[TERMS];
-    real own_d_length_rate[TERMS];
-    real own_axial_times_d_length[TERMS];
-    real own_d_axial[TERMS];
-    real own_d_axial_times_y_[TERMS];
-    real own_axial_times_y__2[TERMS];
-    real own_turning_times_d_square[TERMS];
-    real own_d_turning[TERMS];
-    real own_d_turning_times_x_[TERMS];
-    real own_turning_times_x__2[TERMS];
-    real own_d_square[TERMS];
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_turning_times_d_square[TERMS], own_d_turning[TERMS],
+        own_d_turning_times_x_[TERMS], own_turning_times_x__2[TERMS], own_d_square[TERMS];
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
@@ -404,8 +330,8 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
 
 /* falls: The body reaches the ground. */
 static void guard_slip_constant_falls(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_constant_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->y_[k];
     }
@@ -424,8 +350,8 @@ static void guard_slip_constant_collapses(const real *constants, const real *ser
  * counted. */
 static void guard_slip_constant_greatest_compression(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const slip_constant_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = -s->length_rate[k];
     }
@@ -460,12 +386,10 @@ static void guard_slip_constant_comes_to_rest(const real *constants, const real 
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_slip_constant_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_constant_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
@@ -479,8 +403,8 @@ static void guard_slip_constant_force_on_foot(const real *constants, const real 
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_slip_constant(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_slip_constant(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -519,51 +443,20 @@ static void bounds_slip_constant(const real *constants, const real *series, cons
 
 /* The foot is at rest. */
 typedef struct {
-    real x_[TERMS];
-    real y_[TERMS];
-    real vx[TERMS];
-    real vy[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real time[TERMS];
-    real foot_x[TERMS];
-    real seen_angle[TERMS];
-    real x__times_x_[TERMS];
-    real y__times_y_[TERMS];
-    real square[TERMS];
-    real length[TERMS];
-    real length_rate[TERMS];
-    real axial[TERMS];
-    real axial_times_x_[TERMS];
-    real turning[TERMS];
-    real turning_times_y_[TERMS];
-    real axial_times_y_[TERMS];
-    real turning_times_x_[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real x__times_vy[TERMS];
-    real y__times_vx[TERMS];
-    real angle_rate[TERMS];
+    real x_[TERMS], y_[TERMS], vx[TERMS], vy[TERMS], damper_loss[TERMS], work[TERMS], time[TERMS],
+        foot_x[TERMS], seen_angle[TERMS], x__times_x_[TERMS], y__times_y_[TERMS], square[TERMS],
+        length[TERMS], length_rate[TERMS], axial[TERMS], axial_times_x_[TERMS], turning[TERMS],
+        turning_times_y_[TERMS], axial_times_y_[TERMS], turning_times_x_[TERMS],
+        length_rate_times_length_rate[TERMS], x__times_vy[TERMS], y__times_vx[TERMS], angle_rate[TERMS];
 } stick_series;
 
 typedef struct {
-    pair x__times_x_;
-    pair y__times_y_;
-    pair length;
-    pair axial;
-    pair axial_times_x_;
-    pair turning;
-    pair turning_times_y_;
-    pair axial_times_y_;
-    pair turning_times_x_;
-    pair length_rate_times_length_rate;
-    pair x__times_vy;
-    pair y__times_vx;
-    pair angle_rate;
+    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, turning, turning_times_y_, axial_times_y_,
+        turning_times_x_, length_rate_times_length_rate, x__times_vy, y__times_vx, angle_rate;
 } stick_sums;
 
 typedef struct {
-    real inverse_length;
-    real inverse_square;
+    real inverse_length, inverse_square;
 } stick_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
@@ -651,7 +544,7 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_stick(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_stick(const real *constants, int order, real *series) {
     const stick_constants copy = *(const stick_constants *)(const void *)constants, *c = &copy;
     stick_series *s = (void *)series;
     static const stick_sums none;
@@ -685,30 +578,13 @@ static void vary_stick(const real *constants, const real *series, const real *d_
     const stick_series *s = (const void *)series;
     const stick_constants *d = (const void *)d_constants;
     stick_series *t = (void *)varied;
-    real x__times_x__2[TERMS];
-    real y__times_y__2[TERMS];
-    real d_length[TERMS];
-    real d_length_rate[TERMS];
-    real axial_times_d_length[TERMS];
-    real d_axial[TERMS];
-    real d_axial_times_x_[TERMS];
-    real axial_times_x__2[TERMS];
-    real turning_times_d_square[TERMS];
-    real d_turning[TERMS];
-    real d_turning_times_y_[TERMS];
-    real turning_times_y__2[TERMS];
-    real d_axial_times_y_[TERMS];
-    real axial_times_y__2[TERMS];
-    real d_turning_times_x_[TERMS];
-    real turning_times_x__2[TERMS];
-    real length_rate_times_d_length_rate[TERMS];
-    real x__times_vy_2[TERMS];
-    real x__times_vy_3[TERMS];
-    real y__times_vx_2[TERMS];
-    real y__times_vx_3[TERMS];
-    real angle_rate_times_d_square[TERMS];
-    real d_angle_rate[TERMS];
-    real d_square[TERMS];
+    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
+        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
+        turning_times_d_square[TERMS], d_turning[TERMS], d_turning_times_y_[TERMS], turning_times_y__2[TERMS],
+        d_axial_times_y_[TERMS], axial_times_y__2[TERMS], d_turning_times_x_[TERMS],
+        turning_times_x__2[TERMS], length_rate_times_d_length_rate[TERMS], x__times_vy_2[TERMS],
+        x__times_vy_3[TERMS], y__times_vx_2[TERMS], y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS],
+        d_angle_rate[TERMS], d_square[TERMS];
     t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
@@ -768,14 +644,10 @@ static void vary_stick(const real *constants, const real *series, const real *d_
 /* First variation of power_of_hip. */
 static void d_observed_stick_power_of_hip(const real *constants, const real *series, const real *d_constants,
     const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const stick_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -786,19 +658,10 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
     const stick_series *s = (const void *)series;
     const stick_constants *d = (const void *)d_constants;
     const stick_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS];
-    real own_y__times_y__2[TERMS];
-    real own_d_length[TERMS];
-    real own_d_length_rate[TERMS];
-    real own_axial_times_d_length[TERMS];
-    real own_d_axial[TERMS];
-    real own_d_axial_times_y_[TERMS];
-    real own_axial_times_y__2[TERMS];
-    real own_turning_times_d_square[TERMS];
-    real own_d_turning[TERMS];
-    real own_d_turning_times_x_[TERMS];
-    real own_turning_times_x__2[TERMS];
-    real own_d_square[TERMS];
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_turning_times_d_square[TERMS], own_d_turning[TERMS],
+        own_d_turning_times_x_[TERMS], own_turning_times_x__2[TERMS], own_d_square[TERMS];
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
@@ -829,8 +692,8 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
 
 /* falls: The body reaches the ground. */
 static void guard_stick_falls(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const stick_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->y_[k];
     }
@@ -848,8 +711,8 @@ static void guard_stick_collapses(const real *constants, const real *series, int
 /* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
  * counted. */
 static void guard_stick_greatest_compression(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const stick_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = -s->length_rate[k];
     }
@@ -895,12 +758,10 @@ static void guard_stick_slips_backward(const real *constants, const real *series
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_stick_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const stick_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
@@ -914,8 +775,8 @@ static void guard_stick_force_on_foot(const real *constants, const real *series,
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_stick(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_stick(const real *constants, const real *series, const real *power,
+    int order, uint64_t watched, interval *bounds) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -959,33 +820,15 @@ static void bounds_stick(const real *constants, const real *series, const real *
 
 /* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
 typedef struct {
-    real length[TERMS];
-    real angle[TERMS];
-    real length_rate[TERMS];
-    real com_y[TERMS];
-    real momentum[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real time[TERMS];
-    real com_x[TERMS];
-    real com_vy[TERMS];
-    real placing[TERMS];
-    real square[TERMS];
-    real rate[TERMS];
-    real rate_times_rate[TERMS];
-    real length_times_rate_times_rate[TERMS];
-    real swing_torque[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real power_of_hip[TERMS];
+    real length[TERMS], angle[TERMS], length_rate[TERMS], com_y[TERMS], momentum[TERMS], damper_loss[TERMS],
+        work[TERMS], time[TERMS], com_x[TERMS], com_vy[TERMS], placing[TERMS], square[TERMS], rate[TERMS],
+        rate_times_rate[TERMS], length_times_rate_times_rate[TERMS], swing_torque[TERMS],
+        length_rate_times_length_rate[TERMS], power_of_hip[TERMS];
 } flight_place_calm_series;
 
 typedef struct {
-    pair square;
-    pair rate;
-    pair rate_times_rate;
-    pair length_times_rate_times_rate;
-    pair length_rate_times_length_rate;
-    pair power_of_hip;
+    pair square, rate, rate_times_rate, length_times_rate_times_rate, length_rate_times_length_rate,
+        power_of_hip;
 } flight_place_calm_sums;
 
 typedef struct {
@@ -1047,7 +890,7 @@ KERNEL void step_flight_place_calm(const flight_place_calm_constants *c, const f
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_place_calm(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_flight_place_calm(const real *constants, int order, real *series) {
     const flight_place_calm_constants copy = *(const flight_place_calm_constants *)(const void *)constants,
         *c = &copy;
     flight_place_calm_series *s = (void *)series;
@@ -1080,18 +923,11 @@ static void vary_flight_place_calm(const real *constants, const real *series, co
     const flight_place_calm_series *s = (const void *)series;
     const flight_place_calm_constants *d = (const void *)d_constants;
     flight_place_calm_series *t = (void *)varied;
-    real length_times_length[TERMS];
-    real rate_times_d_square[TERMS];
-    real d_rate[TERMS];
-    real length_times_rate_times_rate_2[TERMS];
-    real rate_times_d_rate[TERMS];
-    real length_times_d_rate_times_rate[TERMS];
-    real length_rate_times_length_rate_2[TERMS];
-    real d_swing_torque_times_rate[TERMS];
-    real swing_torque_times_d_rate[TERMS];
-    real d_square[TERMS];
-    real d_rate_times_rate[TERMS];
-    real d_swing_torque[TERMS];
+    real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
+        length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
+        length_times_d_rate_times_rate[TERMS], length_rate_times_length_rate_2[TERMS],
+        d_swing_torque_times_rate[TERMS], swing_torque_times_d_rate[TERMS], d_square[TERMS],
+        d_rate_times_rate[TERMS], d_swing_torque[TERMS];
     for (int k = 0; k < order; ++k) {
         t->length[k + 1] = t->length_rate[k] * series_reciprocal[k + 1];
         t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
@@ -1134,14 +970,10 @@ static void vary_flight_place_calm(const real *constants, const real *series, co
 /* First variation of power_of_hip. */
 static void d_observed_flight_place_calm_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const flight_place_calm_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -1149,10 +981,8 @@ static void d_observed_flight_place_calm_power_of_hip(const real *constants, con
 static void guard_flight_place_calm_falls(const real *constants, const real *series, int order, real *g) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
-    real own_cos_of_angle[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle[TERMS];
-    real own_by_1_minus_share_times_length[TERMS];
+    real own_cos_of_angle[TERMS], own_product_2[TERMS], own_sin_of_angle[TERMS],
+        own_by_1_minus_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
         sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
@@ -1172,12 +1002,10 @@ static void guard_flight_place_calm_collapses(const real *constants, const real 
 
 /* apex: A stride closes and place begins. An external force can cause further apices in place. */
 static void guard_flight_place_calm_apex(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const flight_place_calm_series *s = (const void *)series;
-    real own_rate_of_com_y[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_com_y[k] = (double)(k + 1) * s->com_y[k + 1];
-        g[k] = own_rate_of_com_y[k];
+        g[k] = (double)(k + 1) * s->com_y[k + 1];
     }
 }
 
@@ -1185,10 +1013,8 @@ static void guard_flight_place_calm_apex(const real *constants, const real *seri
 static void guard_flight_place_calm_touchdown(const real *constants, const real *series, int order, real *g) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
-    real own_cos_of_angle[TERMS];
-    real own_share_times_length_times_cos_of_angle[TERMS];
-    real own_sin_of_angle[TERMS];
-    real own_share_times_length[TERMS];
+    real own_cos_of_angle[TERMS], own_share_times_length_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
+        own_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_share_times_length[k] = c->share * s->length[k];
         sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
@@ -1200,18 +1026,16 @@ static void guard_flight_place_calm_touchdown(const real *constants, const real 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_place_calm_power_of_hip(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const flight_place_calm_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_place_calm(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_flight_place_calm(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->angle, power, order);
@@ -1241,29 +1065,13 @@ static void bounds_flight_place_calm(const real *constants, const real *series, 
 
 /* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
 typedef struct {
-    real length[TERMS];
-    real angle[TERMS];
-    real length_rate[TERMS];
-    real com_y[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real time[TERMS];
-    real com_x[TERMS];
-    real com_vy[TERMS];
-    real momentum[TERMS];
-    real square[TERMS];
-    real rate[TERMS];
-    real rate_times_rate[TERMS];
-    real length_times_rate_times_rate[TERMS];
-    real length_rate_times_length_rate[TERMS];
+    real length[TERMS], angle[TERMS], length_rate[TERMS], com_y[TERMS], damper_loss[TERMS], work[TERMS],
+        time[TERMS], com_x[TERMS], com_vy[TERMS], momentum[TERMS], square[TERMS], rate[TERMS],
+        rate_times_rate[TERMS], length_times_rate_times_rate[TERMS], length_rate_times_length_rate[TERMS];
 } flight_rest_calm_series;
 
 typedef struct {
-    pair square;
-    pair rate;
-    pair rate_times_rate;
-    pair length_times_rate_times_rate;
-    pair length_rate_times_length_rate;
+    pair square, rate, rate_times_rate, length_times_rate_times_rate, length_rate_times_length_rate;
 } flight_rest_calm_sums;
 
 typedef struct {
@@ -1316,7 +1124,7 @@ KERNEL void step_flight_rest_calm(const flight_rest_calm_constants *c, const fli
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_rest_calm(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_flight_rest_calm(const real *constants, int order, real *series) {
     const flight_rest_calm_constants copy = *(const flight_rest_calm_constants *)(const void *)constants,
         *c = &copy;
     flight_rest_calm_series *s = (void *)series;
@@ -1349,15 +1157,10 @@ static void vary_flight_rest_calm(const real *constants, const real *series, con
     const flight_rest_calm_series *s = (const void *)series;
     const flight_rest_calm_constants *d = (const void *)d_constants;
     flight_rest_calm_series *t = (void *)varied;
-    real length_times_length[TERMS];
-    real rate_times_d_square[TERMS];
-    real d_rate[TERMS];
-    real length_times_rate_times_rate_2[TERMS];
-    real rate_times_d_rate[TERMS];
-    real length_times_d_rate_times_rate[TERMS];
-    real length_rate_times_length_rate_2[TERMS];
-    real d_square[TERMS];
-    real d_rate_times_rate[TERMS];
+    real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
+        length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
+        length_times_d_rate_times_rate[TERMS], length_rate_times_length_rate_2[TERMS], d_square[TERMS],
+        d_rate_times_rate[TERMS];
     for (int k = 0; k < order; ++k) {
         t->length[k + 1] = t->length_rate[k] * series_reciprocal[k + 1];
         t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
@@ -1393,14 +1196,10 @@ static void vary_flight_rest_calm(const real *constants, const real *series, con
 /* First variation of power_of_hip. */
 static void d_observed_flight_rest_calm_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const flight_rest_calm_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -1408,10 +1207,8 @@ static void d_observed_flight_rest_calm_power_of_hip(const real *constants, cons
 static void guard_flight_rest_calm_falls(const real *constants, const real *series, int order, real *g) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
-    real own_cos_of_angle[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle[TERMS];
-    real own_by_1_minus_share_times_length[TERMS];
+    real own_cos_of_angle[TERMS], own_product_2[TERMS], own_sin_of_angle[TERMS],
+        own_by_1_minus_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
         sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
@@ -1431,12 +1228,10 @@ static void guard_flight_rest_calm_collapses(const real *constants, const real *
 
 /* apex: A stride closes and place begins. An external force can cause further apices in place. */
 static void guard_flight_rest_calm_apex(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const flight_rest_calm_series *s = (const void *)series;
-    real own_rate_of_com_y[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_com_y[k] = (double)(k + 1) * s->com_y[k + 1];
-        g[k] = own_rate_of_com_y[k];
+        g[k] = (double)(k + 1) * s->com_y[k + 1];
     }
 }
 
@@ -1444,10 +1239,8 @@ static void guard_flight_rest_calm_apex(const real *constants, const real *serie
 static void guard_flight_rest_calm_touchdown(const real *constants, const real *series, int order, real *g) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
-    real own_cos_of_angle[TERMS];
-    real own_share_times_length_times_cos_of_angle[TERMS];
-    real own_sin_of_angle[TERMS];
-    real own_share_times_length[TERMS];
+    real own_cos_of_angle[TERMS], own_share_times_length_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
+        own_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_share_times_length[k] = c->share * s->length[k];
         sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
@@ -1469,18 +1262,16 @@ static void guard_flight_rest_calm_release(const real *constants, const real *se
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_rest_calm_power_of_hip(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const flight_rest_calm_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_rest_calm(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_flight_rest_calm(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
     (void)watched;
@@ -1521,32 +1312,15 @@ static void bounds_flight_rest_calm(const real *constants, const real *series, c
 
 /* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
 typedef struct {
-    real length[TERMS];
-    real angle[TERMS];
-    real length_rate[TERMS];
-    real com_y[TERMS];
-    real momentum[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real time[TERMS];
-    real com_x[TERMS];
-    real com_vy[TERMS];
-    real square[TERMS];
-    real rate[TERMS];
-    real rate_times_rate[TERMS];
-    real length_times_rate_times_rate[TERMS];
-    real swing_torque[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real power_of_hip[TERMS];
+    real length[TERMS], angle[TERMS], length_rate[TERMS], com_y[TERMS], momentum[TERMS], damper_loss[TERMS],
+        work[TERMS], time[TERMS], com_x[TERMS], com_vy[TERMS], square[TERMS], rate[TERMS],
+        rate_times_rate[TERMS], length_times_rate_times_rate[TERMS], swing_torque[TERMS],
+        length_rate_times_length_rate[TERMS], power_of_hip[TERMS];
 } flight_retract_calm_series;
 
 typedef struct {
-    pair square;
-    pair rate;
-    pair rate_times_rate;
-    pair length_times_rate_times_rate;
-    pair length_rate_times_length_rate;
-    pair power_of_hip;
+    pair square, rate, rate_times_rate, length_times_rate_times_rate, length_rate_times_length_rate,
+        power_of_hip;
 } flight_retract_calm_sums;
 
 typedef struct {
@@ -1610,7 +1384,7 @@ KERNEL void step_flight_retract_calm(const flight_retract_calm_constants *c,
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_retract_calm(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_flight_retract_calm(const real *constants, int order, real *series) {
     const flight_retract_calm_constants copy = *(const flight_retract_calm_constants *)(const void
         *)constants, *c = &copy;
     flight_retract_calm_series *s = (void *)series;
@@ -1642,18 +1416,11 @@ static void vary_flight_retract_calm(const real *constants, const real *series, 
     const flight_retract_calm_series *s = (const void *)series;
     const flight_retract_calm_constants *d = (const void *)d_constants;
     flight_retract_calm_series *t = (void *)varied;
-    real length_times_length[TERMS];
-    real rate_times_d_square[TERMS];
-    real d_rate[TERMS];
-    real length_times_rate_times_rate_2[TERMS];
-    real rate_times_d_rate[TERMS];
-    real length_times_d_rate_times_rate[TERMS];
-    real length_rate_times_length_rate_2[TERMS];
-    real d_swing_torque_times_rate[TERMS];
-    real swing_torque_times_d_rate[TERMS];
-    real d_square[TERMS];
-    real d_rate_times_rate[TERMS];
-    real d_swing_torque[TERMS];
+    real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
+        length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
+        length_times_d_rate_times_rate[TERMS], length_rate_times_length_rate_2[TERMS],
+        d_swing_torque_times_rate[TERMS], swing_torque_times_d_rate[TERMS], d_square[TERMS],
+        d_rate_times_rate[TERMS], d_swing_torque[TERMS];
     for (int k = 0; k < order; ++k) {
         t->length[k + 1] = t->length_rate[k] * series_reciprocal[k + 1];
         t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
@@ -1696,14 +1463,10 @@ static void vary_flight_retract_calm(const real *constants, const real *series, 
 /* First variation of power_of_hip. */
 static void d_observed_flight_retract_calm_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const flight_retract_calm_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -1711,10 +1474,8 @@ static void d_observed_flight_retract_calm_power_of_hip(const real *constants, c
 static void guard_flight_retract_calm_falls(const real *constants, const real *series, int order, real *g) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
-    real own_cos_of_angle[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle[TERMS];
-    real own_by_1_minus_share_times_length[TERMS];
+    real own_cos_of_angle[TERMS], own_product_2[TERMS], own_sin_of_angle[TERMS],
+        own_by_1_minus_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
         sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
@@ -1735,12 +1496,10 @@ static void guard_flight_retract_calm_collapses(const real *constants, const rea
 
 /* apex: A stride closes and place begins. An external force can cause further apices in place. */
 static void guard_flight_retract_calm_apex(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const flight_retract_calm_series *s = (const void *)series;
-    real own_rate_of_com_y[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_com_y[k] = (double)(k + 1) * s->com_y[k + 1];
-        g[k] = own_rate_of_com_y[k];
+        g[k] = (double)(k + 1) * s->com_y[k + 1];
     }
 }
 
@@ -1749,10 +1508,8 @@ static void guard_flight_retract_calm_touchdown(const real *constants, const rea
     real *g) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
-    real own_cos_of_angle[TERMS];
-    real own_share_times_length_times_cos_of_angle[TERMS];
-    real own_sin_of_angle[TERMS];
-    real own_share_times_length[TERMS];
+    real own_cos_of_angle[TERMS], own_share_times_length_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
+        own_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_share_times_length[k] = c->share * s->length[k];
         sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
@@ -1774,18 +1531,16 @@ static void guard_flight_retract_calm_clamp(const real *constants, const real *s
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_retract_calm_power_of_hip(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const flight_retract_calm_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_retract_calm(const real *constants, const real *series, const real *power,
-    int order, uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_flight_retract_calm(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->angle, power, order);
@@ -1831,74 +1586,35 @@ typedef struct {
 
 /* All coefficients. */
 static void expand_fallen(const real *constants, int order, real *expanded) {
-    (void)constants;
-    (void)order;
-    (void)expanded;
+    (void)constants, (void)order, (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_fallen(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
-    (void)order;
-    (void)varied;
+    (void)constants, (void)series, (void)d_constants, (void)order, (void)varied;
 }
 
 /* ---- graze_place */
 
 /* The foot touches the ground without force, under the torque tau_eq between both hip laws. */
 typedef struct {
-    real x_[TERMS];
-    real y_[TERMS];
-    real vx[TERMS];
-    real foot_x[TERMS];
-    real foot_vx[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real time[TERMS];
-    real vy[TERMS];
-    real placing[TERMS];
-    real seen_angle[TERMS];
-    real x__times_x_[TERMS];
-    real y__times_y_[TERMS];
-    real square[TERMS];
-    real length[TERMS];
-    real length_rate[TERMS];
-    real axial[TERMS];
-    real axial_times_x_[TERMS];
-    real axial_times_y_[TERMS];
-    real axial_times_y__plus_off_over_x_[TERMS];
-    real product_2[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real product_3[TERMS];
-    real x__times_vy[TERMS];
-    real y__times_vx[TERMS];
-    real angle_rate[TERMS];
-    real product_3_times_angle_rate[TERMS];
+    real x_[TERMS], y_[TERMS], vx[TERMS], foot_x[TERMS], foot_vx[TERMS], damper_loss[TERMS], work[TERMS],
+        time[TERMS], vy[TERMS], placing[TERMS], seen_angle[TERMS], x__times_x_[TERMS], y__times_y_[TERMS],
+        square[TERMS], length[TERMS], length_rate[TERMS], axial[TERMS], axial_times_x_[TERMS],
+        axial_times_y_[TERMS], axial_times_y__plus_off_over_x_[TERMS], product_2[TERMS],
+        length_rate_times_length_rate[TERMS], product_3[TERMS], x__times_vy[TERMS], y__times_vx[TERMS],
+        angle_rate[TERMS], product_3_times_angle_rate[TERMS];
 } graze_place_series;
 
 typedef struct {
-    pair x__times_x_;
-    pair y__times_y_;
-    pair length;
-    pair axial;
-    pair axial_times_x_;
-    pair axial_times_y_;
-    pair axial_times_y__plus_off_over_x_;
-    pair product_2;
-    pair length_rate_times_length_rate;
-    pair product_3;
-    pair y__times_vx;
-    pair angle_rate;
-    pair product_3_times_angle_rate;
+    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, axial_times_y_,
+        axial_times_y__plus_off_over_x_, product_2, length_rate_times_length_rate, product_3, y__times_vx,
+        angle_rate, product_3_times_angle_rate;
 } graze_place_sums;
 
 typedef struct {
-    real inverse_length;
-    real inverse_x_;
-    real inverse_square;
+    real inverse_length, inverse_x_, inverse_square;
 } graze_place_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
@@ -1993,7 +1709,7 @@ KERNEL void step_graze_place(const graze_place_constants *c, const graze_place_f
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_graze_place(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_graze_place(const real *constants, int order, real *series) {
     const graze_place_constants copy = *(const graze_place_constants *)(const void *)constants, *c = &copy;
     graze_place_series *s = (void *)series;
     static const graze_place_sums none;
@@ -2029,33 +1745,14 @@ static void vary_graze_place(const real *constants, const real *series, const re
     const graze_place_series *s = (const void *)series;
     const graze_place_constants *d = (const void *)d_constants;
     graze_place_series *t = (void *)varied;
-    real x__times_x__2[TERMS];
-    real y__times_y__2[TERMS];
-    real d_length[TERMS];
-    real d_length_rate[TERMS];
-    real axial_times_d_length[TERMS];
-    real d_axial[TERMS];
-    real d_axial_times_x_[TERMS];
-    real axial_times_x__2[TERMS];
-    real d_axial_times_y_[TERMS];
-    real axial_times_y__2[TERMS];
-    real product_4[TERMS];
-    real d_axial_times_y__plus_off_over_x_[TERMS];
-    real product_5[TERMS];
-    real product_6[TERMS];
-    real length_rate_times_d_length_rate[TERMS];
-    real product_7[TERMS];
-    real product_8[TERMS];
-    real d_product_3_times_angle_rate[TERMS];
-    real x__times_vy_2[TERMS];
-    real x__times_vy_3[TERMS];
-    real y__times_vx_2[TERMS];
-    real y__times_vx_3[TERMS];
-    real angle_rate_times_d_square[TERMS];
-    real d_angle_rate[TERMS];
-    real product_3_times_d_angle_rate[TERMS];
-    real d_square[TERMS];
-    real d_product_3[TERMS];
+    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
+        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
+        d_axial_times_y_[TERMS], axial_times_y__2[TERMS], product_4[TERMS],
+        d_axial_times_y__plus_off_over_x_[TERMS], product_5[TERMS], product_6[TERMS],
+        length_rate_times_d_length_rate[TERMS], product_7[TERMS], product_8[TERMS],
+        d_product_3_times_angle_rate[TERMS], x__times_vy_2[TERMS], x__times_vy_3[TERMS], y__times_vx_2[TERMS],
+        y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS], d_angle_rate[TERMS],
+        product_3_times_d_angle_rate[TERMS], d_square[TERMS], d_product_3[TERMS];
     t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
@@ -2122,21 +1819,17 @@ static void vary_graze_place(const real *constants, const real *series, const re
 /* First variation of power_of_hip. */
 static void d_observed_graze_place_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const graze_place_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
 /* falls: The body reaches the ground. */
 static void guard_graze_place_falls(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const graze_place_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->y_[k];
     }
@@ -2165,8 +1858,7 @@ static void guard_graze_place_graze_to_contact(const real *constants, const real
     real *g) {
     const graze_place_constants *c = (const void *)constants;
     const graze_place_series *s = (const void *)series;
-    real own_turning[TERMS];
-    real own_turning_times_x_[TERMS];
+    real own_turning[TERMS], own_turning_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
         own_turning[k] = (constant_of(k, c->stance_torque) - product_so_far(own_turning, s->square,
             k)) / s->square[0];
@@ -2179,8 +1871,7 @@ static void guard_graze_place_graze_to_contact(const real *constants, const real
 static void guard_graze_place_graze_to_flight(const real *constants, const real *series, int order, real *g) {
     const graze_place_constants *c = (const void *)constants;
     const graze_place_series *s = (const void *)series;
-    real own_swing_torque_over_square[TERMS];
-    real own_swing_torque_over_square_times_x_[TERMS];
+    real own_swing_torque_over_square[TERMS], own_swing_torque_over_square_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
         own_swing_torque_over_square[k] = (with_constant(k, -(c->kp * s->seen_angle[k])
             - c->kd * s->angle_rate[k], c->external_torque - c->kp * (c->winding - c->touchdown_angle))
@@ -2192,18 +1883,16 @@ static void guard_graze_place_graze_to_flight(const real *constants, const real 
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_graze_place_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const graze_place_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_graze_place(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_graze_place(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const graze_place_constants *c = (const void *)constants;
     const graze_place_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 3);
@@ -2226,54 +1915,22 @@ static void bounds_graze_place(const real *constants, const real *series, const 
 
 /* The foot touches the ground without force, under the torque tau_eq between both hip laws. */
 typedef struct {
-    real x_[TERMS];
-    real y_[TERMS];
-    real vx[TERMS];
-    real foot_x[TERMS];
-    real foot_vx[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real time[TERMS];
-    real vy[TERMS];
-    real seen_angle[TERMS];
-    real x__times_x_[TERMS];
-    real y__times_y_[TERMS];
-    real square[TERMS];
-    real length[TERMS];
-    real length_rate[TERMS];
-    real axial[TERMS];
-    real axial_times_x_[TERMS];
-    real axial_times_y_[TERMS];
-    real axial_times_y__plus_off_over_x_[TERMS];
-    real product_2[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real product_3[TERMS];
-    real x__times_vy[TERMS];
-    real y__times_vx[TERMS];
-    real angle_rate[TERMS];
-    real product_3_times_angle_rate[TERMS];
+    real x_[TERMS], y_[TERMS], vx[TERMS], foot_x[TERMS], foot_vx[TERMS], damper_loss[TERMS], work[TERMS],
+        time[TERMS], vy[TERMS], seen_angle[TERMS], x__times_x_[TERMS], y__times_y_[TERMS], square[TERMS],
+        length[TERMS], length_rate[TERMS], axial[TERMS], axial_times_x_[TERMS], axial_times_y_[TERMS],
+        axial_times_y__plus_off_over_x_[TERMS], product_2[TERMS], length_rate_times_length_rate[TERMS],
+        product_3[TERMS], x__times_vy[TERMS], y__times_vx[TERMS], angle_rate[TERMS],
+        product_3_times_angle_rate[TERMS];
 } graze_rest_series;
 
 typedef struct {
-    pair x__times_x_;
-    pair y__times_y_;
-    pair length;
-    pair axial;
-    pair axial_times_x_;
-    pair axial_times_y_;
-    pair axial_times_y__plus_off_over_x_;
-    pair product_2;
-    pair length_rate_times_length_rate;
-    pair product_3;
-    pair y__times_vx;
-    pair angle_rate;
-    pair product_3_times_angle_rate;
+    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, axial_times_y_,
+        axial_times_y__plus_off_over_x_, product_2, length_rate_times_length_rate, product_3, y__times_vx,
+        angle_rate, product_3_times_angle_rate;
 } graze_rest_sums;
 
 typedef struct {
-    real inverse_length;
-    real inverse_x_;
-    real inverse_square;
+    real inverse_length, inverse_x_, inverse_square;
 } graze_rest_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
@@ -2368,7 +2025,7 @@ KERNEL void step_graze_rest(const graze_rest_constants *c, const graze_rest_fact
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_graze_rest(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_graze_rest(const real *constants, int order, real *series) {
     const graze_rest_constants copy = *(const graze_rest_constants *)(const void *)constants, *c = &copy;
     graze_rest_series *s = (void *)series;
     static const graze_rest_sums none;
@@ -2403,33 +2060,14 @@ static void vary_graze_rest(const real *constants, const real *series, const rea
     const graze_rest_series *s = (const void *)series;
     const graze_rest_constants *d = (const void *)d_constants;
     graze_rest_series *t = (void *)varied;
-    real x__times_x__2[TERMS];
-    real y__times_y__2[TERMS];
-    real d_length[TERMS];
-    real d_length_rate[TERMS];
-    real axial_times_d_length[TERMS];
-    real d_axial[TERMS];
-    real d_axial_times_x_[TERMS];
-    real axial_times_x__2[TERMS];
-    real d_axial_times_y_[TERMS];
-    real axial_times_y__2[TERMS];
-    real product_4[TERMS];
-    real d_axial_times_y__plus_off_over_x_[TERMS];
-    real product_5[TERMS];
-    real product_6[TERMS];
-    real length_rate_times_d_length_rate[TERMS];
-    real product_7[TERMS];
-    real product_8[TERMS];
-    real d_product_3_times_angle_rate[TERMS];
-    real x__times_vy_2[TERMS];
-    real x__times_vy_3[TERMS];
-    real y__times_vx_2[TERMS];
-    real y__times_vx_3[TERMS];
-    real angle_rate_times_d_square[TERMS];
-    real d_angle_rate[TERMS];
-    real product_3_times_d_angle_rate[TERMS];
-    real d_square[TERMS];
-    real d_product_3[TERMS];
+    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
+        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
+        d_axial_times_y_[TERMS], axial_times_y__2[TERMS], product_4[TERMS],
+        d_axial_times_y__plus_off_over_x_[TERMS], product_5[TERMS], product_6[TERMS],
+        length_rate_times_d_length_rate[TERMS], product_7[TERMS], product_8[TERMS],
+        d_product_3_times_angle_rate[TERMS], x__times_vy_2[TERMS], x__times_vy_3[TERMS], y__times_vx_2[TERMS],
+        y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS], d_angle_rate[TERMS],
+        product_3_times_d_angle_rate[TERMS], d_square[TERMS], d_product_3[TERMS];
     t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
@@ -2495,21 +2133,17 @@ static void vary_graze_rest(const real *constants, const real *series, const rea
 /* First variation of power_of_hip. */
 static void d_observed_graze_rest_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const graze_rest_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
 /* falls: The body reaches the ground. */
 static void guard_graze_rest_falls(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const graze_rest_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->y_[k];
     }
@@ -2556,8 +2190,7 @@ static void guard_graze_rest_mid_stance(const real *constants, const real *serie
 static void guard_graze_rest_graze_to_contact(const real *constants, const real *series, int order, real *g) {
     const graze_rest_constants *c = (const void *)constants;
     const graze_rest_series *s = (const void *)series;
-    real own_turning[TERMS];
-    real own_turning_times_x_[TERMS];
+    real own_turning[TERMS], own_turning_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
         own_turning[k] = (constant_of(k, c->stance_torque) - product_so_far(own_turning, s->square,
             k)) / s->square[0];
@@ -2570,8 +2203,7 @@ static void guard_graze_rest_graze_to_contact(const real *constants, const real 
 static void guard_graze_rest_graze_to_flight(const real *constants, const real *series, int order, real *g) {
     const graze_rest_constants *c = (const void *)constants;
     const graze_rest_series *s = (const void *)series;
-    real own_external_torque_over_square[TERMS];
-    real own_external_torque_over_square_times_x_[TERMS];
+    real own_external_torque_over_square[TERMS], own_external_torque_over_square_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
         own_external_torque_over_square[k] = (constant_of(k, c->external_torque)
             - product_so_far(own_external_torque_over_square, s->square, k)) / s->square[0];
@@ -2582,18 +2214,16 @@ static void guard_graze_rest_graze_to_flight(const real *constants, const real *
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_graze_rest_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const graze_rest_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_graze_rest(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_graze_rest(const real *constants, const real *series, const real *power,
+    int order, uint64_t watched, interval *bounds) {
     const graze_rest_constants *c = (const void *)constants;
     const graze_rest_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 3);
@@ -2632,54 +2262,22 @@ static void bounds_graze_rest(const real *constants, const real *series, const r
 
 /* The foot touches the ground without force, under the torque tau_eq between both hip laws. */
 typedef struct {
-    real x_[TERMS];
-    real y_[TERMS];
-    real vx[TERMS];
-    real foot_x[TERMS];
-    real foot_vx[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real time[TERMS];
-    real vy[TERMS];
-    real seen_angle[TERMS];
-    real x__times_x_[TERMS];
-    real y__times_y_[TERMS];
-    real square[TERMS];
-    real length[TERMS];
-    real length_rate[TERMS];
-    real axial[TERMS];
-    real axial_times_x_[TERMS];
-    real axial_times_y_[TERMS];
-    real axial_times_y__plus_off_over_x_[TERMS];
-    real product_2[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real product_3[TERMS];
-    real x__times_vy[TERMS];
-    real y__times_vx[TERMS];
-    real angle_rate[TERMS];
-    real product_3_times_angle_rate[TERMS];
+    real x_[TERMS], y_[TERMS], vx[TERMS], foot_x[TERMS], foot_vx[TERMS], damper_loss[TERMS], work[TERMS],
+        time[TERMS], vy[TERMS], seen_angle[TERMS], x__times_x_[TERMS], y__times_y_[TERMS], square[TERMS],
+        length[TERMS], length_rate[TERMS], axial[TERMS], axial_times_x_[TERMS], axial_times_y_[TERMS],
+        axial_times_y__plus_off_over_x_[TERMS], product_2[TERMS], length_rate_times_length_rate[TERMS],
+        product_3[TERMS], x__times_vy[TERMS], y__times_vx[TERMS], angle_rate[TERMS],
+        product_3_times_angle_rate[TERMS];
 } graze_retract_series;
 
 typedef struct {
-    pair x__times_x_;
-    pair y__times_y_;
-    pair length;
-    pair axial;
-    pair axial_times_x_;
-    pair axial_times_y_;
-    pair axial_times_y__plus_off_over_x_;
-    pair product_2;
-    pair length_rate_times_length_rate;
-    pair product_3;
-    pair y__times_vx;
-    pair angle_rate;
-    pair product_3_times_angle_rate;
+    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, axial_times_y_,
+        axial_times_y__plus_off_over_x_, product_2, length_rate_times_length_rate, product_3, y__times_vx,
+        angle_rate, product_3_times_angle_rate;
 } graze_retract_sums;
 
 typedef struct {
-    real inverse_length;
-    real inverse_x_;
-    real inverse_square;
+    real inverse_length, inverse_x_, inverse_square;
 } graze_retract_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
@@ -2774,7 +2372,7 @@ KERNEL void step_graze_retract(const graze_retract_constants *c, const graze_ret
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_graze_retract(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_graze_retract(const real *constants, int order, real *series) {
     const graze_retract_constants copy = *(const graze_retract_constants *)(const void *)constants,
         *c = &copy;
     graze_retract_series *s = (void *)series;
@@ -2810,33 +2408,14 @@ static void vary_graze_retract(const real *constants, const real *series, const 
     const graze_retract_series *s = (const void *)series;
     const graze_retract_constants *d = (const void *)d_constants;
     graze_retract_series *t = (void *)varied;
-    real x__times_x__2[TERMS];
-    real y__times_y__2[TERMS];
-    real d_length[TERMS];
-    real d_length_rate[TERMS];
-    real axial_times_d_length[TERMS];
-    real d_axial[TERMS];
-    real d_axial_times_x_[TERMS];
-    real axial_times_x__2[TERMS];
-    real d_axial_times_y_[TERMS];
-    real axial_times_y__2[TERMS];
-    real product_4[TERMS];
-    real d_axial_times_y__plus_off_over_x_[TERMS];
-    real product_5[TERMS];
-    real product_6[TERMS];
-    real length_rate_times_d_length_rate[TERMS];
-    real product_7[TERMS];
-    real product_8[TERMS];
-    real d_product_3_times_angle_rate[TERMS];
-    real x__times_vy_2[TERMS];
-    real x__times_vy_3[TERMS];
-    real y__times_vx_2[TERMS];
-    real y__times_vx_3[TERMS];
-    real angle_rate_times_d_square[TERMS];
-    real d_angle_rate[TERMS];
-    real product_3_times_d_angle_rate[TERMS];
-    real d_square[TERMS];
-    real d_product_3[TERMS];
+    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
+        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
+        d_axial_times_y_[TERMS], axial_times_y__2[TERMS], product_4[TERMS],
+        d_axial_times_y__plus_off_over_x_[TERMS], product_5[TERMS], product_6[TERMS],
+        length_rate_times_d_length_rate[TERMS], product_7[TERMS], product_8[TERMS],
+        d_product_3_times_angle_rate[TERMS], x__times_vy_2[TERMS], x__times_vy_3[TERMS], y__times_vx_2[TERMS],
+        y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS], d_angle_rate[TERMS],
+        product_3_times_d_angle_rate[TERMS], d_square[TERMS], d_product_3[TERMS];
     t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
@@ -2902,21 +2481,17 @@ static void vary_graze_retract(const real *constants, const real *series, const 
 /* First variation of power_of_hip. */
 static void d_observed_graze_retract_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const graze_retract_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
 /* falls: The body reaches the ground. */
 static void guard_graze_retract_falls(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const graze_retract_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->y_[k];
     }
@@ -2964,8 +2539,7 @@ static void guard_graze_retract_graze_to_contact(const real *constants, const re
     real *g) {
     const graze_retract_constants *c = (const void *)constants;
     const graze_retract_series *s = (const void *)series;
-    real own_turning[TERMS];
-    real own_turning_times_x_[TERMS];
+    real own_turning[TERMS], own_turning_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
         own_turning[k] = (constant_of(k, c->stance_torque) - product_so_far(own_turning, s->square,
             k)) / s->square[0];
@@ -2979,8 +2553,7 @@ static void guard_graze_retract_graze_to_flight(const real *constants, const rea
     real *g) {
     const graze_retract_constants *c = (const void *)constants;
     const graze_retract_series *s = (const void *)series;
-    real own_swing_torque_over_square[TERMS];
-    real own_swing_torque_over_square_times_x_[TERMS];
+    real own_swing_torque_over_square[TERMS], own_swing_torque_over_square_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
         own_swing_torque_over_square[k] = (with_constant(k, -(c->kp * s->seen_angle[k])
             - c->kd * s->angle_rate[k], c->external_torque - c->kp * (c->winding
@@ -2993,18 +2566,16 @@ static void guard_graze_retract_graze_to_flight(const real *constants, const rea
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_graze_retract_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const graze_retract_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_graze_retract(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_graze_retract(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const graze_retract_constants *c = (const void *)constants;
     const graze_retract_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 3);

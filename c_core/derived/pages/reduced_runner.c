@@ -3,19 +3,13 @@
 
 /* Constants of start_of_run. */
 static void open_start_of_run(const real *parameters, const real *states, real *constants) {
-    (void)parameters;
-    (void)states;
-    (void)constants;
+    (void)parameters, (void)states, (void)constants;
 }
 
 /* First variation of open_start_of_run. */
 static void vary_open_start_of_run(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)constants;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)constants;
 }
 
 /* begins: Every run begins at an apex, with the foot above the ground. */
@@ -23,8 +17,8 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
     real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)tables;
     reduced_runner_states *y = (void *)after;
+    (void)tables;
     const real cos_of_ground_slope = real_cos(p->ground_slope);
     const real sin_of_ground_slope = real_sin(p->ground_slope);
     const real foot_above = cos_of_ground_slope * (x->seen_y - p->ground_height)
@@ -92,9 +86,8 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     reduced_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real cos_of_ground_slope = real_cos(p->ground_slope);
     const real sin_of_ground_slope = real_sin(p->ground_slope);
     const real foot_above = cos_of_ground_slope * (x->seen_y - p->ground_height)
@@ -176,10 +169,7 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
 /* First variation of the guard of begins. */
 static real vary_guard_start_of_run_begins(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states;
     return 0.0;
 }
 
@@ -323,9 +313,9 @@ static void vary_outputs_start_of_run(const real *parameters, const real *states
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
 static void leave_start_of_run(const real *parameters, const real *states, real counted, real *after) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     reduced_runner_states *y = (void *)after;
+    (void)parameters;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
@@ -335,11 +325,9 @@ static void leave_start_of_run(const real *parameters, const real *states, real 
 /* First variation of leave_start_of_run. */
 static void vary_leave_start_of_run(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real counted, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters;
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->mode_began = dx->time;
@@ -418,8 +406,8 @@ static int react_flight_place_falls(const real *parameters, const real *states, 
     real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)tables;
     reduced_runner_states *y = (void *)after;
+    (void)tables;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real sine = real_sin(x->angle);
     const real cosine = real_cos(x->angle);
@@ -444,9 +432,8 @@ static void vary_react_flight_place_falls(const real *parameters, const real *st
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     reduced_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
@@ -512,8 +499,8 @@ static int react_flight_place_touchdown(const real *parameters, const real *stat
     real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)tables;
     reduced_runner_states *y = (void *)after;
+    (void)tables;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real sine = real_sin(x->angle);
     const real turn = x->momentum / x->length;
@@ -600,9 +587,8 @@ static void vary_react_flight_place_touchdown(const real *parameters, const real
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     reduced_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real sine = real_sin(x->angle);
@@ -1165,10 +1151,9 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
 /* falls: The body reaches the ground. */
 static int react_slip_constant_falls(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)tables;
     reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)tables;
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real sine = real_sin(x->slope);
@@ -1195,13 +1180,10 @@ static int react_slip_constant_falls(const real *parameters, const real *states,
 /* First variation of falls. */
 static void vary_react_slip_constant_falls(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters, (void)tables, (void)seed;
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
@@ -1235,20 +1217,18 @@ static void vary_react_slip_constant_falls(const real *parameters, const real *s
 /* First variation of the guard of falls. */
 static real vary_guard_slip_constant_falls(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states, (void)d_parameters;
     return dx->y_;
 }
 
 /* First variation of the guard of collapses. */
 static real vary_guard_slip_constant_collapses(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
+    (void)parameters;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -1261,8 +1241,8 @@ static int react_slip_constant_greatest_compression(const real *parameters, cons
     const tdmf_table *tables, real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)tables;
     reduced_runner_states *y = (void *)after;
+    (void)tables;
     const real is_new = select(x->time > x->last_event, 1.0, 0.0);
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
@@ -1287,9 +1267,8 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     reduced_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
@@ -1329,10 +1308,9 @@ static real watches_slip_constant_greatest_compression(const real *parameters, c
 /* First variation of the guard of greatest_compression. */
 static real vary_guard_slip_constant_greatest_compression(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)d_parameters;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -1346,10 +1324,8 @@ static real vary_guard_slip_constant_greatest_compression(const real *parameters
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_slip_constant_mid_stance(const real *parameters, const real *states,
     const tdmf_table *tables, real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->driving = 0.0;
     return next[0]; /* slip */
 }
@@ -1357,20 +1333,15 @@ static int react_slip_constant_mid_stance(const real *parameters, const real *st
 /* First variation of mid_stance. */
 static void vary_react_slip_constant_mid_stance(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
     reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
     y->driving = 0.0;
 }
 
 /* Whether mid_stance is watched. */
 static real watches_slip_constant_mid_stance(const real *parameters, const real *states) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
+    (void)parameters;
     if (x->driving > 0.0) {
         return 1.0;
     }
@@ -1380,10 +1351,9 @@ static real watches_slip_constant_mid_stance(const real *parameters, const real 
 /* First variation of the guard of mid_stance. */
 static real vary_guard_slip_constant_mid_stance(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)d_parameters;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
     return d_angle;
@@ -1394,8 +1364,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)tables;
     reduced_runner_states *y = (void *)after;
+    (void)tables;
     const real sine = real_sin(x->slope);
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
@@ -1456,9 +1426,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     reduced_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real sine = real_sin(x->slope);
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
@@ -1568,23 +1537,14 @@ static real vary_guard_slip_constant_lift_off(const real *parameters, const real
 /* enters_layer: Slip is slow enough for friction to depend on the speed. */
 static int react_slip_constant_enters_layer(const real *parameters, const real *states,
     const tdmf_table *tables, real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
-    (void)after;
+    (void)parameters, (void)states, (void)tables, (void)after;
     return next[0]; /* slip */
 }
 
 /* First variation of enters_layer. */
 static void vary_react_slip_constant_enters_layer(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
-    (void)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed, (void)after;
 }
 
 /* Whether enters_layer is watched. */
@@ -1600,10 +1560,10 @@ static real watches_slip_constant_enters_layer(const real *parameters, const rea
 /* First variation of the guard of enters_layer. */
 static real vary_guard_slip_constant_enters_layer(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
+    (void)parameters;
     return dx->way * x->foot_vx + x->way * dx->foot_vx - 60.0 * dp->stribeck_velocity;
 }
 
@@ -1612,8 +1572,8 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
     const tdmf_table *tables, real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)tables;
     reduced_runner_states *y = (void *)after;
+    (void)tables;
     const real longer = p->thrust + p->more_thrust;
     const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
         0.0) * x->thrusting;
@@ -1646,11 +1606,8 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
     reduced_runner_states *y = (void *)after;
+    (void)d_parameters, (void)d_states, (void)tables, (void)seed;
     const real longer = p->thrust + p->more_thrust;
     const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
         0.0) * x->thrusting;
@@ -1678,10 +1635,9 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
 /* First variation of the guard of comes_to_rest. */
 static real vary_guard_slip_constant_comes_to_rest(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)d_parameters;
     return dx->way * x->foot_vx + x->way * dx->foot_vx;
 }
 
@@ -1876,9 +1832,9 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
 static void leave_slip_constant(const real *parameters, const real *states, real counted, real *after) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     reduced_runner_states *y = (void *)after;
+    (void)parameters;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real slid = x->way * (x->foot_x - x->slid_from);
     const real lasted = x->time - x->mode_began;
@@ -1904,11 +1860,10 @@ static void leave_slip_constant(const real *parameters, const real *states, real
 /* First variation of leave_slip_constant. */
 static void vary_leave_slip_constant(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real counted, real *after) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters;
     const real d_slid = dx->way * (x->foot_x - x->slid_from) + x->way * (dx->foot_x - dx->slid_from);
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
@@ -1935,9 +1890,9 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
 
 /* from world, in slip. */
 static void from_world_slip_constant(const real *parameters, const real *states, real *after) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     reduced_runner_states *y = (void *)after;
+    (void)parameters;
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
     const real along = x->seen_x * cos_of_slope + (x->seen_y - x->height) * sin_of_slope;
@@ -1961,11 +1916,10 @@ static void from_world_slip_constant(const real *parameters, const real *states,
 /* First variation of from_world_slip_constant. */
 static void vary_from_world_slip_constant(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, real *after) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters;
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
     const real sin_of_slope_times_slope = sin_of_slope * dx->slope;
@@ -2009,9 +1963,9 @@ static void vary_from_world_slip_constant(const real *parameters, const real *st
 
 /* to world, in slip. */
 static void to_world_slip_constant(const real *parameters, const real *states, real *after) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     reduced_runner_states *y = (void *)after;
+    (void)parameters;
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real sine = real_sin(x->slope);
@@ -2037,11 +1991,10 @@ static void to_world_slip_constant(const real *parameters, const real *states, r
 /* First variation of to_world_slip_constant. */
 static void vary_to_world_slip_constant(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *after) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters;
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
@@ -2169,8 +2122,8 @@ static int react_stick_greatest_compression(const real *parameters, const real *
     const tdmf_table *tables, real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)tables;
     reduced_runner_states *y = (void *)after;
+    (void)tables;
     const real is_new = select(x->time > x->last_event, 1.0, 0.0);
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
@@ -2191,10 +2144,8 @@ static int react_stick_greatest_compression(const real *parameters, const real *
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_stick_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->driving = 0.0;
     return next[0]; /* stick */
 }
@@ -2202,10 +2153,8 @@ static int react_stick_mid_stance(const real *parameters, const real *states, co
 /* slips_forward: The push of the leg exceeds static friction, and the foot slips forward. */
 static int react_stick_slips_forward(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->way = 1.0;
     return next[0]; /* slip */
 }
@@ -2213,13 +2162,8 @@ static int react_stick_slips_forward(const real *parameters, const real *states,
 /* First variation of slips_forward. */
 static void vary_react_stick_slips_forward(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
     reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
     y->way = 0.0;
 }
 
@@ -2273,10 +2217,8 @@ static real vary_guard_stick_slips_forward(const real *parameters, const real *s
 /* slips_backward: The push of the leg exceeds static friction, and the foot slips backward. */
 static int react_stick_slips_backward(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->way = -1.0;
     return next[0]; /* slip */
 }
@@ -2518,9 +2460,9 @@ static void vary_outputs_stick(const real *parameters, const real *states, const
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
 static void leave_stick(const real *parameters, const real *states, real counted, real *after) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     reduced_runner_states *y = (void *)after;
+    (void)parameters;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real lasted = x->time - x->mode_began;
     const real adds = select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due),
@@ -2543,11 +2485,10 @@ static void leave_stick(const real *parameters, const real *states, real counted
 /* First variation of leave_stick. */
 static void vary_leave_stick(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real counted, real *after) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     reduced_runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters;
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
     const real adds = select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due),
@@ -2608,8 +2549,8 @@ static int react_flight_retract_apex(const real *parameters, const real *states,
     real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    (void)tables;
     reduced_runner_states *y = (void *)after;
+    (void)tables;
     const real period = x->time - x->apex_time;
     const real distance = x->com_x - x->x_then;
     const real hip = x->work - x->work_then;
@@ -2675,9 +2616,8 @@ static void vary_react_flight_retract_apex(const real *parameters, const real *s
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     reduced_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real d_period = dx->time - dx->apex_time;
     const real d_distance = dx->com_x - dx->x_then;
     const real d_hip = dx->work - dx->work_then;
@@ -2758,10 +2698,8 @@ static void vary_react_flight_retract_apex(const real *parameters, const real *s
 /* First variation of the guard of apex. */
 static real vary_guard_flight_retract_apex(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states, (void)d_parameters;
     return dx->com_vy;
 }
 
@@ -2933,10 +2871,10 @@ static void vary_open_slip_falling(const real *parameters, const real *states, c
 /* First variation of the guard of leaves_layer. */
 static real vary_guard_slip_falling_leaves_layer(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
+    (void)parameters;
     return 61.0 * dp->stribeck_velocity - (dx->way * x->foot_vx + x->way * dx->foot_vx);
 }
 
@@ -3300,8 +3238,8 @@ static void vary_enter_at_apex(const real *parameters, const real *states, const
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
-    (void)at;
     reduced_runner_states *y = (void *)after;
+    (void)at;
     const real d_at_apex_com_height = d_at[0];
     const real d_at_apex_com_speed = d_at[1];
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;

@@ -135,17 +135,8 @@ typedef struct {
 } no_start_constants;
 
 typedef struct {
-    real external_fx;
-    real external_fy;
-    real external_fx_over_total;
-    real external_fy_over_total_minus_gravity;
-    real rate;
-    real slope;
-    real cos_of_slope;
-    real height;
-    real sin_of_slope;
-    real by_1_minus_share_times_length;
-    real share_times_length;
+    real external_fx, external_fy, external_fx_over_total, external_fy_over_total_minus_gravity, rate, slope,
+        cos_of_slope, height, sin_of_slope, by_1_minus_share_times_length, share_times_length;
 } flight_place_constants;
 
 typedef struct {
@@ -153,45 +144,16 @@ typedef struct {
 } fallen_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real stiffness;
-    real rest_length;
-    real damping;
-    real stance_torque;
-    real cosine;
-    real sine;
-    real sum_2;
-    real gravity_times_sine;
-    real inverse_foot_mass;
-    real foot_mass_times_gravity_times_sine;
-    real way;
-    real way_times_friction;
-    real foot_mass_times_gravity_times_cosine;
-    real sum_3;
-    real gravity_times_cosine;
-    real least_length;
-    real winding;
-    real by_60_times_stribeck_velocity;
+    real inverse_body_mass, stiffness, rest_length, damping, stance_torque, cosine, sine, sum_2,
+        gravity_times_sine, inverse_foot_mass, foot_mass_times_gravity_times_sine, way, way_times_friction,
+        foot_mass_times_gravity_times_cosine, sum_3, gravity_times_cosine, least_length, winding,
+        by_60_times_stribeck_velocity;
 } slip_constant_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real stiffness;
-    real rest_length;
-    real damping;
-    real stance_torque;
-    real cosine;
-    real sine;
-    real sum_2;
-    real gravity_times_sine;
-    real sum_3;
-    real gravity_times_cosine;
-    real foot_vx;
-    real least_length;
-    real winding;
-    real foot_mass_times_gravity_times_cosine;
-    real static_ratio_times_friction;
-    real foot_mass_times_gravity_times_sine;
+    real inverse_body_mass, stiffness, rest_length, damping, stance_torque, cosine, sine, sum_2,
+        gravity_times_sine, sum_3, gravity_times_cosine, foot_vx, least_length, winding,
+        foot_mass_times_gravity_times_cosine, static_ratio_times_friction, foot_mass_times_gravity_times_sine;
 } stick_constants;
 
 typedef struct {
@@ -203,34 +165,14 @@ typedef struct {
 } no_apex_constants;
 
 typedef struct {
-    real external_fx;
-    real external_fy;
-    real external_fx_over_total;
-    real external_fy_over_total_minus_gravity;
+    real external_fx, external_fy, external_fx_over_total, external_fy_over_total_minus_gravity;
 } flight_retract_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real stiffness;
-    real rest_length;
-    real damping;
-    real stance_torque;
-    real cosine;
-    real sine;
-    real sum_2;
-    real gravity_times_sine;
-    real inverse_foot_mass;
-    real foot_mass_times_gravity_times_sine;
-    real way;
-    real friction;
-    real static_ratio_minus_by_1;
-    real inverse_stribeck_velocity;
-    real foot_mass_times_gravity_times_cosine;
-    real sum_3;
-    real gravity_times_cosine;
-    real least_length;
-    real winding;
-    real by_61_times_stribeck_velocity;
+    real inverse_body_mass, stiffness, rest_length, damping, stance_torque, cosine, sine, sum_2,
+        gravity_times_sine, inverse_foot_mass, foot_mass_times_gravity_times_sine, way, friction,
+        static_ratio_minus_by_1, inverse_stribeck_velocity, foot_mass_times_gravity_times_cosine, sum_3,
+        gravity_times_cosine, least_length, winding, by_61_times_stribeck_velocity;
 } slip_falling_constants;
 
 extern const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_reduced_runner_motions)[];

@@ -10,19 +10,16 @@ typedef struct {
 
 /* All coefficients. */
 static void expand_start_of_run(const real *constants, int order, real *expanded) {
-    (void)constants;
-    (void)order;
     start_of_run_series *s = (void *)expanded;
+    (void)constants, (void)order;
     s->time[1] = broadcast(1.0);
 }
 
 /* First variation of the series. */
 static void vary_start_of_run(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     start_of_run_series *t = (void *)varied;
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
     }
@@ -30,21 +27,16 @@ static void vary_start_of_run(const real *constants, const real *series, const r
 
 /* begins: Every run begins at an apex, with the foot above the ground. */
 static void guard_start_of_run_begins(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
-    (void)series;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = constant_of(k, broadcast(-1.0));
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_start_of_run(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
-    (void)constants;
-    (void)series;
-    (void)power;
-    (void)order;
-    (void)watched;
+TDMF_ALSO_FOR_AVX2 static void bounds_start_of_run(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
+    (void)constants, (void)series, (void)power, (void)order, (void)watched;
     const interval span_0 = interval_at(broadcast(-1.0), broadcast(-1.0));
     bounds[0] = span_0;
 }
@@ -58,33 +50,21 @@ typedef struct {
 
 /* All coefficients. */
 static void expand_no_start(const real *constants, int order, real *expanded) {
-    (void)constants;
-    (void)order;
-    (void)expanded;
+    (void)constants, (void)order, (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_no_start(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
-    (void)order;
-    (void)varied;
+    (void)constants, (void)series, (void)d_constants, (void)order, (void)varied;
 }
 
 /* ---- flight_place */
 
 /* The centre of mass is ballistic. The leg turns after the apex. */
 typedef struct {
-    real com_x[TERMS];
-    real com_y[TERMS];
-    real external_work[TERMS];
-    real time[TERMS];
-    real com_vx[TERMS];
-    real com_vy[TERMS];
-    real angle[TERMS];
-    real placing[TERMS];
+    real com_x[TERMS], com_y[TERMS], external_work[TERMS], time[TERMS], com_vx[TERMS], com_vy[TERMS],
+        angle[TERMS], placing[TERMS];
 } flight_place_series;
 
 /* All coefficients. */
@@ -128,10 +108,7 @@ static void vary_flight_place(const real *constants, const real *series, const r
 /* First variation of power_of_hip. */
 static void d_observed_flight_place_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
-    (void)d_series;
+    (void)constants, (void)series, (void)d_constants, (void)d_series;
     for (int k = 0; k < order; ++k) {
         dg[k] = broadcast(0.0);
     }
@@ -141,9 +118,8 @@ static void d_observed_flight_place_power_of_hip(const real *constants, const re
 static void guard_flight_place_falls(const real *constants, const real *series, int order, real *g) {
     const flight_place_constants *c = (const void *)constants;
     const flight_place_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS];
-    real own_sin_of_angle_minus_slope[TERMS];
-    real own_angle_minus_slope[TERMS];
+    real own_cos_of_angle_minus_slope[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS];
     for (int k = 0; k < order; ++k) {
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
@@ -158,9 +134,8 @@ static void guard_flight_place_falls(const real *constants, const real *series, 
 static void guard_flight_place_touchdown(const real *constants, const real *series, int order, real *g) {
     const flight_place_constants *c = (const void *)constants;
     const flight_place_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS];
-    real own_sin_of_angle_minus_slope[TERMS];
-    real own_angle_minus_slope[TERMS];
+    real own_cos_of_angle_minus_slope[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS];
     for (int k = 0; k < order; ++k) {
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
@@ -172,16 +147,15 @@ static void guard_flight_place_touchdown(const real *constants, const real *seri
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_place_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
-    (void)series;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = broadcast(0.0);
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_place(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_flight_place(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const flight_place_constants *c = (const void *)constants;
     const flight_place_series *s = (const void *)series;
     (void)order;
@@ -221,76 +195,35 @@ typedef struct {
 
 /* All coefficients. */
 static void expand_fallen(const real *constants, int order, real *expanded) {
-    (void)constants;
-    (void)order;
-    (void)expanded;
+    (void)constants, (void)order, (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_fallen(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
-    (void)order;
-    (void)varied;
+    (void)constants, (void)series, (void)d_constants, (void)order, (void)varied;
 }
 
 /* ---- slip_constant */
 
 /* m_f vdot = p - s mu f_n, where p is the push of the leg and s the direction of slip. */
 typedef struct {
-    real x_[TERMS];
-    real y_[TERMS];
-    real vx[TERMS];
-    real vy[TERMS];
-    real foot_x[TERMS];
-    real foot_vx[TERMS];
-    real external_work[TERMS];
-    real damper_loss[TERMS];
-    real friction_loss[TERMS];
-    real work[TERMS];
-    real time[TERMS];
-    real seen_angle[TERMS];
-    real x__times_x_[TERMS];
-    real y__times_y_[TERMS];
-    real square[TERMS];
-    real length[TERMS];
-    real length_rate[TERMS];
-    real axial[TERMS];
-    real axial_times_x_[TERMS];
-    real turning[TERMS];
-    real turning_times_y_[TERMS];
-    real axial_times_y_[TERMS];
-    real turning_times_x_[TERMS];
-    real friction_force[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real friction_force_times_foot_vx[TERMS];
-    real x__times_vy[TERMS];
-    real y__times_vx[TERMS];
-    real angle_rate[TERMS];
+    real x_[TERMS], y_[TERMS], vx[TERMS], vy[TERMS], foot_x[TERMS], foot_vx[TERMS], external_work[TERMS],
+        damper_loss[TERMS], friction_loss[TERMS], work[TERMS], time[TERMS], seen_angle[TERMS],
+        x__times_x_[TERMS], y__times_y_[TERMS], square[TERMS], length[TERMS], length_rate[TERMS],
+        axial[TERMS], axial_times_x_[TERMS], turning[TERMS], turning_times_y_[TERMS], axial_times_y_[TERMS],
+        turning_times_x_[TERMS], friction_force[TERMS], length_rate_times_length_rate[TERMS],
+        friction_force_times_foot_vx[TERMS], x__times_vy[TERMS], y__times_vx[TERMS], angle_rate[TERMS];
 } slip_constant_series;
 
 typedef struct {
-    pair x__times_x_;
-    pair y__times_y_;
-    pair length;
-    pair axial;
-    pair axial_times_x_;
-    pair turning;
-    pair turning_times_y_;
-    pair axial_times_y_;
-    pair turning_times_x_;
-    pair length_rate_times_length_rate;
-    pair friction_force_times_foot_vx;
-    pair x__times_vy;
-    pair y__times_vx;
-    pair angle_rate;
+    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, turning, turning_times_y_, axial_times_y_,
+        turning_times_x_, length_rate_times_length_rate, friction_force_times_foot_vx, x__times_vy,
+        y__times_vx, angle_rate;
 } slip_constant_sums;
 
 typedef struct {
-    real inverse_length;
-    real inverse_square;
+    real inverse_length, inverse_square;
 } slip_constant_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
@@ -400,7 +333,7 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_slip_constant(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_slip_constant(const real *constants, int order, real *series) {
     const slip_constant_constants copy = *(const slip_constant_constants *)(const void *)constants,
         *c = &copy;
     slip_constant_series *s = (void *)series;
@@ -434,33 +367,14 @@ static void vary_slip_constant(const real *constants, const real *series, const 
     const slip_constant_series *s = (const void *)series;
     const slip_constant_constants *d = (const void *)d_constants;
     slip_constant_series *t = (void *)varied;
-    real x__times_x__2[TERMS];
-    real y__times_y__2[TERMS];
-    real d_length[TERMS];
-    real d_length_rate[TERMS];
-    real axial_times_d_length[TERMS];
-    real d_axial[TERMS];
-    real d_axial_times_x_[TERMS];
-    real axial_times_x__2[TERMS];
-    real turning_times_d_square[TERMS];
-    real d_turning[TERMS];
-    real d_turning_times_y_[TERMS];
-    real turning_times_y__2[TERMS];
-    real d_axial_times_y_[TERMS];
-    real axial_times_y__2[TERMS];
-    real d_turning_times_x_[TERMS];
-    real turning_times_x__2[TERMS];
-    real length_rate_times_d_length_rate[TERMS];
-    real d_friction_force_times_foot_vx[TERMS];
-    real friction_force_times_foot_vx_2[TERMS];
-    real x__times_vy_2[TERMS];
-    real x__times_vy_3[TERMS];
-    real y__times_vx_2[TERMS];
-    real y__times_vx_3[TERMS];
-    real angle_rate_times_d_square[TERMS];
-    real d_angle_rate[TERMS];
-    real d_square[TERMS];
-    real d_friction_force[TERMS];
+    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
+        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
+        turning_times_d_square[TERMS], d_turning[TERMS], d_turning_times_y_[TERMS], turning_times_y__2[TERMS],
+        d_axial_times_y_[TERMS], axial_times_y__2[TERMS], d_turning_times_x_[TERMS],
+        turning_times_x__2[TERMS], length_rate_times_d_length_rate[TERMS],
+        d_friction_force_times_foot_vx[TERMS], friction_force_times_foot_vx_2[TERMS], x__times_vy_2[TERMS],
+        x__times_vy_3[TERMS], y__times_vx_2[TERMS], y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS],
+        d_angle_rate[TERMS], d_square[TERMS], d_friction_force[TERMS];
     t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
@@ -546,14 +460,10 @@ static void vary_slip_constant(const real *constants, const real *series, const 
 /* First variation of power_of_hip. */
 static void d_observed_slip_constant_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const slip_constant_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -564,19 +474,10 @@ static void d_observed_slip_constant_vertical_force_on_foot(const real *constant
     const slip_constant_series *s = (const void *)series;
     const slip_constant_constants *d = (const void *)d_constants;
     const slip_constant_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS];
-    real own_y__times_y__2[TERMS];
-    real own_d_length[TERMS];
-    real own_d_length_rate[TERMS];
-    real own_axial_times_d_length[TERMS];
-    real own_d_axial[TERMS];
-    real own_d_axial_times_y_[TERMS];
-    real own_axial_times_y__2[TERMS];
-    real own_turning_times_d_square[TERMS];
-    real own_d_turning[TERMS];
-    real own_d_turning_times_x_[TERMS];
-    real own_turning_times_x__2[TERMS];
-    real own_d_square[TERMS];
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_turning_times_d_square[TERMS], own_d_turning[TERMS],
+        own_d_turning_times_x_[TERMS], own_turning_times_x__2[TERMS], own_d_square[TERMS];
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
@@ -620,19 +521,10 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
     const slip_constant_series *s = (const void *)series;
     const slip_constant_constants *d = (const void *)d_constants;
     const slip_constant_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS];
-    real own_y__times_y__2[TERMS];
-    real own_d_length[TERMS];
-    real own_d_length_rate[TERMS];
-    real own_axial_times_d_length[TERMS];
-    real own_d_axial[TERMS];
-    real own_d_axial_times_y_[TERMS];
-    real own_axial_times_y__2[TERMS];
-    real own_turning_times_d_square[TERMS];
-    real own_d_turning[TERMS];
-    real own_d_turning_times_x_[TERMS];
-    real own_turning_times_x__2[TERMS];
-    real own_d_square[TERMS];
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_turning_times_d_square[TERMS], own_d_turning[TERMS],
+        own_d_turning_times_x_[TERMS], own_turning_times_x__2[TERMS], own_d_square[TERMS];
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
@@ -663,8 +555,8 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
 
 /* falls: The body reaches the ground. */
 static void guard_slip_constant_falls(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_constant_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->y_[k];
     }
@@ -682,8 +574,8 @@ static void guard_slip_constant_collapses(const real *constants, const real *ser
 /* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
 static void guard_slip_constant_greatest_compression(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const slip_constant_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = -s->length_rate[k];
     }
@@ -728,12 +620,10 @@ static void guard_slip_constant_comes_to_rest(const real *constants, const real 
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_slip_constant_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_constant_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
@@ -759,8 +649,8 @@ static void guard_slip_constant_force_on_foot(const real *constants, const real 
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_slip_constant(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_slip_constant(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -815,52 +705,20 @@ static void bounds_slip_constant(const real *constants, const real *series, cons
 
 /* The foot is at rest. */
 typedef struct {
-    real x_[TERMS];
-    real y_[TERMS];
-    real vx[TERMS];
-    real vy[TERMS];
-    real external_work[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real time[TERMS];
-    real foot_x[TERMS];
-    real seen_angle[TERMS];
-    real x__times_x_[TERMS];
-    real y__times_y_[TERMS];
-    real square[TERMS];
-    real length[TERMS];
-    real length_rate[TERMS];
-    real axial[TERMS];
-    real axial_times_x_[TERMS];
-    real turning[TERMS];
-    real turning_times_y_[TERMS];
-    real axial_times_y_[TERMS];
-    real turning_times_x_[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real x__times_vy[TERMS];
-    real y__times_vx[TERMS];
-    real angle_rate[TERMS];
+    real x_[TERMS], y_[TERMS], vx[TERMS], vy[TERMS], external_work[TERMS], damper_loss[TERMS], work[TERMS],
+        time[TERMS], foot_x[TERMS], seen_angle[TERMS], x__times_x_[TERMS], y__times_y_[TERMS], square[TERMS],
+        length[TERMS], length_rate[TERMS], axial[TERMS], axial_times_x_[TERMS], turning[TERMS],
+        turning_times_y_[TERMS], axial_times_y_[TERMS], turning_times_x_[TERMS],
+        length_rate_times_length_rate[TERMS], x__times_vy[TERMS], y__times_vx[TERMS], angle_rate[TERMS];
 } stick_series;
 
 typedef struct {
-    pair x__times_x_;
-    pair y__times_y_;
-    pair length;
-    pair axial;
-    pair axial_times_x_;
-    pair turning;
-    pair turning_times_y_;
-    pair axial_times_y_;
-    pair turning_times_x_;
-    pair length_rate_times_length_rate;
-    pair x__times_vy;
-    pair y__times_vx;
-    pair angle_rate;
+    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, turning, turning_times_y_, axial_times_y_,
+        turning_times_x_, length_rate_times_length_rate, x__times_vy, y__times_vx, angle_rate;
 } stick_sums;
 
 typedef struct {
-    real inverse_length;
-    real inverse_square;
+    real inverse_length, inverse_square;
 } stick_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
@@ -952,7 +810,7 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_stick(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_stick(const real *constants, int order, real *series) {
     const stick_constants copy = *(const stick_constants *)(const void *)constants, *c = &copy;
     stick_series *s = (void *)series;
     static const stick_sums none;
@@ -986,30 +844,13 @@ static void vary_stick(const real *constants, const real *series, const real *d_
     const stick_series *s = (const void *)series;
     const stick_constants *d = (const void *)d_constants;
     stick_series *t = (void *)varied;
-    real x__times_x__2[TERMS];
-    real y__times_y__2[TERMS];
-    real d_length[TERMS];
-    real d_length_rate[TERMS];
-    real axial_times_d_length[TERMS];
-    real d_axial[TERMS];
-    real d_axial_times_x_[TERMS];
-    real axial_times_x__2[TERMS];
-    real turning_times_d_square[TERMS];
-    real d_turning[TERMS];
-    real d_turning_times_y_[TERMS];
-    real turning_times_y__2[TERMS];
-    real d_axial_times_y_[TERMS];
-    real axial_times_y__2[TERMS];
-    real d_turning_times_x_[TERMS];
-    real turning_times_x__2[TERMS];
-    real length_rate_times_d_length_rate[TERMS];
-    real x__times_vy_2[TERMS];
-    real x__times_vy_3[TERMS];
-    real y__times_vx_2[TERMS];
-    real y__times_vx_3[TERMS];
-    real angle_rate_times_d_square[TERMS];
-    real d_angle_rate[TERMS];
-    real d_square[TERMS];
+    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
+        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
+        turning_times_d_square[TERMS], d_turning[TERMS], d_turning_times_y_[TERMS], turning_times_y__2[TERMS],
+        d_axial_times_y_[TERMS], axial_times_y__2[TERMS], d_turning_times_x_[TERMS],
+        turning_times_x__2[TERMS], length_rate_times_d_length_rate[TERMS], x__times_vy_2[TERMS],
+        x__times_vy_3[TERMS], y__times_vx_2[TERMS], y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS],
+        d_angle_rate[TERMS], d_square[TERMS];
     t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
@@ -1073,14 +914,10 @@ static void vary_stick(const real *constants, const real *series, const real *d_
 /* First variation of power_of_hip. */
 static void d_observed_stick_power_of_hip(const real *constants, const real *series, const real *d_constants,
     const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const stick_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -1091,23 +928,12 @@ static void d_observed_stick_vertical_force_on_foot(const real *constants, const
     const stick_series *s = (const void *)series;
     const stick_constants *d = (const void *)d_constants;
     const stick_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS];
-    real own_y__times_y__2[TERMS];
-    real own_d_length[TERMS];
-    real own_d_length_rate[TERMS];
-    real own_axial_times_d_length[TERMS];
-    real own_d_axial[TERMS];
-    real own_d_axial_times_x_[TERMS];
-    real own_axial_times_x__2[TERMS];
-    real own_turning_times_d_square[TERMS];
-    real own_d_turning[TERMS];
-    real own_d_turning_times_y_[TERMS];
-    real own_turning_times_y__2[TERMS];
-    real own_d_axial_times_y_[TERMS];
-    real own_axial_times_y__2[TERMS];
-    real own_d_turning_times_x_[TERMS];
-    real own_turning_times_x__2[TERMS];
-    real own_d_square[TERMS];
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_x_[TERMS],
+        own_axial_times_x__2[TERMS], own_turning_times_d_square[TERMS], own_d_turning[TERMS],
+        own_d_turning_times_y_[TERMS], own_turning_times_y__2[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_d_turning_times_x_[TERMS], own_turning_times_x__2[TERMS],
+        own_d_square[TERMS];
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
@@ -1155,19 +981,10 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
     const stick_series *s = (const void *)series;
     const stick_constants *d = (const void *)d_constants;
     const stick_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS];
-    real own_y__times_y__2[TERMS];
-    real own_d_length[TERMS];
-    real own_d_length_rate[TERMS];
-    real own_axial_times_d_length[TERMS];
-    real own_d_axial[TERMS];
-    real own_d_axial_times_y_[TERMS];
-    real own_axial_times_y__2[TERMS];
-    real own_turning_times_d_square[TERMS];
-    real own_d_turning[TERMS];
-    real own_d_turning_times_x_[TERMS];
-    real own_turning_times_x__2[TERMS];
-    real own_d_square[TERMS];
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_turning_times_d_square[TERMS], own_d_turning[TERMS],
+        own_d_turning_times_x_[TERMS], own_turning_times_x__2[TERMS], own_d_square[TERMS];
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
@@ -1198,8 +1015,8 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
 
 /* falls: The body reaches the ground. */
 static void guard_stick_falls(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const stick_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->y_[k];
     }
@@ -1216,8 +1033,8 @@ static void guard_stick_collapses(const real *constants, const real *series, int
 
 /* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
 static void guard_stick_greatest_compression(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const stick_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = -s->length_rate[k];
     }
@@ -1270,12 +1087,10 @@ static void guard_stick_slips_backward(const real *constants, const real *series
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_stick_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const stick_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
@@ -1303,8 +1118,8 @@ static void guard_stick_force_on_foot(const real *constants, const real *series,
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_stick(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_stick(const real *constants, const real *series, const real *power,
+    int order, uint64_t watched, interval *bounds) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -1365,19 +1180,13 @@ typedef struct {
 
 /* All coefficients. */
 static void expand_no_stance(const real *constants, int order, real *expanded) {
-    (void)constants;
-    (void)order;
-    (void)expanded;
+    (void)constants, (void)order, (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_no_stance(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
-    (void)order;
-    (void)varied;
+    (void)constants, (void)series, (void)d_constants, (void)order, (void)varied;
 }
 
 /* ---- no_apex */
@@ -1389,31 +1198,20 @@ typedef struct {
 
 /* All coefficients. */
 static void expand_no_apex(const real *constants, int order, real *expanded) {
-    (void)constants;
-    (void)order;
-    (void)expanded;
+    (void)constants, (void)order, (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_no_apex(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
-    (void)order;
-    (void)varied;
+    (void)constants, (void)series, (void)d_constants, (void)order, (void)varied;
 }
 
 /* ---- flight_retract */
 
 /* The centre of mass is ballistic. The leg turns after the apex. */
 typedef struct {
-    real com_x[TERMS];
-    real com_y[TERMS];
-    real external_work[TERMS];
-    real time[TERMS];
-    real com_vx[TERMS];
-    real com_vy[TERMS];
+    real com_x[TERMS], com_y[TERMS], external_work[TERMS], time[TERMS], com_vx[TERMS], com_vy[TERMS];
 } flight_retract_series;
 
 /* All coefficients. */
@@ -1453,10 +1251,7 @@ static void vary_flight_retract(const real *constants, const real *series, const
 /* First variation of power_of_hip. */
 static void d_observed_flight_retract_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
-    (void)d_series;
+    (void)constants, (void)series, (void)d_constants, (void)d_series;
     for (int k = 0; k < order; ++k) {
         dg[k] = broadcast(0.0);
     }
@@ -1464,30 +1259,26 @@ static void d_observed_flight_retract_power_of_hip(const real *constants, const 
 
 /* apex: A stride closes, and the leg is placed anew. */
 static void guard_flight_retract_apex(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const flight_retract_series *s = (const void *)series;
-    real own_rate_of_com_y[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_com_y[k] = (double)(k + 1) * s->com_y[k + 1];
-        g[k] = own_rate_of_com_y[k];
+        g[k] = (double)(k + 1) * s->com_y[k + 1];
     }
 }
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_retract_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
-    (void)series;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = broadcast(0.0);
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_retract(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
-    (void)constants;
+TDMF_ALSO_FOR_AVX2 static void bounds_flight_retract(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const flight_retract_series *s = (const void *)series;
-    (void)order;
+    (void)constants, (void)order;
     const interval span_0 = interval_of_rate(s->com_y, power, 2);
     bounds[0] = span_0;
     if (watched >> 1 & 1) {
@@ -1500,62 +1291,23 @@ static void bounds_flight_retract(const real *constants, const real *series, con
 
 /* m_f vdot = p - s mu f_n, where p is the push of the leg and s the direction of slip. */
 typedef struct {
-    real x_[TERMS];
-    real y_[TERMS];
-    real vx[TERMS];
-    real vy[TERMS];
-    real foot_x[TERMS];
-    real foot_vx[TERMS];
-    real external_work[TERMS];
-    real damper_loss[TERMS];
-    real friction_loss[TERMS];
-    real work[TERMS];
-    real time[TERMS];
-    real seen_angle[TERMS];
-    real x__times_x_[TERMS];
-    real y__times_y_[TERMS];
-    real square[TERMS];
-    real length[TERMS];
-    real length_rate[TERMS];
-    real axial[TERMS];
-    real axial_times_x_[TERMS];
-    real turning[TERMS];
-    real turning_times_y_[TERMS];
-    real minus_product[TERMS];
-    real fading[TERMS];
-    real way_times_slip_friction[TERMS];
-    real axial_times_y_[TERMS];
-    real turning_times_x_[TERMS];
-    real normal[TERMS];
-    real friction_force[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real friction_force_times_foot_vx[TERMS];
-    real x__times_vy[TERMS];
-    real y__times_vx[TERMS];
-    real angle_rate[TERMS];
+    real x_[TERMS], y_[TERMS], vx[TERMS], vy[TERMS], foot_x[TERMS], foot_vx[TERMS], external_work[TERMS],
+        damper_loss[TERMS], friction_loss[TERMS], work[TERMS], time[TERMS], seen_angle[TERMS],
+        x__times_x_[TERMS], y__times_y_[TERMS], square[TERMS], length[TERMS], length_rate[TERMS],
+        axial[TERMS], axial_times_x_[TERMS], turning[TERMS], turning_times_y_[TERMS], minus_product[TERMS],
+        fading[TERMS], way_times_slip_friction[TERMS], axial_times_y_[TERMS], turning_times_x_[TERMS],
+        normal[TERMS], friction_force[TERMS], length_rate_times_length_rate[TERMS],
+        friction_force_times_foot_vx[TERMS], x__times_vy[TERMS], y__times_vx[TERMS], angle_rate[TERMS];
 } slip_falling_series;
 
 typedef struct {
-    pair x__times_x_;
-    pair y__times_y_;
-    pair length;
-    pair axial;
-    pair axial_times_x_;
-    pair turning;
-    pair turning_times_y_;
-    pair axial_times_y_;
-    pair turning_times_x_;
-    pair friction_force;
-    pair length_rate_times_length_rate;
-    pair friction_force_times_foot_vx;
-    pair x__times_vy;
-    pair y__times_vx;
-    pair angle_rate;
+    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, turning, turning_times_y_, axial_times_y_,
+        turning_times_x_, friction_force, length_rate_times_length_rate, friction_force_times_foot_vx,
+        x__times_vy, y__times_vx, angle_rate;
 } slip_falling_sums;
 
 typedef struct {
-    real inverse_length;
-    real inverse_square;
+    real inverse_length, inverse_square;
 } slip_falling_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
@@ -1675,7 +1427,7 @@ KERNEL void step_slip_falling(const slip_falling_constants *c, const slip_fallin
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_slip_falling(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_slip_falling(const real *constants, int order, real *series) {
     const slip_falling_constants copy = *(const slip_falling_constants *)(const void *)constants, *c = &copy;
     slip_falling_series *s = (void *)series;
     static const slip_falling_sums none;
@@ -1708,39 +1460,16 @@ static void vary_slip_falling(const real *constants, const real *series, const r
     const slip_falling_series *s = (const void *)series;
     const slip_falling_constants *d = (const void *)d_constants;
     slip_falling_series *t = (void *)varied;
-    real x__times_x__2[TERMS];
-    real y__times_y__2[TERMS];
-    real d_length[TERMS];
-    real d_length_rate[TERMS];
-    real axial_times_d_length[TERMS];
-    real d_axial[TERMS];
-    real d_axial_times_x_[TERMS];
-    real axial_times_x__2[TERMS];
-    real turning_times_d_square[TERMS];
-    real d_turning[TERMS];
-    real d_turning_times_y_[TERMS];
-    real turning_times_y__2[TERMS];
-    real fading_times_sum[TERMS];
-    real d_way_times_slip_friction_times_normal[TERMS];
-    real d_axial_times_y_[TERMS];
-    real axial_times_y__2[TERMS];
-    real d_turning_times_x_[TERMS];
-    real turning_times_x__2[TERMS];
-    real way_times_slip_friction_times_d_normal[TERMS];
-    real length_rate_times_d_length_rate[TERMS];
-    real d_friction_force_times_foot_vx[TERMS];
-    real friction_force_times_foot_vx_2[TERMS];
-    real x__times_vy_2[TERMS];
-    real x__times_vy_3[TERMS];
-    real y__times_vx_2[TERMS];
-    real y__times_vx_3[TERMS];
-    real angle_rate_times_d_square[TERMS];
-    real d_angle_rate[TERMS];
-    real d_square[TERMS];
-    real sum_2[TERMS];
-    real d_way_times_slip_friction[TERMS];
-    real d_normal[TERMS];
-    real d_friction_force[TERMS];
+    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
+        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
+        turning_times_d_square[TERMS], d_turning[TERMS], d_turning_times_y_[TERMS], turning_times_y__2[TERMS],
+        fading_times_sum[TERMS], d_way_times_slip_friction_times_normal[TERMS], d_axial_times_y_[TERMS],
+        axial_times_y__2[TERMS], d_turning_times_x_[TERMS], turning_times_x__2[TERMS],
+        way_times_slip_friction_times_d_normal[TERMS], length_rate_times_d_length_rate[TERMS],
+        d_friction_force_times_foot_vx[TERMS], friction_force_times_foot_vx_2[TERMS], x__times_vy_2[TERMS],
+        x__times_vy_3[TERMS], y__times_vx_2[TERMS], y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS],
+        d_angle_rate[TERMS], d_square[TERMS], sum_2[TERMS], d_way_times_slip_friction[TERMS], d_normal[TERMS],
+        d_friction_force[TERMS];
     t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
@@ -1835,14 +1564,10 @@ static void vary_slip_falling(const real *constants, const real *series, const r
 /* First variation of power_of_hip. */
 static void d_observed_slip_falling_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const slip_falling_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -1853,25 +1578,12 @@ static void d_observed_slip_falling_vertical_force_on_foot(const real *constants
     const slip_falling_series *s = (const void *)series;
     const slip_falling_constants *d = (const void *)d_constants;
     const slip_falling_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS];
-    real own_y__times_y__2[TERMS];
-    real own_d_length[TERMS];
-    real own_d_length_rate[TERMS];
-    real own_axial_times_d_length[TERMS];
-    real own_d_axial[TERMS];
-    real own_d_axial_times_y_[TERMS];
-    real own_axial_times_y__2[TERMS];
-    real own_turning_times_d_square[TERMS];
-    real own_d_turning[TERMS];
-    real own_d_turning_times_x_[TERMS];
-    real own_turning_times_x__2[TERMS];
-    real own_fading_times_sum[TERMS];
-    real own_d_way_times_slip_friction_times_normal[TERMS];
-    real own_way_times_slip_friction_times_d_normal[TERMS];
-    real own_d_square[TERMS];
-    real own_sum_2[TERMS];
-    real own_d_way_times_slip_friction[TERMS];
-    real own_d_normal[TERMS];
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_turning_times_d_square[TERMS], own_d_turning[TERMS],
+        own_d_turning_times_x_[TERMS], own_turning_times_x__2[TERMS], own_fading_times_sum[TERMS],
+        own_d_way_times_slip_friction_times_normal[TERMS], own_way_times_slip_friction_times_d_normal[TERMS],
+        own_d_square[TERMS], own_sum_2[TERMS], own_d_way_times_slip_friction[TERMS], own_d_normal[TERMS];
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
@@ -1922,19 +1634,10 @@ static void d_observed_slip_falling_force_on_foot(const real *constants, const r
     const slip_falling_series *s = (const void *)series;
     const slip_falling_constants *d = (const void *)d_constants;
     const slip_falling_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS];
-    real own_y__times_y__2[TERMS];
-    real own_d_length[TERMS];
-    real own_d_length_rate[TERMS];
-    real own_axial_times_d_length[TERMS];
-    real own_d_axial[TERMS];
-    real own_d_axial_times_y_[TERMS];
-    real own_axial_times_y__2[TERMS];
-    real own_turning_times_d_square[TERMS];
-    real own_d_turning[TERMS];
-    real own_d_turning_times_x_[TERMS];
-    real own_turning_times_x__2[TERMS];
-    real own_d_square[TERMS];
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_turning_times_d_square[TERMS], own_d_turning[TERMS],
+        own_d_turning_times_x_[TERMS], own_turning_times_x__2[TERMS], own_d_square[TERMS];
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
@@ -1965,8 +1668,8 @@ static void d_observed_slip_falling_force_on_foot(const real *constants, const r
 
 /* falls: The body reaches the ground. */
 static void guard_slip_falling_falls(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_falling_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->y_[k];
     }
@@ -1984,8 +1687,8 @@ static void guard_slip_falling_collapses(const real *constants, const real *seri
 /* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
 static void guard_slip_falling_greatest_compression(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const slip_falling_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = -s->length_rate[k];
     }
@@ -2002,8 +1705,8 @@ static void guard_slip_falling_mid_stance(const real *constants, const real *ser
 
 /* lift_off: The centre of mass flies to the next apex. */
 static void guard_slip_falling_lift_off(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_falling_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->normal[k];
     }
@@ -2029,12 +1732,10 @@ static void guard_slip_falling_comes_to_rest(const real *constants, const real *
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_slip_falling_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_falling_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
@@ -2050,16 +1751,16 @@ static void guard_slip_falling_vertical_force_on_foot(const real *constants, con
 
 /* force_on_foot: Normal force of a sticking or slipping foot. */
 static void guard_slip_falling_force_on_foot(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_falling_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->normal[k];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_slip_falling(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_slip_falling(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const slip_falling_constants *c = (const void *)constants;
     const slip_falling_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);

@@ -3,8 +3,8 @@
 
 /* Constants of start_of_run. */
 static void open_start_of_run(const real *parameters, const real *states, real *constants) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
+    (void)parameters;
     start_of_run_constants *c = (void *)constants;
     const real segment_end_minus_seen_x = x->segment_end - x->seen_x;
     const real seen_x_minus_segment_begin = x->seen_x - x->segment_begin;
@@ -20,10 +20,8 @@ static void open_start_of_run(const real *parameters, const real *states, real *
 /* First variation of open_start_of_run. */
 static void vary_open_start_of_run(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states, (void)d_parameters;
     start_of_run_constants *c = (void *)constants;
     const real d_segment_end_minus_seen_x = dx->segment_end - dx->seen_x;
     const real d_seen_x_minus_segment_begin = dx->seen_x - dx->segment_begin;
@@ -92,10 +90,8 @@ static void vary_react_start_of_run_passes_end(const real *parameters, const rea
 /* First variation of the guard of passes_end. */
 static real vary_guard_start_of_run_passes_end(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states, (void)d_parameters;
     return dx->segment_end - dx->seen_x;
 }
 
@@ -156,10 +152,8 @@ static void vary_react_start_of_run_passes_begin(const real *parameters, const r
 /* First variation of the guard of passes_begin. */
 static real vary_guard_start_of_run_passes_begin(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states, (void)d_parameters;
     return dx->seen_x - dx->segment_begin;
 }
 
@@ -597,10 +591,7 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
 /* First variation of the guard of begins. */
 static real vary_guard_start_of_run_begins(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states;
     return 0.0;
 }
 
@@ -746,9 +737,9 @@ static void vary_outputs_start_of_run(const real *parameters, const real *states
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
 static void leave_start_of_run(const real *parameters, const real *states, real counted, real *after) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
+    (void)parameters;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
@@ -758,11 +749,9 @@ static void leave_start_of_run(const real *parameters, const real *states, real 
 /* First variation of leave_start_of_run. */
 static void vary_leave_start_of_run(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real counted, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters;
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->mode_began = dx->time;
@@ -889,10 +878,8 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static int react_slip_constant_ramp_ends(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->friction = 0.0;
     y->friction_rate = 0.0;
     return next[0]; /* slip */
@@ -901,21 +888,16 @@ static int react_slip_constant_ramp_ends(const real *parameters, const real *sta
 /* First variation of ramp_ends. */
 static void vary_react_slip_constant_ramp_ends(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
     runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
     y->friction = 0.0;
     y->friction_rate = 0.0;
 }
 
 /* Whether ramp_ends is watched. */
 static real watches_slip_constant_ramp_ends(const real *parameters, const real *states) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
+    (void)parameters;
     if (x->friction_rate < 0.0) {
         return 1.0;
     }
@@ -925,20 +907,17 @@ static real watches_slip_constant_ramp_ends(const real *parameters, const real *
 /* First variation of the guard of ramp_ends. */
 static real vary_guard_slip_constant_ramp_ends(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states, (void)d_parameters;
     return dx->friction;
 }
 
 /* falls: The body reaches the ground. */
 static int react_slip_constant_falls(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
-    (void)tables;
     runner_states *y = (void *)after;
+    (void)parameters, (void)tables;
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real sine = real_sin(x->slope);
@@ -965,13 +944,10 @@ static int react_slip_constant_falls(const real *parameters, const real *states,
 /* First variation of falls. */
 static void vary_react_slip_constant_falls(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters, (void)tables, (void)seed;
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
@@ -1005,20 +981,18 @@ static void vary_react_slip_constant_falls(const real *parameters, const real *s
 /* First variation of the guard of falls. */
 static real vary_guard_slip_constant_falls(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states, (void)d_parameters;
     return dx->y_;
 }
 
 /* First variation of the guard of collapses. */
 static real vary_guard_slip_constant_collapses(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
+    (void)parameters;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -1032,8 +1006,8 @@ static int react_slip_constant_greatest_compression(const real *parameters, cons
     const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
-    (void)tables;
     runner_states *y = (void *)after;
+    (void)tables;
     const real longer = p->thrust + p->more_thrust;
     const real by_1_or_by_0 = select(longer > 0.0, 1.0, 0.0);
     const real is_new = select(x->time > x->last_event, by_1_or_by_0, 0.0);
@@ -1059,9 +1033,8 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real longer = p->thrust + p->more_thrust;
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
@@ -1101,10 +1074,9 @@ static real watches_slip_constant_greatest_compression(const real *parameters, c
 /* First variation of the guard of greatest_compression. */
 static real vary_guard_slip_constant_greatest_compression(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)d_parameters;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -1118,10 +1090,8 @@ static real vary_guard_slip_constant_greatest_compression(const real *parameters
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_slip_constant_mid_stance(const real *parameters, const real *states,
     const tdmf_table *tables, real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->driving = 0.0;
     return next[0]; /* slip */
 }
@@ -1129,20 +1099,15 @@ static int react_slip_constant_mid_stance(const real *parameters, const real *st
 /* First variation of mid_stance. */
 static void vary_react_slip_constant_mid_stance(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
     runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
     y->driving = 0.0;
 }
 
 /* Whether mid_stance is watched. */
 static real watches_slip_constant_mid_stance(const real *parameters, const real *states) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
+    (void)parameters;
     if (x->driving > 0.0) {
         return 1.0;
     }
@@ -1152,10 +1117,9 @@ static real watches_slip_constant_mid_stance(const real *parameters, const real 
 /* First variation of the guard of mid_stance. */
 static real vary_guard_slip_constant_mid_stance(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)d_parameters;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
     return d_angle;
@@ -1166,8 +1130,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
-    (void)tables;
     runner_states *y = (void *)after;
+    (void)tables;
     const real sine = real_sin(x->slope);
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real along = x->foot_vx + share * x->vx;
@@ -1269,9 +1233,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real sine = real_sin(x->slope);
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
@@ -1431,23 +1394,14 @@ static real vary_guard_slip_constant_lift_off(const real *parameters, const real
 /* enters_layer: Slip is slow enough for friction to depend on the speed. */
 static int react_slip_constant_enters_layer(const real *parameters, const real *states,
     const tdmf_table *tables, real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
-    (void)after;
+    (void)parameters, (void)states, (void)tables, (void)after;
     return next[0]; /* slip */
 }
 
 /* First variation of enters_layer. */
 static void vary_react_slip_constant_enters_layer(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
-    (void)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed, (void)after;
 }
 
 /* Whether enters_layer is watched. */
@@ -1463,10 +1417,10 @@ static real watches_slip_constant_enters_layer(const real *parameters, const rea
 /* First variation of the guard of enters_layer. */
 static real vary_guard_slip_constant_enters_layer(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
+    (void)parameters;
     return dx->way * x->foot_vx + x->way * dx->foot_vx - 60.0 * dp->stribeck_velocity;
 }
 
@@ -1611,10 +1565,9 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
 /* First variation of the guard of comes_to_rest. */
 static real vary_guard_slip_constant_comes_to_rest(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)d_parameters;
     return dx->way * x->foot_vx + x->way * dx->foot_vx;
 }
 
@@ -1673,8 +1626,8 @@ static void vary_react_slip_constant_crosses_border(const real *parameters, cons
 
 /* Whether crosses_border is watched. */
 static real watches_slip_constant_crosses_border(const real *parameters, const real *states) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
+    (void)parameters;
     if (select(x->way > 0.0, x->segment_end, -x->segment_begin) < 1000000000000.0) {
         return 1.0;
     }
@@ -1684,10 +1637,9 @@ static real watches_slip_constant_crosses_border(const real *parameters, const r
 /* First variation of the guard of crosses_border. */
 static real vary_guard_slip_constant_crosses_border(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)d_parameters;
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real sine = real_sin(x->slope);
@@ -1899,9 +1851,9 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
 static void leave_slip_constant(const real *parameters, const real *states, real counted, real *after) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
+    (void)parameters;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real slid = x->way * (x->foot_x - x->slid_from);
     const real lasted = x->time - x->mode_began;
@@ -1927,11 +1879,10 @@ static void leave_slip_constant(const real *parameters, const real *states, real
 /* First variation of leave_slip_constant. */
 static void vary_leave_slip_constant(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real counted, real *after) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters;
     const real d_slid = dx->way * (x->foot_x - x->slid_from) + x->way * (dx->foot_x - dx->slid_from);
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
@@ -1958,9 +1909,9 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
 
 /* from world, in slip. */
 static void from_world_slip_constant(const real *parameters, const real *states, real *after) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
+    (void)parameters;
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
     const real along = x->seen_x * cos_of_slope + (x->seen_y - x->height) * sin_of_slope;
@@ -1984,11 +1935,10 @@ static void from_world_slip_constant(const real *parameters, const real *states,
 /* First variation of from_world_slip_constant. */
 static void vary_from_world_slip_constant(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, real *after) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters;
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
     const real sin_of_slope_times_slope = sin_of_slope * dx->slope;
@@ -2032,9 +1982,9 @@ static void vary_from_world_slip_constant(const real *parameters, const real *st
 
 /* to world, in slip. */
 static void to_world_slip_constant(const real *parameters, const real *states, real *after) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
+    (void)parameters;
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real sine = real_sin(x->slope);
@@ -2060,11 +2010,10 @@ static void to_world_slip_constant(const real *parameters, const real *states, r
 /* First variation of to_world_slip_constant. */
 static void vary_to_world_slip_constant(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *after) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters;
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
@@ -2364,10 +2313,8 @@ static void vary_open_stick(const real *parameters, const real *states, const re
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static int react_stick_ramp_ends(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->friction = 0.0;
     y->friction_rate = 0.0;
     return next[0]; /* stick */
@@ -2379,8 +2326,8 @@ static int react_stick_greatest_compression(const real *parameters, const real *
     const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
-    (void)tables;
     runner_states *y = (void *)after;
+    (void)tables;
     const real longer = p->thrust + p->more_thrust;
     const real by_1_or_by_0 = select(longer > 0.0, 1.0, 0.0);
     const real is_new = select(x->time > x->last_event, by_1_or_by_0, 0.0);
@@ -2402,10 +2349,8 @@ static int react_stick_greatest_compression(const real *parameters, const real *
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_stick_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->driving = 0.0;
     return next[0]; /* stick */
 }
@@ -2826,9 +2771,9 @@ static void vary_outputs_stick(const real *parameters, const real *states, const
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
 static void leave_stick(const real *parameters, const real *states, real counted, real *after) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
+    (void)parameters;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real lasted = x->time - x->mode_began;
     const real adds = select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due),
@@ -2851,11 +2796,10 @@ static void leave_stick(const real *parameters, const real *states, real counted
 /* First variation of leave_stick. */
 static void vary_leave_stick(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real counted, real *after) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
+    (void)parameters, (void)d_parameters;
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
     const real adds = select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due),
@@ -3148,8 +3092,8 @@ static int react_flight_place_calm_passes_end(const real *parameters, const real
 
 /* Whether passes_end is watched. */
 static real watches_flight_place_calm_passes_end(const real *parameters, const real *states) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
+    (void)parameters;
     if (x->segment_end < 1000000000000.0) {
         return 1.0;
     }
@@ -3201,8 +3145,8 @@ static int react_flight_place_calm_passes_begin(const real *parameters, const re
 
 /* Whether passes_begin is watched. */
 static real watches_flight_place_calm_passes_begin(const real *parameters, const real *states) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
+    (void)parameters;
     if (x->segment_begin > -1000000000000.0) {
         return 1.0;
     }
@@ -3239,10 +3183,8 @@ static real watches_flight_place_calm_next_segment_comes(const real *parameters,
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static int react_flight_place_calm_ramp_ends(const real *parameters, const real *states,
     const tdmf_table *tables, real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->friction = 0.0;
     y->friction_rate = 0.0;
     return next[0]; /* flight */
@@ -3251,17 +3193,14 @@ static int react_flight_place_calm_ramp_ends(const real *parameters, const real 
 /* wind_rises: An external force acts, so flight is no longer ballistic. */
 static int react_flight_place_calm_wind_rises(const real *parameters, const real *states,
     const tdmf_table *tables, real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
-    (void)after;
+    (void)parameters, (void)states, (void)tables, (void)after;
     return next[0]; /* flight */
 }
 
 /* Whether wind_rises is watched. */
 static real watches_flight_place_calm_wind_rises(const real *parameters, const real *states) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
+    (void)parameters;
     const real now = real_abs(x->external_fx) + real_abs(x->external_fy);
     const real soon = real_abs(x->external_fx_rate) + real_abs(x->external_fy_rate);
     if (now > 0.0 || soon > 0.0) {
@@ -3275,8 +3214,8 @@ static int react_flight_place_calm_new_ground(const real *parameters, const real
     const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
-    (void)tables;
     runner_states *y = (void *)after;
+    (void)tables;
     const real set_height = p->ground_height + x->segment_height;
     const real set_slope = p->ground_slope + x->segment_slope;
     y->height = set_height;
@@ -3287,13 +3226,10 @@ static int react_flight_place_calm_new_ground(const real *parameters, const real
 /* First variation of new_ground. */
 static void vary_react_flight_place_calm_new_ground(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
-    (void)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables, (void)seed;
     const real d_set_height = dp->ground_height + dx->segment_height;
     const real d_set_slope = dp->ground_slope + dx->segment_slope;
     y->height = d_set_height;
@@ -3343,8 +3279,8 @@ static int react_flight_place_calm_falls(const real *parameters, const real *sta
     real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
-    (void)tables;
     runner_states *y = (void *)after;
+    (void)tables;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real sine = real_sin(x->angle);
     const real cosine = real_cos(x->angle);
@@ -3369,9 +3305,8 @@ static void vary_react_flight_place_calm_falls(const real *parameters, const rea
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
@@ -3425,10 +3360,9 @@ static real vary_guard_flight_place_calm_falls(const real *parameters, const rea
 /* First variation of the guard of collapses. */
 static real vary_guard_flight_place_calm_collapses(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states;
     return dx->length - dp->least_length;
 }
 
@@ -3437,8 +3371,8 @@ static int react_flight_place_calm_apex(const real *parameters, const real *stat
     real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
-    (void)tables;
     runner_states *y = (void *)after;
+    (void)tables;
     const real period = x->time - x->apex_time;
     const real distance = x->com_x - x->x_then;
     const real hip = x->work - x->work_then;
@@ -3500,9 +3434,8 @@ static void vary_react_flight_place_calm_apex(const real *parameters, const real
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real d_period = dx->time - dx->apex_time;
     const real d_distance = dx->com_x - dx->x_then;
     const real d_hip = dx->work - dx->work_then;
@@ -3576,8 +3509,8 @@ static void vary_react_flight_place_calm_apex(const real *parameters, const real
 
 /* Whether apex is watched. */
 static real watches_flight_place_calm_apex(const real *parameters, const real *states) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
+    (void)parameters;
     if (x->rises_again > 0.0) {
         return 1.0;
     }
@@ -3587,10 +3520,8 @@ static real watches_flight_place_calm_apex(const real *parameters, const real *s
 /* First variation of the guard of apex. */
 static real vary_guard_flight_place_calm_apex(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states, (void)d_parameters;
     return dx->com_vy;
 }
 
@@ -5271,19 +5202,13 @@ static void vary_world_rates_flight_retract_calm(const real *parameters, const r
 
 /* Constants of fallen. */
 static void open_fallen(const real *parameters, const real *states, real *constants) {
-    (void)parameters;
-    (void)states;
-    (void)constants;
+    (void)parameters, (void)states, (void)constants;
 }
 
 /* First variation of open_fallen. */
 static void vary_open_fallen(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)constants;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)constants;
 }
 
 /* Outputs in fallen. */
@@ -5481,10 +5406,9 @@ static int react_graze_place_passes_end(const real *parameters, const real *stat
 /* First variation of the guard of passes_end. */
 static real vary_guard_graze_place_passes_end(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)d_parameters;
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
     const real d_x = dx->foot_x * cosine - x->foot_x * (sine * dx->slope);
@@ -5520,10 +5444,9 @@ static int react_graze_place_passes_begin(const real *parameters, const real *st
 /* First variation of the guard of passes_begin. */
 static real vary_guard_graze_place_passes_begin(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)d_parameters;
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
     const real d_x = dx->foot_x * cosine - x->foot_x * (sine * dx->slope);
@@ -5533,10 +5456,8 @@ static real vary_guard_graze_place_passes_begin(const real *parameters, const re
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static int react_graze_place_ramp_ends(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->friction = 0.0;
     y->friction_rate = 0.0;
     return next[0]; /* graze */
@@ -5545,10 +5466,8 @@ static int react_graze_place_ramp_ends(const real *parameters, const real *state
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
 static int react_graze_place_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->driving = 0.0;
     return next[0]; /* graze */
 }
@@ -5779,8 +5698,8 @@ static int react_graze_place_graze_to_flight(const real *parameters, const real 
     const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
-    (void)tables;
     runner_states *y = (void *)after;
+    (void)tables;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real angle = real_atan2(-x->x_, x->y_) + x->winding;
@@ -5818,9 +5737,8 @@ static void vary_react_graze_place_graze_to_flight(const real *parameters, const
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
-    (void)tables;
-    (void)seed;
     runner_states *y = (void *)after;
+    (void)tables, (void)seed;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -6092,9 +6010,9 @@ static void vary_outputs_graze_place(const real *parameters, const real *states,
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
 static void leave_graze_place(const real *parameters, const real *states, real counted, real *after) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
+    (void)parameters;
     const real is_new = select(x->time > x->last_event, counted, 0.0);
     y->events = x->events + is_new;
     y->last_event = select(counted > 0.0, x->time, x->last_event);
@@ -6105,11 +6023,9 @@ static void leave_graze_place(const real *parameters, const real *states, real c
 /* First variation of leave_graze_place. */
 static void vary_leave_graze_place(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real counted, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters;
     y->events = dx->events;
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slid_from = dx->foot_x;
@@ -6362,10 +6278,8 @@ static void vary_open_graze_rest(const real *parameters, const real *states, con
 /* apex_in_graze: Place begins. No stride closes, because the foot is on the ground. */
 static int react_graze_rest_apex_in_graze(const real *parameters, const real *states,
     const tdmf_table *tables, real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
     runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
     y->placing = 0.0;
     return next[0]; /* graze */
 }
@@ -6373,13 +6287,8 @@ static int react_graze_rest_apex_in_graze(const real *parameters, const real *st
 /* First variation of apex_in_graze. */
 static void vary_react_graze_rest_apex_in_graze(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters;
-    (void)states;
-    (void)d_parameters;
-    (void)d_states;
-    (void)tables;
-    (void)seed;
     runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
     y->placing = 0.0;
 }
 
@@ -6405,10 +6314,7 @@ static real vary_guard_graze_rest_apex_in_graze(const real *parameters, const re
 /* release: The clamp of (12) releases the retracting torque. */
 static int react_graze_rest_release(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
-    (void)parameters;
-    (void)states;
-    (void)tables;
-    (void)after;
+    (void)parameters, (void)states, (void)tables, (void)after;
     return next[0]; /* graze */
 }
 
@@ -6848,10 +6754,10 @@ static void vary_open_slip_falling(const real *parameters, const real *states, c
 /* First variation of the guard of leaves_layer. */
 static real vary_guard_slip_falling_leaves_layer(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
-    (void)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
+    (void)parameters;
     return 61.0 * dp->stribeck_velocity - (dx->way * x->foot_vx + x->way * dx->foot_vx);
 }
 
@@ -8161,10 +8067,10 @@ static void enter_at_apex(const real *parameters, const real *states, const real
 static void vary_enter_at_apex(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, const real *at, const real *d_at, real *after) {
     const runner_parameters *p = (const void *)parameters;
-    (void)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
+    (void)states;
     const real at_apex_length = at[2];
     const real at_apex_angle = at[3];
     const real at_apex_length_rate = at[4];

@@ -158,168 +158,50 @@ typedef struct {
 } runner_states;
 
 typedef struct {
-    real extension_rate;
-    real external_fx_rate;
-    real external_fy_rate;
-    real friction_rate;
-    real external_torque_rate;
-    real segment_end_minus_seen_x;
-    real seen_x_minus_segment_begin;
+    real extension_rate, external_fx_rate, external_fy_rate, friction_rate, external_torque_rate,
+        segment_end_minus_seen_x, seen_x_minus_segment_begin;
 } start_of_run_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real stiffness;
-    real free_length;
-    real thrusting_times_longer_or_by_0;
-    real damping;
-    real product_2;
-    real cosine;
-    real sine;
-    real gravity_times_sine;
-    real inverse_foot_mass;
-    real foot_mass_times_gravity_times_sine;
-    real way;
-    real is_own_times_own;
-    real by_1_minus_is_own;
-    real foot_mass_times_gravity_times_cosine;
-    real gravity_times_cosine;
-    real extension_rate;
-    real stiffness_times_extension_rate;
-    real external_fx_rate;
-    real external_fy_rate;
-    real friction_rate;
-    real external_torque_rate;
-    real least_length;
-    real winding;
-    real by_60_times_stribeck_velocity;
-    real segment_end_or_segment_begin;
+    real inverse_body_mass, stiffness, free_length, thrusting_times_longer_or_by_0, damping, product_2,
+        cosine, sine, gravity_times_sine, inverse_foot_mass, foot_mass_times_gravity_times_sine, way,
+        is_own_times_own, by_1_minus_is_own, foot_mass_times_gravity_times_cosine, gravity_times_cosine,
+        extension_rate, stiffness_times_extension_rate, external_fx_rate, external_fy_rate, friction_rate,
+        external_torque_rate, least_length, winding, by_60_times_stribeck_velocity,
+        segment_end_or_segment_begin;
 } slip_constant_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real stiffness;
-    real free_length;
-    real thrusting_times_longer_or_by_0;
-    real damping;
-    real product_2;
-    real cosine;
-    real sine;
-    real gravity_times_sine;
-    real gravity_times_cosine;
-    real extension_rate;
-    real stiffness_times_extension_rate;
-    real foot_vx;
-    real external_fx_rate;
-    real external_fy_rate;
-    real friction_rate;
-    real external_torque_rate;
-    real least_length;
-    real winding;
-    real foot_mass_times_gravity_times_cosine;
-    real static_ratio;
-    real is_own_times_friction_ahead;
-    real by_1_minus_is_own;
-    real foot_mass_times_gravity_times_sine;
-    real by_0_or_by_1_times_friction_behind;
-    real by_1_minus_by_0_or_by_1;
+    real inverse_body_mass, stiffness, free_length, thrusting_times_longer_or_by_0, damping, product_2,
+        cosine, sine, gravity_times_sine, gravity_times_cosine, extension_rate,
+        stiffness_times_extension_rate, foot_vx, external_fx_rate, external_fy_rate, friction_rate,
+        external_torque_rate, least_length, winding, foot_mass_times_gravity_times_cosine, static_ratio,
+        is_own_times_friction_ahead, by_1_minus_is_own, foot_mass_times_gravity_times_sine,
+        by_0_or_by_1_times_friction_behind, by_1_minus_by_0_or_by_1;
 } stick_constants;
 
 typedef struct {
-    real mobility;
-    real stiffness;
-    real free_length;
-    real thrusting_times_longer_or_by_0;
-    real damping;
-    real kp;
-    real touchdown_angle_plus_more_angle;
-    real retraction_rate;
-    real kd;
-    real extension_rate;
-    real stiffness_times_extension_rate;
-    real external_fx_rate;
-    real external_fy_rate;
-    real friction_rate;
-    real external_torque_rate;
-    real com_vx;
-    real minus_gravity;
-    real segment_end;
-    real share;
-    real segment_begin;
-    real set_slope;
-    real cos_of_set_slope;
-    real set_height;
-    real sin_of_set_slope;
-    real slope;
-    real cos_of_slope;
-    real height;
-    real sin_of_slope;
-    real by_1_minus_share;
-    real least_length;
+    real mobility, stiffness, free_length, thrusting_times_longer_or_by_0, damping, kp,
+        touchdown_angle_plus_more_angle, retraction_rate, kd, extension_rate, stiffness_times_extension_rate,
+        external_fx_rate, external_fy_rate, friction_rate, external_torque_rate, com_vx, minus_gravity,
+        segment_end, share, segment_begin, set_slope, cos_of_set_slope, set_height, sin_of_set_slope, slope,
+        cos_of_slope, height, sin_of_slope, by_1_minus_share, least_length;
 } flight_place_calm_constants;
 
 typedef struct {
-    real mobility;
-    real stiffness;
-    real free_length;
-    real thrusting_times_longer_or_by_0;
-    real damping;
-    real extension_rate;
-    real stiffness_times_extension_rate;
-    real external_fx_rate;
-    real external_fy_rate;
-    real friction_rate;
-    real external_torque_rate;
-    real com_vx;
-    real minus_gravity;
-    real segment_end;
-    real share;
-    real segment_begin;
-    real set_slope;
-    real cos_of_set_slope;
-    real set_height;
-    real sin_of_set_slope;
-    real slope;
-    real cos_of_slope;
-    real height;
-    real sin_of_slope;
-    real by_1_minus_share;
-    real least_length;
-    real kp;
-    real liftoff_factor_times_liftoff_angle;
-    real kd;
+    real mobility, stiffness, free_length, thrusting_times_longer_or_by_0, damping, extension_rate,
+        stiffness_times_extension_rate, external_fx_rate, external_fy_rate, friction_rate,
+        external_torque_rate, com_vx, minus_gravity, segment_end, share, segment_begin, set_slope,
+        cos_of_set_slope, set_height, sin_of_set_slope, slope, cos_of_slope, height, sin_of_slope,
+        by_1_minus_share, least_length, kp, liftoff_factor_times_liftoff_angle, kd;
 } flight_rest_calm_constants;
 
 typedef struct {
-    real mobility;
-    real stiffness;
-    real free_length;
-    real thrusting_times_longer_or_by_0;
-    real damping;
-    real kp;
-    real liftoff_factor_times_liftoff_angle;
-    real kd;
-    real extension_rate;
-    real stiffness_times_extension_rate;
-    real external_fx_rate;
-    real external_fy_rate;
-    real friction_rate;
-    real external_torque_rate;
-    real com_vx;
-    real minus_gravity;
-    real segment_end;
-    real share;
-    real segment_begin;
-    real set_slope;
-    real cos_of_set_slope;
-    real set_height;
-    real sin_of_set_slope;
-    real slope;
-    real cos_of_slope;
-    real height;
-    real sin_of_slope;
-    real by_1_minus_share;
-    real least_length;
+    real mobility, stiffness, free_length, thrusting_times_longer_or_by_0, damping, kp,
+        liftoff_factor_times_liftoff_angle, kd, extension_rate, stiffness_times_extension_rate,
+        external_fx_rate, external_fy_rate, friction_rate, external_torque_rate, com_vx, minus_gravity,
+        segment_end, share, segment_begin, set_slope, cos_of_set_slope, set_height, sin_of_set_slope, slope,
+        cos_of_slope, height, sin_of_slope, by_1_minus_share, least_length;
 } flight_retract_calm_constants;
 
 typedef struct {
@@ -327,224 +209,61 @@ typedef struct {
 } fallen_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real stiffness;
-    real free_length;
-    real thrusting_times_longer_or_by_0;
-    real damping;
-    real cosine;
-    real off;
-    real sine;
-    real gravity_times_sine;
-    real inverse_foot_mass;
-    real along;
-    real gravity_times_cosine;
-    real extension_rate;
-    real stiffness_times_extension_rate;
-    real external_fx_rate;
-    real external_fy_rate;
-    real friction_rate;
-    real external_torque_rate;
-    real segment_end;
-    real segment_begin;
-    real least_length;
-    real winding;
-    real product_2;
-    real kp;
-    real touchdown_angle_plus_more_angle;
-    real retraction_rate;
-    real kd;
+    real inverse_body_mass, stiffness, free_length, thrusting_times_longer_or_by_0, damping, cosine, off,
+        sine, gravity_times_sine, inverse_foot_mass, along, gravity_times_cosine, extension_rate,
+        stiffness_times_extension_rate, external_fx_rate, external_fy_rate, friction_rate,
+        external_torque_rate, segment_end, segment_begin, least_length, winding, product_2, kp,
+        touchdown_angle_plus_more_angle, retraction_rate, kd;
 } graze_place_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real stiffness;
-    real free_length;
-    real thrusting_times_longer_or_by_0;
-    real damping;
-    real cosine;
-    real off;
-    real sine;
-    real gravity_times_sine;
-    real inverse_foot_mass;
-    real along;
-    real gravity_times_cosine;
-    real extension_rate;
-    real stiffness_times_extension_rate;
-    real external_fx_rate;
-    real external_fy_rate;
-    real friction_rate;
-    real external_torque_rate;
-    real segment_end;
-    real segment_begin;
-    real least_length;
-    real share;
-    real kp;
-    real winding;
-    real liftoff_factor_times_liftoff_angle;
-    real kd;
-    real product_2;
+    real inverse_body_mass, stiffness, free_length, thrusting_times_longer_or_by_0, damping, cosine, off,
+        sine, gravity_times_sine, inverse_foot_mass, along, gravity_times_cosine, extension_rate,
+        stiffness_times_extension_rate, external_fx_rate, external_fy_rate, friction_rate,
+        external_torque_rate, segment_end, segment_begin, least_length, share, kp, winding,
+        liftoff_factor_times_liftoff_angle, kd, product_2;
 } graze_rest_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real stiffness;
-    real free_length;
-    real thrusting_times_longer_or_by_0;
-    real damping;
-    real cosine;
-    real off;
-    real sine;
-    real gravity_times_sine;
-    real inverse_foot_mass;
-    real along;
-    real gravity_times_cosine;
-    real extension_rate;
-    real stiffness_times_extension_rate;
-    real external_fx_rate;
-    real external_fy_rate;
-    real friction_rate;
-    real external_torque_rate;
-    real segment_end;
-    real segment_begin;
-    real least_length;
-    real share;
-    real kp;
-    real winding;
-    real liftoff_factor_times_liftoff_angle;
-    real kd;
-    real product_2;
+    real inverse_body_mass, stiffness, free_length, thrusting_times_longer_or_by_0, damping, cosine, off,
+        sine, gravity_times_sine, inverse_foot_mass, along, gravity_times_cosine, extension_rate,
+        stiffness_times_extension_rate, external_fx_rate, external_fy_rate, friction_rate,
+        external_torque_rate, segment_end, segment_begin, least_length, share, kp, winding,
+        liftoff_factor_times_liftoff_angle, kd, product_2;
 } graze_retract_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real stiffness;
-    real free_length;
-    real thrusting_times_longer_or_by_0;
-    real damping;
-    real product_2;
-    real cosine;
-    real sine;
-    real gravity_times_sine;
-    real inverse_foot_mass;
-    real foot_mass_times_gravity_times_sine;
-    real way;
-    real is_own_times_own;
-    real by_1_minus_is_own;
-    real static_ratio_minus_by_1;
-    real inverse_stribeck_velocity;
-    real foot_mass_times_gravity_times_cosine;
-    real gravity_times_cosine;
-    real extension_rate;
-    real stiffness_times_extension_rate;
-    real external_fx_rate;
-    real external_fy_rate;
-    real friction_rate;
-    real external_torque_rate;
-    real least_length;
-    real winding;
-    real by_61_times_stribeck_velocity;
-    real segment_end_or_segment_begin;
+    real inverse_body_mass, stiffness, free_length, thrusting_times_longer_or_by_0, damping, product_2,
+        cosine, sine, gravity_times_sine, inverse_foot_mass, foot_mass_times_gravity_times_sine, way,
+        is_own_times_own, by_1_minus_is_own, static_ratio_minus_by_1, inverse_stribeck_velocity,
+        foot_mass_times_gravity_times_cosine, gravity_times_cosine, extension_rate,
+        stiffness_times_extension_rate, external_fx_rate, external_fy_rate, friction_rate,
+        external_torque_rate, least_length, winding, by_61_times_stribeck_velocity,
+        segment_end_or_segment_begin;
 } slip_falling_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real mobility;
-    real stiffness;
-    real free_length;
-    real thrusting_times_longer_or_by_0;
-    real damping;
-    real inverse_total_mass;
-    real gravity;
-    real kp;
-    real touchdown_angle_plus_more_angle;
-    real retraction_rate;
-    real kd;
-    real extension_rate;
-    real stiffness_times_extension_rate;
-    real share;
-    real by_1_minus_share;
-    real external_fx_rate;
-    real external_fy_rate;
-    real friction_rate;
-    real external_torque_rate;
-    real segment_end;
-    real segment_begin;
-    real set_slope;
-    real cos_of_set_slope;
-    real set_height;
-    real sin_of_set_slope;
-    real slope;
-    real cos_of_slope;
-    real height;
-    real sin_of_slope;
-    real least_length;
+    real inverse_body_mass, mobility, stiffness, free_length, thrusting_times_longer_or_by_0, damping,
+        inverse_total_mass, gravity, kp, touchdown_angle_plus_more_angle, retraction_rate, kd, extension_rate,
+        stiffness_times_extension_rate, share, by_1_minus_share, external_fx_rate, external_fy_rate,
+        friction_rate, external_torque_rate, segment_end, segment_begin, set_slope, cos_of_set_slope,
+        set_height, sin_of_set_slope, slope, cos_of_slope, height, sin_of_slope, least_length;
 } flight_place_pushed_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real mobility;
-    real stiffness;
-    real free_length;
-    real thrusting_times_longer_or_by_0;
-    real damping;
-    real inverse_total_mass;
-    real gravity;
-    real extension_rate;
-    real stiffness_times_extension_rate;
-    real share;
-    real by_1_minus_share;
-    real external_fx_rate;
-    real external_fy_rate;
-    real friction_rate;
-    real external_torque_rate;
-    real segment_end;
-    real segment_begin;
-    real set_slope;
-    real cos_of_set_slope;
-    real set_height;
-    real sin_of_set_slope;
-    real slope;
-    real cos_of_slope;
-    real height;
-    real sin_of_slope;
-    real least_length;
-    real kp;
-    real liftoff_factor_times_liftoff_angle;
-    real kd;
+    real inverse_body_mass, mobility, stiffness, free_length, thrusting_times_longer_or_by_0, damping,
+        inverse_total_mass, gravity, extension_rate, stiffness_times_extension_rate, share, by_1_minus_share,
+        external_fx_rate, external_fy_rate, friction_rate, external_torque_rate, segment_end, segment_begin,
+        set_slope, cos_of_set_slope, set_height, sin_of_set_slope, slope, cos_of_slope, height, sin_of_slope,
+        least_length, kp, liftoff_factor_times_liftoff_angle, kd;
 } flight_rest_pushed_constants;
 
 typedef struct {
-    real inverse_body_mass;
-    real mobility;
-    real stiffness;
-    real free_length;
-    real thrusting_times_longer_or_by_0;
-    real damping;
-    real inverse_total_mass;
-    real gravity;
-    real kp;
-    real liftoff_factor_times_liftoff_angle;
-    real kd;
-    real extension_rate;
-    real stiffness_times_extension_rate;
-    real share;
-    real by_1_minus_share;
-    real external_fx_rate;
-    real external_fy_rate;
-    real friction_rate;
-    real external_torque_rate;
-    real segment_end;
-    real segment_begin;
-    real set_slope;
-    real cos_of_set_slope;
-    real set_height;
-    real sin_of_set_slope;
-    real slope;
-    real cos_of_slope;
-    real height;
-    real sin_of_slope;
-    real least_length;
+    real inverse_body_mass, mobility, stiffness, free_length, thrusting_times_longer_or_by_0, damping,
+        inverse_total_mass, gravity, kp, liftoff_factor_times_liftoff_angle, kd, extension_rate,
+        stiffness_times_extension_rate, share, by_1_minus_share, external_fx_rate, external_fy_rate,
+        friction_rate, external_torque_rate, segment_end, segment_begin, set_slope, cos_of_set_slope,
+        set_height, sin_of_set_slope, slope, cos_of_slope, height, sin_of_slope, least_length;
 } flight_retract_pushed_constants;
 
 extern const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[];

@@ -5,19 +5,15 @@
 
 /* Start of a run, in the world's states. */
 typedef struct {
-    real extension[TERMS];
-    real external_fx[TERMS];
-    real external_fy[TERMS];
-    real friction[TERMS];
-    real external_torque[TERMS];
-    real time[TERMS];
+    real extension[TERMS], external_fx[TERMS], external_fy[TERMS], friction[TERMS], external_torque[TERMS],
+        time[TERMS];
 } start_of_run_series;
 
 /* All coefficients. */
 static void expand_start_of_run(const real *constants, int order, real *expanded) {
     const start_of_run_constants *c = (const void *)constants;
-    (void)order;
     start_of_run_series *s = (void *)expanded;
+    (void)order;
     s->extension[1] = c->extension_rate;
     s->external_fx[1] = c->external_fx_rate;
     s->external_fy[1] = c->external_fy_rate;
@@ -29,10 +25,9 @@ static void expand_start_of_run(const real *constants, int order, real *expanded
 /* First variation of the series. */
 static void vary_start_of_run(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    (void)constants;
-    (void)series;
     const start_of_run_constants *d = (const void *)d_constants;
     start_of_run_series *t = (void *)varied;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
         t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
@@ -63,21 +58,17 @@ static void guard_start_of_run_passes_begin(const real *constants, const real *s
 
 /* begins: An impact if the foot is on the ground and does not rise, else flight. An apex opens a stride. */
 static void guard_start_of_run_begins(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
-    (void)series;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = constant_of(k, broadcast(-1.0));
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_start_of_run(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_start_of_run(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const start_of_run_constants *c = (const void *)constants;
-    (void)series;
-    (void)power;
-    (void)order;
-    (void)watched;
+    (void)series, (void)power, (void)order, (void)watched;
     const interval span_0 = interval_at(c->segment_end_minus_seen_x, c->segment_end_minus_seen_x);
     bounds[0] = span_0;
     const interval span_1 = interval_at(c->seen_x_minus_segment_begin, c->seen_x_minus_segment_begin);
@@ -90,68 +81,25 @@ static void bounds_start_of_run(const real *constants, const real *series, const
 
 /* m_f vdot = p - s mu f_n, where p is the push of the leg and s the direction of slip. */
 typedef struct {
-    real x_[TERMS];
-    real y_[TERMS];
-    real vx[TERMS];
-    real vy[TERMS];
-    real foot_x[TERMS];
-    real foot_vx[TERMS];
-    real leg_work[TERMS];
-    real external_work[TERMS];
-    real damper_loss[TERMS];
-    real friction_loss[TERMS];
-    real work[TERMS];
-    real extension[TERMS];
-    real external_fx[TERMS];
-    real external_fy[TERMS];
-    real friction[TERMS];
-    real external_torque[TERMS];
-    real time[TERMS];
-    real seen_angle[TERMS];
-    real x__times_x_[TERMS];
-    real y__times_y_[TERMS];
-    real square[TERMS];
-    real length[TERMS];
-    real length_rate[TERMS];
-    real axial[TERMS];
-    real axial_times_x_[TERMS];
-    real turning[TERMS];
-    real turning_times_y_[TERMS];
-    real axial_times_y_[TERMS];
-    real turning_times_x_[TERMS];
-    real normal[TERMS];
-    real friction_force[TERMS];
-    real foot_vx_plus_vx[TERMS];
-    real sum_times_foot_vx_plus_vx[TERMS];
-    real sum_times_vy[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real friction_force_times_foot_vx[TERMS];
-    real x__times_vy[TERMS];
-    real y__times_vx[TERMS];
-    real angle_rate[TERMS];
-    real power_of_hip[TERMS];
+    real x_[TERMS], y_[TERMS], vx[TERMS], vy[TERMS], foot_x[TERMS], foot_vx[TERMS], leg_work[TERMS],
+        external_work[TERMS], damper_loss[TERMS], friction_loss[TERMS], work[TERMS], extension[TERMS],
+        external_fx[TERMS], external_fy[TERMS], friction[TERMS], external_torque[TERMS], time[TERMS],
+        seen_angle[TERMS], x__times_x_[TERMS], y__times_y_[TERMS], square[TERMS], length[TERMS],
+        length_rate[TERMS], axial[TERMS], axial_times_x_[TERMS], turning[TERMS], turning_times_y_[TERMS],
+        axial_times_y_[TERMS], turning_times_x_[TERMS], normal[TERMS], friction_force[TERMS],
+        foot_vx_plus_vx[TERMS], sum_times_foot_vx_plus_vx[TERMS], sum_times_vy[TERMS],
+        length_rate_times_length_rate[TERMS], friction_force_times_foot_vx[TERMS], x__times_vy[TERMS],
+        y__times_vx[TERMS], angle_rate[TERMS], power_of_hip[TERMS];
 } slip_constant_series;
 
 typedef struct {
-    pair x__times_x_;
-    pair y__times_y_;
-    pair length;
-    pair axial;
-    pair axial_times_x_;
-    pair turning;
-    pair turning_times_y_;
-    pair axial_times_y_;
-    pair turning_times_x_;
-    pair length_rate_times_length_rate;
-    pair friction_force_times_foot_vx;
-    pair x__times_vy;
-    pair y__times_vx;
-    pair angle_rate;
+    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, turning, turning_times_y_, axial_times_y_,
+        turning_times_x_, length_rate_times_length_rate, friction_force_times_foot_vx, x__times_vy,
+        y__times_vx, angle_rate;
 } slip_constant_sums;
 
 typedef struct {
-    real inverse_length;
-    real inverse_square;
+    real inverse_length, inverse_square;
 } slip_constant_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
@@ -282,7 +230,7 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_slip_constant(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_slip_constant(const real *constants, int order, real *series) {
     const slip_constant_constants copy = *(const slip_constant_constants *)(const void *)constants,
         *c = &copy;
     slip_constant_series *s = (void *)series;
@@ -321,47 +269,19 @@ static void vary_slip_constant(const real *constants, const real *series, const 
     const slip_constant_series *s = (const void *)series;
     const slip_constant_constants *d = (const void *)d_constants;
     slip_constant_series *t = (void *)varied;
-    real x__times_x__2[TERMS];
-    real y__times_y__2[TERMS];
-    real d_length[TERMS];
-    real d_length_rate[TERMS];
-    real axial_times_d_length[TERMS];
-    real d_axial[TERMS];
-    real d_axial_times_x_[TERMS];
-    real axial_times_x__2[TERMS];
-    real turning_times_d_square[TERMS];
-    real d_turning[TERMS];
-    real d_turning_times_y_[TERMS];
-    real turning_times_y__2[TERMS];
-    real sum_times_normal[TERMS];
-    real d_axial_times_y_[TERMS];
-    real axial_times_y__2[TERMS];
-    real d_turning_times_x_[TERMS];
-    real turning_times_x__2[TERMS];
-    real way_times_friction_along_times_d_normal[TERMS];
-    real sum_plus_sum_times_foot_vx_plus_vx[TERMS];
-    real sum_times_d_foot_vx_plus_vx[TERMS];
-    real sum_minus_sum_times_vy[TERMS];
-    real sum_times_vy_2[TERMS];
-    real length_rate_times_d_length_rate[TERMS];
-    real d_friction_force_times_foot_vx[TERMS];
-    real friction_force_times_foot_vx_2[TERMS];
-    real d_stance_torque_times_angle_rate[TERMS];
-    real x__times_vy_2[TERMS];
-    real x__times_vy_3[TERMS];
-    real y__times_vx_2[TERMS];
-    real y__times_vx_3[TERMS];
-    real angle_rate_times_d_square[TERMS];
-    real d_angle_rate[TERMS];
-    real stance_torque_times_d_angle_rate[TERMS];
-    real d_square[TERMS];
-    real sum_2[TERMS];
-    real d_normal[TERMS];
-    real sum_plus_sum[TERMS];
-    real d_foot_vx_plus_vx[TERMS];
-    real sum_minus_sum[TERMS];
-    real d_friction_force[TERMS];
-    real d_stance_torque[TERMS];
+    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
+        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
+        turning_times_d_square[TERMS], d_turning[TERMS], d_turning_times_y_[TERMS], turning_times_y__2[TERMS],
+        sum_times_normal[TERMS], d_axial_times_y_[TERMS], axial_times_y__2[TERMS], d_turning_times_x_[TERMS],
+        turning_times_x__2[TERMS], way_times_friction_along_times_d_normal[TERMS],
+        sum_plus_sum_times_foot_vx_plus_vx[TERMS], sum_times_d_foot_vx_plus_vx[TERMS],
+        sum_minus_sum_times_vy[TERMS], sum_times_vy_2[TERMS], length_rate_times_d_length_rate[TERMS],
+        d_friction_force_times_foot_vx[TERMS], friction_force_times_foot_vx_2[TERMS],
+        d_stance_torque_times_angle_rate[TERMS], x__times_vy_2[TERMS], x__times_vy_3[TERMS],
+        y__times_vx_2[TERMS], y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS], d_angle_rate[TERMS],
+        stance_torque_times_d_angle_rate[TERMS], d_square[TERMS], sum_2[TERMS], d_normal[TERMS],
+        sum_plus_sum[TERMS], d_foot_vx_plus_vx[TERMS], sum_minus_sum[TERMS], d_friction_force[TERMS],
+        d_stance_torque[TERMS];
     t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
@@ -484,14 +404,10 @@ static void vary_slip_constant(const real *constants, const real *series, const 
 /* First variation of power_of_hip. */
 static void d_observed_slip_constant_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const slip_constant_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -502,23 +418,12 @@ static void d_observed_slip_constant_vertical_force_on_foot(const real *constant
     const slip_constant_series *s = (const void *)series;
     const slip_constant_constants *d = (const void *)d_constants;
     const slip_constant_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS];
-    real own_y__times_y__2[TERMS];
-    real own_d_length[TERMS];
-    real own_d_length_rate[TERMS];
-    real own_axial_times_d_length[TERMS];
-    real own_d_axial[TERMS];
-    real own_d_axial_times_y_[TERMS];
-    real own_axial_times_y__2[TERMS];
-    real own_turning_times_d_square[TERMS];
-    real own_d_turning[TERMS];
-    real own_d_turning_times_x_[TERMS];
-    real own_turning_times_x__2[TERMS];
-    real own_sum_times_normal[TERMS];
-    real own_way_times_friction_along_times_d_normal[TERMS];
-    real own_d_square[TERMS];
-    real own_sum_2[TERMS];
-    real own_d_normal[TERMS];
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_turning_times_d_square[TERMS], own_d_turning[TERMS],
+        own_d_turning_times_x_[TERMS], own_turning_times_x__2[TERMS], own_sum_times_normal[TERMS],
+        own_way_times_friction_along_times_d_normal[TERMS], own_d_square[TERMS], own_sum_2[TERMS],
+        own_d_normal[TERMS];
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
@@ -566,19 +471,10 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
     const slip_constant_series *s = (const void *)series;
     const slip_constant_constants *d = (const void *)d_constants;
     const slip_constant_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS];
-    real own_y__times_y__2[TERMS];
-    real own_d_length[TERMS];
-    real own_d_length_rate[TERMS];
-    real own_axial_times_d_length[TERMS];
-    real own_d_axial[TERMS];
-    real own_d_axial_times_y_[TERMS];
-    real own_axial_times_y__2[TERMS];
-    real own_turning_times_d_square[TERMS];
-    real own_d_turning[TERMS];
-    real own_d_turning_times_x_[TERMS];
-    real own_turning_times_x__2[TERMS];
-    real own_d_square[TERMS];
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_turning_times_d_square[TERMS], own_d_turning[TERMS],
+        own_d_turning_times_x_[TERMS], own_turning_times_x__2[TERMS], own_d_square[TERMS];
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
@@ -611,8 +507,8 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_slip_constant_ramp_ends(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_constant_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->friction[k];
     }
@@ -620,8 +516,8 @@ static void guard_slip_constant_ramp_ends(const real *constants, const real *ser
 
 /* falls: The body reaches the ground. */
 static void guard_slip_constant_falls(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_constant_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->y_[k];
     }
@@ -640,8 +536,8 @@ static void guard_slip_constant_collapses(const real *constants, const real *ser
  * counted. */
 static void guard_slip_constant_greatest_compression(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const slip_constant_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = -s->length_rate[k];
     }
@@ -658,8 +554,8 @@ static void guard_slip_constant_mid_stance(const real *constants, const real *se
 
 /* lift_off: Flight where the flight law lifts the foot too; graze where it would push the foot down again. */
 static void guard_slip_constant_lift_off(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_constant_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->normal[k];
     }
@@ -696,12 +592,10 @@ static void guard_slip_constant_crosses_border(const real *constants, const real
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_slip_constant_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_constant_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
@@ -717,16 +611,16 @@ static void guard_slip_constant_vertical_force_on_foot(const real *constants, co
 
 /* force_on_foot: Normal force of a sticking or slipping foot. */
 static void guard_slip_constant_force_on_foot(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_constant_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->normal[k];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_slip_constant(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_slip_constant(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -789,62 +683,23 @@ static void bounds_slip_constant(const real *constants, const real *series, cons
 
 /* The foot is at rest. */
 typedef struct {
-    real x_[TERMS];
-    real y_[TERMS];
-    real vx[TERMS];
-    real vy[TERMS];
-    real leg_work[TERMS];
-    real external_work[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real extension[TERMS];
-    real external_fx[TERMS];
-    real external_fy[TERMS];
-    real friction[TERMS];
-    real external_torque[TERMS];
-    real time[TERMS];
-    real foot_x[TERMS];
-    real seen_angle[TERMS];
-    real x__times_x_[TERMS];
-    real y__times_y_[TERMS];
-    real square[TERMS];
-    real length[TERMS];
-    real length_rate[TERMS];
-    real axial[TERMS];
-    real axial_times_x_[TERMS];
-    real turning[TERMS];
-    real turning_times_y_[TERMS];
-    real axial_times_y_[TERMS];
-    real turning_times_x_[TERMS];
-    real foot_vx_plus_vx[TERMS];
-    real sum_times_foot_vx_plus_vx[TERMS];
-    real sum_times_vy[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real x__times_vy[TERMS];
-    real y__times_vx[TERMS];
-    real angle_rate[TERMS];
-    real power_of_hip[TERMS];
+    real x_[TERMS], y_[TERMS], vx[TERMS], vy[TERMS], leg_work[TERMS], external_work[TERMS],
+        damper_loss[TERMS], work[TERMS], extension[TERMS], external_fx[TERMS], external_fy[TERMS],
+        friction[TERMS], external_torque[TERMS], time[TERMS], foot_x[TERMS], seen_angle[TERMS],
+        x__times_x_[TERMS], y__times_y_[TERMS], square[TERMS], length[TERMS], length_rate[TERMS],
+        axial[TERMS], axial_times_x_[TERMS], turning[TERMS], turning_times_y_[TERMS], axial_times_y_[TERMS],
+        turning_times_x_[TERMS], foot_vx_plus_vx[TERMS], sum_times_foot_vx_plus_vx[TERMS],
+        sum_times_vy[TERMS], length_rate_times_length_rate[TERMS], x__times_vy[TERMS], y__times_vx[TERMS],
+        angle_rate[TERMS], power_of_hip[TERMS];
 } stick_series;
 
 typedef struct {
-    pair x__times_x_;
-    pair y__times_y_;
-    pair length;
-    pair axial;
-    pair axial_times_x_;
-    pair turning;
-    pair turning_times_y_;
-    pair axial_times_y_;
-    pair turning_times_x_;
-    pair length_rate_times_length_rate;
-    pair x__times_vy;
-    pair y__times_vx;
-    pair angle_rate;
+    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, turning, turning_times_y_, axial_times_y_,
+        turning_times_x_, length_rate_times_length_rate, x__times_vy, y__times_vx, angle_rate;
 } stick_sums;
 
 typedef struct {
-    real inverse_length;
-    real inverse_square;
+    real inverse_length, inverse_square;
 } stick_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
@@ -955,7 +810,7 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_stick(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_stick(const real *constants, int order, real *series) {
     const stick_constants copy = *(const stick_constants *)(const void *)constants, *c = &copy;
     stick_series *s = (void *)series;
     static const stick_sums none;
@@ -994,40 +849,16 @@ static void vary_stick(const real *constants, const real *series, const real *d_
     const stick_series *s = (const void *)series;
     const stick_constants *d = (const void *)d_constants;
     stick_series *t = (void *)varied;
-    real x__times_x__2[TERMS];
-    real y__times_y__2[TERMS];
-    real d_length[TERMS];
-    real d_length_rate[TERMS];
-    real axial_times_d_length[TERMS];
-    real d_axial[TERMS];
-    real d_axial_times_x_[TERMS];
-    real axial_times_x__2[TERMS];
-    real turning_times_d_square[TERMS];
-    real d_turning[TERMS];
-    real d_turning_times_y_[TERMS];
-    real turning_times_y__2[TERMS];
-    real d_axial_times_y_[TERMS];
-    real axial_times_y__2[TERMS];
-    real d_turning_times_x_[TERMS];
-    real turning_times_x__2[TERMS];
-    real sum_plus_sum_times_foot_vx_plus_vx[TERMS];
-    real sum_times_d_foot_vx_plus_vx[TERMS];
-    real sum_minus_sum_times_vy[TERMS];
-    real sum_times_vy_2[TERMS];
-    real length_rate_times_d_length_rate[TERMS];
-    real d_stance_torque_times_angle_rate[TERMS];
-    real x__times_vy_2[TERMS];
-    real x__times_vy_3[TERMS];
-    real y__times_vx_2[TERMS];
-    real y__times_vx_3[TERMS];
-    real angle_rate_times_d_square[TERMS];
-    real d_angle_rate[TERMS];
-    real stance_torque_times_d_angle_rate[TERMS];
-    real d_square[TERMS];
-    real sum_plus_sum[TERMS];
-    real d_foot_vx_plus_vx[TERMS];
-    real sum_minus_sum[TERMS];
-    real d_stance_torque[TERMS];
+    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
+        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
+        turning_times_d_square[TERMS], d_turning[TERMS], d_turning_times_y_[TERMS], turning_times_y__2[TERMS],
+        d_axial_times_y_[TERMS], axial_times_y__2[TERMS], d_turning_times_x_[TERMS],
+        turning_times_x__2[TERMS], sum_plus_sum_times_foot_vx_plus_vx[TERMS],
+        sum_times_d_foot_vx_plus_vx[TERMS], sum_minus_sum_times_vy[TERMS], sum_times_vy_2[TERMS],
+        length_rate_times_d_length_rate[TERMS], d_stance_torque_times_angle_rate[TERMS], x__times_vy_2[TERMS],
+        x__times_vy_3[TERMS], y__times_vx_2[TERMS], y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS],
+        d_angle_rate[TERMS], stance_torque_times_d_angle_rate[TERMS], d_square[TERMS], sum_plus_sum[TERMS],
+        d_foot_vx_plus_vx[TERMS], sum_minus_sum[TERMS], d_stance_torque[TERMS];
     t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
@@ -1123,14 +954,10 @@ static void vary_stick(const real *constants, const real *series, const real *d_
 /* First variation of power_of_hip. */
 static void d_observed_stick_power_of_hip(const real *constants, const real *series, const real *d_constants,
     const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const stick_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -1141,23 +968,12 @@ static void d_observed_stick_vertical_force_on_foot(const real *constants, const
     const stick_series *s = (const void *)series;
     const stick_constants *d = (const void *)d_constants;
     const stick_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS];
-    real own_y__times_y__2[TERMS];
-    real own_d_length[TERMS];
-    real own_d_length_rate[TERMS];
-    real own_axial_times_d_length[TERMS];
-    real own_d_axial[TERMS];
-    real own_d_axial_times_x_[TERMS];
-    real own_axial_times_x__2[TERMS];
-    real own_turning_times_d_square[TERMS];
-    real own_d_turning[TERMS];
-    real own_d_turning_times_y_[TERMS];
-    real own_turning_times_y__2[TERMS];
-    real own_d_axial_times_y_[TERMS];
-    real own_axial_times_y__2[TERMS];
-    real own_d_turning_times_x_[TERMS];
-    real own_turning_times_x__2[TERMS];
-    real own_d_square[TERMS];
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_x_[TERMS],
+        own_axial_times_x__2[TERMS], own_turning_times_d_square[TERMS], own_d_turning[TERMS],
+        own_d_turning_times_y_[TERMS], own_turning_times_y__2[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_d_turning_times_x_[TERMS], own_turning_times_x__2[TERMS],
+        own_d_square[TERMS];
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
@@ -1207,19 +1023,10 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
     const stick_series *s = (const void *)series;
     const stick_constants *d = (const void *)d_constants;
     const stick_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS];
-    real own_y__times_y__2[TERMS];
-    real own_d_length[TERMS];
-    real own_d_length_rate[TERMS];
-    real own_axial_times_d_length[TERMS];
-    real own_d_axial[TERMS];
-    real own_d_axial_times_y_[TERMS];
-    real own_axial_times_y__2[TERMS];
-    real own_turning_times_d_square[TERMS];
-    real own_d_turning[TERMS];
-    real own_d_turning_times_x_[TERMS];
-    real own_turning_times_x__2[TERMS];
-    real own_d_square[TERMS];
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_turning_times_d_square[TERMS], own_d_turning[TERMS],
+        own_d_turning_times_x_[TERMS], own_turning_times_x__2[TERMS], own_d_square[TERMS];
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
@@ -1252,8 +1059,8 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_stick_ramp_ends(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const stick_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->friction[k];
     }
@@ -1261,8 +1068,8 @@ static void guard_stick_ramp_ends(const real *constants, const real *series, int
 
 /* falls: The body reaches the ground. */
 static void guard_stick_falls(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const stick_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->y_[k];
     }
@@ -1280,8 +1087,8 @@ static void guard_stick_collapses(const real *constants, const real *series, int
 /* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
  * counted. */
 static void guard_stick_greatest_compression(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const stick_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = -s->length_rate[k];
     }
@@ -1310,8 +1117,7 @@ static void guard_stick_lift_off(const real *constants, const real *series, int 
 static void guard_stick_slips_forward(const real *constants, const real *series, int order, real *g) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
-    real own_cone[TERMS];
-    real own_normal[TERMS];
+    real own_cone[TERMS], own_normal[TERMS];
     for (int k = 0; k < order; ++k) {
         own_normal[k] = with_constant(k, s->axial_times_y_[k] + s->turning_times_x_[k],
             c->foot_mass_times_gravity_times_cosine);
@@ -1328,8 +1134,7 @@ static void guard_stick_slips_forward(const real *constants, const real *series,
 static void guard_stick_slips_backward(const real *constants, const real *series, int order, real *g) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
-    real own_static_ratio_times_sum_times_normal[TERMS];
-    real own_normal[TERMS];
+    real own_static_ratio_times_sum_times_normal[TERMS], own_normal[TERMS];
     for (int k = 0; k < order; ++k) {
         own_normal[k] = with_constant(k, s->axial_times_y_[k] + s->turning_times_x_[k],
             c->foot_mass_times_gravity_times_cosine);
@@ -1345,12 +1150,10 @@ static void guard_stick_slips_backward(const real *constants, const real *series
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_stick_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const stick_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
@@ -1378,8 +1181,8 @@ static void guard_stick_force_on_foot(const real *constants, const real *series,
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_stick(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_stick(const real *constants, const real *series, const real *power,
+    int order, uint64_t watched, interval *bounds) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -1451,39 +1254,16 @@ static void bounds_stick(const real *constants, const real *series, const real *
 
 /* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
 typedef struct {
-    real length[TERMS];
-    real angle[TERMS];
-    real length_rate[TERMS];
-    real com_y[TERMS];
-    real momentum[TERMS];
-    real leg_work[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real extension[TERMS];
-    real external_fx[TERMS];
-    real external_fy[TERMS];
-    real friction[TERMS];
-    real external_torque[TERMS];
-    real time[TERMS];
-    real com_x[TERMS];
-    real com_vy[TERMS];
-    real placing[TERMS];
-    real square[TERMS];
-    real rate[TERMS];
-    real rate_times_rate[TERMS];
-    real length_times_rate_times_rate[TERMS];
-    real swing_torque[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real power_of_hip[TERMS];
+    real length[TERMS], angle[TERMS], length_rate[TERMS], com_y[TERMS], momentum[TERMS], leg_work[TERMS],
+        damper_loss[TERMS], work[TERMS], extension[TERMS], external_fx[TERMS], external_fy[TERMS],
+        friction[TERMS], external_torque[TERMS], time[TERMS], com_x[TERMS], com_vy[TERMS], placing[TERMS],
+        square[TERMS], rate[TERMS], rate_times_rate[TERMS], length_times_rate_times_rate[TERMS],
+        swing_torque[TERMS], length_rate_times_length_rate[TERMS], power_of_hip[TERMS];
 } flight_place_calm_series;
 
 typedef struct {
-    pair square;
-    pair rate;
-    pair rate_times_rate;
-    pair length_times_rate_times_rate;
-    pair length_rate_times_length_rate;
-    pair power_of_hip;
+    pair square, rate, rate_times_rate, length_times_rate_times_rate, length_rate_times_length_rate,
+        power_of_hip;
 } flight_place_calm_sums;
 
 typedef struct {
@@ -1552,7 +1332,7 @@ KERNEL void step_flight_place_calm(const flight_place_calm_constants *c, const f
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_place_calm(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_flight_place_calm(const real *constants, int order, real *series) {
     const flight_place_calm_constants copy = *(const flight_place_calm_constants *)(const void *)constants,
         *c = &copy;
     flight_place_calm_series *s = (void *)series;
@@ -1590,18 +1370,11 @@ static void vary_flight_place_calm(const real *constants, const real *series, co
     const flight_place_calm_series *s = (const void *)series;
     const flight_place_calm_constants *d = (const void *)d_constants;
     flight_place_calm_series *t = (void *)varied;
-    real length_times_length[TERMS];
-    real rate_times_d_square[TERMS];
-    real d_rate[TERMS];
-    real length_times_rate_times_rate_2[TERMS];
-    real rate_times_d_rate[TERMS];
-    real length_times_d_rate_times_rate[TERMS];
-    real length_rate_times_length_rate_2[TERMS];
-    real d_swing_torque_times_rate[TERMS];
-    real swing_torque_times_d_rate[TERMS];
-    real d_square[TERMS];
-    real d_rate_times_rate[TERMS];
-    real d_swing_torque[TERMS];
+    real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
+        length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
+        length_times_d_rate_times_rate[TERMS], length_rate_times_length_rate_2[TERMS],
+        d_swing_torque_times_rate[TERMS], swing_torque_times_d_rate[TERMS], d_square[TERMS],
+        d_rate_times_rate[TERMS], d_swing_torque[TERMS];
     for (int k = 0; k < order; ++k) {
         t->length[k + 1] = t->length_rate[k] * series_reciprocal[k + 1];
         t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
@@ -1662,14 +1435,10 @@ static void vary_flight_place_calm(const real *constants, const real *series, co
 /* First variation of power_of_hip. */
 static void d_observed_flight_place_calm_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const flight_place_calm_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -1678,9 +1447,7 @@ static void guard_flight_place_calm_passes_end(const real *constants, const real
     real *g) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
-    real own_sine[TERMS];
-    real own_length_times_sine[TERMS];
-    real own_cosine[TERMS];
+    real own_sine[TERMS], own_length_times_sine[TERMS], own_cosine[TERMS];
     for (int k = 0; k < order; ++k) {
         sine_and_cosine_of(k, s->angle, own_sine, own_cosine);
         own_length_times_sine[k] = product(s->length, own_sine, k);
@@ -1693,9 +1460,7 @@ static void guard_flight_place_calm_passes_begin(const real *constants, const re
     real *g) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
-    real own_sine[TERMS];
-    real own_length_times_sine[TERMS];
-    real own_cosine[TERMS];
+    real own_sine[TERMS], own_length_times_sine[TERMS], own_cosine[TERMS];
     for (int k = 0; k < order; ++k) {
         sine_and_cosine_of(k, s->angle, own_sine, own_cosine);
         own_length_times_sine[k] = product(s->length, own_sine, k);
@@ -1706,8 +1471,7 @@ static void guard_flight_place_calm_passes_begin(const real *constants, const re
 /* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
 static void guard_flight_place_calm_next_segment_comes(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
-    (void)series;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = constant_of(k, broadcast(-1.0));
     }
@@ -1715,8 +1479,8 @@ static void guard_flight_place_calm_next_segment_comes(const real *constants, co
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_flight_place_calm_ramp_ends(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const flight_place_calm_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->friction[k];
     }
@@ -1725,8 +1489,7 @@ static void guard_flight_place_calm_ramp_ends(const real *constants, const real 
 /* wind_rises: An external force acts, so flight is no longer ballistic. */
 static void guard_flight_place_calm_wind_rises(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
-    (void)series;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = constant_of(k, broadcast(-1.0));
     }
@@ -1737,11 +1500,9 @@ static void guard_flight_place_calm_new_ground(const real *constants, const real
     real *g) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_set_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_set_slope[TERMS];
-    real own_angle_minus_set_slope[TERMS];
-    real own_share_times_length[TERMS];
+    real own_cos_of_angle_minus_set_slope[TERMS], own_product_2[TERMS],
+        own_sin_of_angle_minus_set_slope[TERMS], own_angle_minus_set_slope[TERMS],
+        own_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
@@ -1757,11 +1518,8 @@ static void guard_flight_place_calm_new_ground(const real *constants, const real
 static void guard_flight_place_calm_falls(const real *constants, const real *series, int order, real *g) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_slope[TERMS];
-    real own_angle_minus_slope[TERMS];
-    real own_by_1_minus_share_times_length[TERMS];
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_by_1_minus_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
@@ -1784,12 +1542,10 @@ static void guard_flight_place_calm_collapses(const real *constants, const real 
 
 /* apex: A stride closes and place begins. An external force can cause further apices in place. */
 static void guard_flight_place_calm_apex(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const flight_place_calm_series *s = (const void *)series;
-    real own_rate_of_com_y[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_com_y[k] = (double)(k + 1) * s->com_y[k + 1];
-        g[k] = own_rate_of_com_y[k];
+        g[k] = (double)(k + 1) * s->com_y[k + 1];
     }
 }
 
@@ -1797,11 +1553,8 @@ static void guard_flight_place_calm_apex(const real *constants, const real *seri
 static void guard_flight_place_calm_touchdown(const real *constants, const real *series, int order, real *g) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_slope[TERMS];
-    real own_angle_minus_slope[TERMS];
-    real own_share_times_length[TERMS];
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
@@ -1816,18 +1569,16 @@ static void guard_flight_place_calm_touchdown(const real *constants, const real 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_place_calm_power_of_hip(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const flight_place_calm_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_place_calm(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_flight_place_calm(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
@@ -1910,36 +1661,15 @@ static void bounds_flight_place_calm(const real *constants, const real *series, 
 
 /* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
 typedef struct {
-    real length[TERMS];
-    real angle[TERMS];
-    real length_rate[TERMS];
-    real com_y[TERMS];
-    real momentum[TERMS];
-    real leg_work[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real extension[TERMS];
-    real external_fx[TERMS];
-    real external_fy[TERMS];
-    real friction[TERMS];
-    real external_torque[TERMS];
-    real time[TERMS];
-    real com_x[TERMS];
-    real com_vy[TERMS];
-    real square[TERMS];
-    real rate[TERMS];
-    real rate_times_rate[TERMS];
-    real length_times_rate_times_rate[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real power_of_hip[TERMS];
+    real length[TERMS], angle[TERMS], length_rate[TERMS], com_y[TERMS], momentum[TERMS], leg_work[TERMS],
+        damper_loss[TERMS], work[TERMS], extension[TERMS], external_fx[TERMS], external_fy[TERMS],
+        friction[TERMS], external_torque[TERMS], time[TERMS], com_x[TERMS], com_vy[TERMS], square[TERMS],
+        rate[TERMS], rate_times_rate[TERMS], length_times_rate_times_rate[TERMS],
+        length_rate_times_length_rate[TERMS], power_of_hip[TERMS];
 } flight_rest_calm_series;
 
 typedef struct {
-    pair square;
-    pair rate;
-    pair rate_times_rate;
-    pair length_times_rate_times_rate;
-    pair length_rate_times_length_rate;
+    pair square, rate, rate_times_rate, length_times_rate_times_rate, length_rate_times_length_rate;
 } flight_rest_calm_sums;
 
 typedef struct {
@@ -2000,7 +1730,7 @@ KERNEL void step_flight_rest_calm(const flight_rest_calm_constants *c, const fli
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_rest_calm(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_flight_rest_calm(const real *constants, int order, real *series) {
     const flight_rest_calm_constants copy = *(const flight_rest_calm_constants *)(const void *)constants,
         *c = &copy;
     flight_rest_calm_series *s = (void *)series;
@@ -2037,17 +1767,11 @@ static void vary_flight_rest_calm(const real *constants, const real *series, con
     const flight_rest_calm_series *s = (const void *)series;
     const flight_rest_calm_constants *d = (const void *)d_constants;
     flight_rest_calm_series *t = (void *)varied;
-    real length_times_length[TERMS];
-    real rate_times_d_square[TERMS];
-    real d_rate[TERMS];
-    real length_times_rate_times_rate_2[TERMS];
-    real rate_times_d_rate[TERMS];
-    real length_times_d_rate_times_rate[TERMS];
-    real length_rate_times_length_rate_2[TERMS];
-    real external_torque_times_rate[TERMS];
-    real external_torque_times_d_rate[TERMS];
-    real d_square[TERMS];
-    real d_rate_times_rate[TERMS];
+    real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
+        length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
+        length_times_d_rate_times_rate[TERMS], length_rate_times_length_rate_2[TERMS],
+        external_torque_times_rate[TERMS], external_torque_times_d_rate[TERMS], d_square[TERMS],
+        d_rate_times_rate[TERMS];
     for (int k = 0; k < order; ++k) {
         t->length[k + 1] = t->length_rate[k] * series_reciprocal[k + 1];
         t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
@@ -2102,14 +1826,10 @@ static void vary_flight_rest_calm(const real *constants, const real *series, con
 /* First variation of power_of_hip. */
 static void d_observed_flight_rest_calm_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const flight_rest_calm_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -2117,9 +1837,7 @@ static void d_observed_flight_rest_calm_power_of_hip(const real *constants, cons
 static void guard_flight_rest_calm_passes_end(const real *constants, const real *series, int order, real *g) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
-    real own_sine[TERMS];
-    real own_length_times_sine[TERMS];
-    real own_cosine[TERMS];
+    real own_sine[TERMS], own_length_times_sine[TERMS], own_cosine[TERMS];
     for (int k = 0; k < order; ++k) {
         sine_and_cosine_of(k, s->angle, own_sine, own_cosine);
         own_length_times_sine[k] = product(s->length, own_sine, k);
@@ -2132,9 +1850,7 @@ static void guard_flight_rest_calm_passes_begin(const real *constants, const rea
     real *g) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
-    real own_sine[TERMS];
-    real own_length_times_sine[TERMS];
-    real own_cosine[TERMS];
+    real own_sine[TERMS], own_length_times_sine[TERMS], own_cosine[TERMS];
     for (int k = 0; k < order; ++k) {
         sine_and_cosine_of(k, s->angle, own_sine, own_cosine);
         own_length_times_sine[k] = product(s->length, own_sine, k);
@@ -2145,8 +1861,7 @@ static void guard_flight_rest_calm_passes_begin(const real *constants, const rea
 /* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
 static void guard_flight_rest_calm_next_segment_comes(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
-    (void)series;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = constant_of(k, broadcast(-1.0));
     }
@@ -2154,8 +1869,8 @@ static void guard_flight_rest_calm_next_segment_comes(const real *constants, con
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_flight_rest_calm_ramp_ends(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const flight_rest_calm_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->friction[k];
     }
@@ -2163,8 +1878,7 @@ static void guard_flight_rest_calm_ramp_ends(const real *constants, const real *
 
 /* wind_rises: An external force acts, so flight is no longer ballistic. */
 static void guard_flight_rest_calm_wind_rises(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
-    (void)series;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = constant_of(k, broadcast(-1.0));
     }
@@ -2174,11 +1888,9 @@ static void guard_flight_rest_calm_wind_rises(const real *constants, const real 
 static void guard_flight_rest_calm_new_ground(const real *constants, const real *series, int order, real *g) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_set_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_set_slope[TERMS];
-    real own_angle_minus_set_slope[TERMS];
-    real own_share_times_length[TERMS];
+    real own_cos_of_angle_minus_set_slope[TERMS], own_product_2[TERMS],
+        own_sin_of_angle_minus_set_slope[TERMS], own_angle_minus_set_slope[TERMS],
+        own_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
@@ -2194,11 +1906,8 @@ static void guard_flight_rest_calm_new_ground(const real *constants, const real 
 static void guard_flight_rest_calm_falls(const real *constants, const real *series, int order, real *g) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_slope[TERMS];
-    real own_angle_minus_slope[TERMS];
-    real own_by_1_minus_share_times_length[TERMS];
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_by_1_minus_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
@@ -2221,12 +1930,10 @@ static void guard_flight_rest_calm_collapses(const real *constants, const real *
 
 /* apex: A stride closes and place begins. An external force can cause further apices in place. */
 static void guard_flight_rest_calm_apex(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const flight_rest_calm_series *s = (const void *)series;
-    real own_rate_of_com_y[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_com_y[k] = (double)(k + 1) * s->com_y[k + 1];
-        g[k] = own_rate_of_com_y[k];
+        g[k] = (double)(k + 1) * s->com_y[k + 1];
     }
 }
 
@@ -2234,11 +1941,8 @@ static void guard_flight_rest_calm_apex(const real *constants, const real *serie
 static void guard_flight_rest_calm_touchdown(const real *constants, const real *series, int order, real *g) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_slope[TERMS];
-    real own_angle_minus_slope[TERMS];
-    real own_share_times_length[TERMS];
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
@@ -2263,18 +1967,16 @@ static void guard_flight_rest_calm_release(const real *constants, const real *se
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_rest_calm_power_of_hip(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const flight_rest_calm_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_rest_calm(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_flight_rest_calm(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
@@ -2366,38 +2068,16 @@ static void bounds_flight_rest_calm(const real *constants, const real *series, c
 
 /* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
 typedef struct {
-    real length[TERMS];
-    real angle[TERMS];
-    real length_rate[TERMS];
-    real com_y[TERMS];
-    real momentum[TERMS];
-    real leg_work[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real extension[TERMS];
-    real external_fx[TERMS];
-    real external_fy[TERMS];
-    real friction[TERMS];
-    real external_torque[TERMS];
-    real time[TERMS];
-    real com_x[TERMS];
-    real com_vy[TERMS];
-    real square[TERMS];
-    real rate[TERMS];
-    real rate_times_rate[TERMS];
-    real length_times_rate_times_rate[TERMS];
-    real swing_torque[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real power_of_hip[TERMS];
+    real length[TERMS], angle[TERMS], length_rate[TERMS], com_y[TERMS], momentum[TERMS], leg_work[TERMS],
+        damper_loss[TERMS], work[TERMS], extension[TERMS], external_fx[TERMS], external_fy[TERMS],
+        friction[TERMS], external_torque[TERMS], time[TERMS], com_x[TERMS], com_vy[TERMS], square[TERMS],
+        rate[TERMS], rate_times_rate[TERMS], length_times_rate_times_rate[TERMS], swing_torque[TERMS],
+        length_rate_times_length_rate[TERMS], power_of_hip[TERMS];
 } flight_retract_calm_series;
 
 typedef struct {
-    pair square;
-    pair rate;
-    pair rate_times_rate;
-    pair length_times_rate_times_rate;
-    pair length_rate_times_length_rate;
-    pair power_of_hip;
+    pair square, rate, rate_times_rate, length_times_rate_times_rate, length_rate_times_length_rate,
+        power_of_hip;
 } flight_retract_calm_sums;
 
 typedef struct {
@@ -2466,7 +2146,7 @@ KERNEL void step_flight_retract_calm(const flight_retract_calm_constants *c,
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_retract_calm(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_flight_retract_calm(const real *constants, int order, real *series) {
     const flight_retract_calm_constants copy = *(const flight_retract_calm_constants *)(const void
         *)constants, *c = &copy;
     flight_retract_calm_series *s = (void *)series;
@@ -2503,18 +2183,11 @@ static void vary_flight_retract_calm(const real *constants, const real *series, 
     const flight_retract_calm_series *s = (const void *)series;
     const flight_retract_calm_constants *d = (const void *)d_constants;
     flight_retract_calm_series *t = (void *)varied;
-    real length_times_length[TERMS];
-    real rate_times_d_square[TERMS];
-    real d_rate[TERMS];
-    real length_times_rate_times_rate_2[TERMS];
-    real rate_times_d_rate[TERMS];
-    real length_times_d_rate_times_rate[TERMS];
-    real length_rate_times_length_rate_2[TERMS];
-    real d_swing_torque_times_rate[TERMS];
-    real swing_torque_times_d_rate[TERMS];
-    real d_square[TERMS];
-    real d_rate_times_rate[TERMS];
-    real d_swing_torque[TERMS];
+    real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
+        length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
+        length_times_d_rate_times_rate[TERMS], length_rate_times_length_rate_2[TERMS],
+        d_swing_torque_times_rate[TERMS], swing_torque_times_d_rate[TERMS], d_square[TERMS],
+        d_rate_times_rate[TERMS], d_swing_torque[TERMS];
     for (int k = 0; k < order; ++k) {
         t->length[k + 1] = t->length_rate[k] * series_reciprocal[k + 1];
         t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
@@ -2572,14 +2245,10 @@ static void vary_flight_retract_calm(const real *constants, const real *series, 
 /* First variation of power_of_hip. */
 static void d_observed_flight_retract_calm_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const flight_retract_calm_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -2588,9 +2257,7 @@ static void guard_flight_retract_calm_passes_end(const real *constants, const re
     real *g) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
-    real own_sine[TERMS];
-    real own_length_times_sine[TERMS];
-    real own_cosine[TERMS];
+    real own_sine[TERMS], own_length_times_sine[TERMS], own_cosine[TERMS];
     for (int k = 0; k < order; ++k) {
         sine_and_cosine_of(k, s->angle, own_sine, own_cosine);
         own_length_times_sine[k] = product(s->length, own_sine, k);
@@ -2603,9 +2270,7 @@ static void guard_flight_retract_calm_passes_begin(const real *constants, const 
     real *g) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
-    real own_sine[TERMS];
-    real own_length_times_sine[TERMS];
-    real own_cosine[TERMS];
+    real own_sine[TERMS], own_length_times_sine[TERMS], own_cosine[TERMS];
     for (int k = 0; k < order; ++k) {
         sine_and_cosine_of(k, s->angle, own_sine, own_cosine);
         own_length_times_sine[k] = product(s->length, own_sine, k);
@@ -2616,8 +2281,7 @@ static void guard_flight_retract_calm_passes_begin(const real *constants, const 
 /* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
 static void guard_flight_retract_calm_next_segment_comes(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
-    (void)series;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = constant_of(k, broadcast(-1.0));
     }
@@ -2626,8 +2290,8 @@ static void guard_flight_retract_calm_next_segment_comes(const real *constants, 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_flight_retract_calm_ramp_ends(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const flight_retract_calm_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->friction[k];
     }
@@ -2636,8 +2300,7 @@ static void guard_flight_retract_calm_ramp_ends(const real *constants, const rea
 /* wind_rises: An external force acts, so flight is no longer ballistic. */
 static void guard_flight_retract_calm_wind_rises(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
-    (void)series;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = constant_of(k, broadcast(-1.0));
     }
@@ -2648,11 +2311,9 @@ static void guard_flight_retract_calm_new_ground(const real *constants, const re
     real *g) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_set_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_set_slope[TERMS];
-    real own_angle_minus_set_slope[TERMS];
-    real own_share_times_length[TERMS];
+    real own_cos_of_angle_minus_set_slope[TERMS], own_product_2[TERMS],
+        own_sin_of_angle_minus_set_slope[TERMS], own_angle_minus_set_slope[TERMS],
+        own_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
@@ -2668,11 +2329,8 @@ static void guard_flight_retract_calm_new_ground(const real *constants, const re
 static void guard_flight_retract_calm_falls(const real *constants, const real *series, int order, real *g) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_slope[TERMS];
-    real own_angle_minus_slope[TERMS];
-    real own_by_1_minus_share_times_length[TERMS];
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_by_1_minus_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
@@ -2696,12 +2354,10 @@ static void guard_flight_retract_calm_collapses(const real *constants, const rea
 
 /* apex: A stride closes and place begins. An external force can cause further apices in place. */
 static void guard_flight_retract_calm_apex(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const flight_retract_calm_series *s = (const void *)series;
-    real own_rate_of_com_y[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_com_y[k] = (double)(k + 1) * s->com_y[k + 1];
-        g[k] = own_rate_of_com_y[k];
+        g[k] = (double)(k + 1) * s->com_y[k + 1];
     }
 }
 
@@ -2710,11 +2366,8 @@ static void guard_flight_retract_calm_touchdown(const real *constants, const rea
     real *g) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_slope[TERMS];
-    real own_angle_minus_slope[TERMS];
-    real own_share_times_length[TERMS];
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
@@ -2739,18 +2392,16 @@ static void guard_flight_retract_calm_clamp(const real *constants, const real *s
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_retract_calm_power_of_hip(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const flight_retract_calm_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_retract_calm(const real *constants, const real *series, const real *power,
-    int order, uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_flight_retract_calm(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
@@ -2850,85 +2501,38 @@ typedef struct {
 
 /* All coefficients. */
 static void expand_fallen(const real *constants, int order, real *expanded) {
-    (void)constants;
-    (void)order;
-    (void)expanded;
+    (void)constants, (void)order, (void)expanded;
 }
 
 /* First variation of the series. */
 static void vary_fallen(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
-    (void)order;
-    (void)varied;
+    (void)constants, (void)series, (void)d_constants, (void)order, (void)varied;
 }
 
 /* ---- graze_place */
 
 /* The foot touches the ground without force, under the torque tau_eq between both hip laws. */
 typedef struct {
-    real x_[TERMS];
-    real y_[TERMS];
-    real vx[TERMS];
-    real vy[TERMS];
-    real foot_x[TERMS];
-    real foot_vx[TERMS];
-    real leg_work[TERMS];
-    real external_work[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real extension[TERMS];
-    real external_fx[TERMS];
-    real external_fy[TERMS];
-    real friction[TERMS];
-    real external_torque[TERMS];
-    real time[TERMS];
-    real placing[TERMS];
-    real seen_angle[TERMS];
-    real x__times_x_[TERMS];
-    real y__times_y_[TERMS];
-    real square[TERMS];
-    real length[TERMS];
-    real length_rate[TERMS];
-    real axial[TERMS];
-    real axial_times_x_[TERMS];
-    real axial_times_y_[TERMS];
-    real axial_times_y__plus_off_over_x_[TERMS];
-    real product_2[TERMS];
-    real foot_vx_plus_vx[TERMS];
-    real sum_times_foot_vx_plus_vx[TERMS];
-    real sum_times_vy[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real product_3[TERMS];
-    real x__times_vy[TERMS];
-    real y__times_vx[TERMS];
-    real angle_rate[TERMS];
-    real product_3_times_angle_rate[TERMS];
+    real x_[TERMS], y_[TERMS], vx[TERMS], vy[TERMS], foot_x[TERMS], foot_vx[TERMS], leg_work[TERMS],
+        external_work[TERMS], damper_loss[TERMS], work[TERMS], extension[TERMS], external_fx[TERMS],
+        external_fy[TERMS], friction[TERMS], external_torque[TERMS], time[TERMS], placing[TERMS],
+        seen_angle[TERMS], x__times_x_[TERMS], y__times_y_[TERMS], square[TERMS], length[TERMS],
+        length_rate[TERMS], axial[TERMS], axial_times_x_[TERMS], axial_times_y_[TERMS],
+        axial_times_y__plus_off_over_x_[TERMS], product_2[TERMS], foot_vx_plus_vx[TERMS],
+        sum_times_foot_vx_plus_vx[TERMS], sum_times_vy[TERMS], length_rate_times_length_rate[TERMS],
+        product_3[TERMS], x__times_vy[TERMS], y__times_vx[TERMS], angle_rate[TERMS],
+        product_3_times_angle_rate[TERMS];
 } graze_place_series;
 
 typedef struct {
-    pair x__times_x_;
-    pair y__times_y_;
-    pair length;
-    pair axial;
-    pair axial_times_x_;
-    pair axial_times_y_;
-    pair axial_times_y__plus_off_over_x_;
-    pair product_2;
-    pair length_rate_times_length_rate;
-    pair product_3;
-    pair x__times_vy;
-    pair y__times_vx;
-    pair angle_rate;
-    pair product_3_times_angle_rate;
+    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, axial_times_y_,
+        axial_times_y__plus_off_over_x_, product_2, length_rate_times_length_rate, product_3, x__times_vy,
+        y__times_vx, angle_rate, product_3_times_angle_rate;
 } graze_place_sums;
 
 typedef struct {
-    real inverse_length;
-    real inverse_x_;
-    real inverse_square;
+    real inverse_length, inverse_x_, inverse_square;
 } graze_place_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
@@ -3048,7 +2652,7 @@ KERNEL void step_graze_place(const graze_place_constants *c, const graze_place_f
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_graze_place(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_graze_place(const real *constants, int order, real *series) {
     const graze_place_constants copy = *(const graze_place_constants *)(const void *)constants, *c = &copy;
     graze_place_series *s = (void *)series;
     static const graze_place_sums none;
@@ -3088,40 +2692,16 @@ static void vary_graze_place(const real *constants, const real *series, const re
     const graze_place_series *s = (const void *)series;
     const graze_place_constants *d = (const void *)d_constants;
     graze_place_series *t = (void *)varied;
-    real x__times_x__2[TERMS];
-    real y__times_y__2[TERMS];
-    real d_length[TERMS];
-    real d_length_rate[TERMS];
-    real axial_times_d_length[TERMS];
-    real d_axial[TERMS];
-    real d_axial_times_x_[TERMS];
-    real axial_times_x__2[TERMS];
-    real d_axial_times_y_[TERMS];
-    real axial_times_y__2[TERMS];
-    real product_4[TERMS];
-    real d_axial_times_y__plus_off_over_x_[TERMS];
-    real product_5[TERMS];
-    real product_6[TERMS];
-    real sum_plus_sum_times_foot_vx_plus_vx[TERMS];
-    real sum_times_d_foot_vx_plus_vx[TERMS];
-    real sum_minus_sum_times_vy[TERMS];
-    real sum_times_vy_2[TERMS];
-    real length_rate_times_d_length_rate[TERMS];
-    real product_7[TERMS];
-    real product_8[TERMS];
-    real d_product_3_times_angle_rate[TERMS];
-    real x__times_vy_2[TERMS];
-    real x__times_vy_3[TERMS];
-    real y__times_vx_2[TERMS];
-    real y__times_vx_3[TERMS];
-    real angle_rate_times_d_square[TERMS];
-    real d_angle_rate[TERMS];
-    real product_3_times_d_angle_rate[TERMS];
-    real sum_plus_sum[TERMS];
-    real d_foot_vx_plus_vx[TERMS];
-    real sum_minus_sum[TERMS];
-    real d_square[TERMS];
-    real d_product_3[TERMS];
+    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
+        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
+        d_axial_times_y_[TERMS], axial_times_y__2[TERMS], product_4[TERMS],
+        d_axial_times_y__plus_off_over_x_[TERMS], product_5[TERMS], product_6[TERMS],
+        sum_plus_sum_times_foot_vx_plus_vx[TERMS], sum_times_d_foot_vx_plus_vx[TERMS],
+        sum_minus_sum_times_vy[TERMS], sum_times_vy_2[TERMS], length_rate_times_d_length_rate[TERMS],
+        product_7[TERMS], product_8[TERMS], d_product_3_times_angle_rate[TERMS], x__times_vy_2[TERMS],
+        x__times_vy_3[TERMS], y__times_vx_2[TERMS], y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS],
+        d_angle_rate[TERMS], product_3_times_d_angle_rate[TERMS], sum_plus_sum[TERMS],
+        d_foot_vx_plus_vx[TERMS], sum_minus_sum[TERMS], d_square[TERMS], d_product_3[TERMS];
     t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
@@ -3221,14 +2801,10 @@ static void vary_graze_place(const real *constants, const real *series, const re
 /* First variation of power_of_hip. */
 static void d_observed_graze_place_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const graze_place_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -3252,8 +2828,8 @@ static void guard_graze_place_passes_begin(const real *constants, const real *se
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_graze_place_ramp_ends(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const graze_place_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->friction[k];
     }
@@ -3261,8 +2837,8 @@ static void guard_graze_place_ramp_ends(const real *constants, const real *serie
 
 /* falls: The body reaches the ground. */
 static void guard_graze_place_falls(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const graze_place_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->y_[k];
     }
@@ -3291,8 +2867,7 @@ static void guard_graze_place_graze_to_contact(const real *constants, const real
     real *g) {
     const graze_place_constants *c = (const void *)constants;
     const graze_place_series *s = (const void *)series;
-    real own_turning[TERMS];
-    real own_turning_times_x_[TERMS];
+    real own_turning[TERMS], own_turning_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
         own_turning[k] = (with_constant(k, s->external_torque[k], -c->product_2) - product_so_far(own_turning,
             s->square, k)) / s->square[0];
@@ -3305,8 +2880,7 @@ static void guard_graze_place_graze_to_contact(const real *constants, const real
 static void guard_graze_place_graze_to_flight(const real *constants, const real *series, int order, real *g) {
     const graze_place_constants *c = (const void *)constants;
     const graze_place_series *s = (const void *)series;
-    real own_swing_torque_over_square[TERMS];
-    real own_swing_torque_over_square_times_x_[TERMS];
+    real own_swing_torque_over_square[TERMS], own_swing_torque_over_square_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
         own_swing_torque_over_square[k] = (with_constant(k, s->external_torque[k] - c->kp * s->seen_angle[k]
             - c->kp * c->retraction_rate * s->placing[k] - c->kd * s->angle_rate[k], -(c->kp * (c->winding
@@ -3319,18 +2893,16 @@ static void guard_graze_place_graze_to_flight(const real *constants, const real 
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_graze_place_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const graze_place_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_graze_place(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_graze_place(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const graze_place_constants *c = (const void *)constants;
     const graze_place_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 4);
@@ -3373,65 +2945,24 @@ static void bounds_graze_place(const real *constants, const real *series, const 
 
 /* The foot touches the ground without force, under the torque tau_eq between both hip laws. */
 typedef struct {
-    real x_[TERMS];
-    real y_[TERMS];
-    real vx[TERMS];
-    real vy[TERMS];
-    real foot_x[TERMS];
-    real foot_vx[TERMS];
-    real leg_work[TERMS];
-    real external_work[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real extension[TERMS];
-    real external_fx[TERMS];
-    real external_fy[TERMS];
-    real friction[TERMS];
-    real external_torque[TERMS];
-    real time[TERMS];
-    real seen_angle[TERMS];
-    real x__times_x_[TERMS];
-    real y__times_y_[TERMS];
-    real square[TERMS];
-    real length[TERMS];
-    real length_rate[TERMS];
-    real axial[TERMS];
-    real axial_times_x_[TERMS];
-    real axial_times_y_[TERMS];
-    real axial_times_y__plus_off_over_x_[TERMS];
-    real product_2[TERMS];
-    real foot_vx_plus_vx[TERMS];
-    real sum_times_foot_vx_plus_vx[TERMS];
-    real sum_times_vy[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real product_3[TERMS];
-    real x__times_vy[TERMS];
-    real y__times_vx[TERMS];
-    real angle_rate[TERMS];
-    real product_3_times_angle_rate[TERMS];
+    real x_[TERMS], y_[TERMS], vx[TERMS], vy[TERMS], foot_x[TERMS], foot_vx[TERMS], leg_work[TERMS],
+        external_work[TERMS], damper_loss[TERMS], work[TERMS], extension[TERMS], external_fx[TERMS],
+        external_fy[TERMS], friction[TERMS], external_torque[TERMS], time[TERMS], seen_angle[TERMS],
+        x__times_x_[TERMS], y__times_y_[TERMS], square[TERMS], length[TERMS], length_rate[TERMS],
+        axial[TERMS], axial_times_x_[TERMS], axial_times_y_[TERMS], axial_times_y__plus_off_over_x_[TERMS],
+        product_2[TERMS], foot_vx_plus_vx[TERMS], sum_times_foot_vx_plus_vx[TERMS], sum_times_vy[TERMS],
+        length_rate_times_length_rate[TERMS], product_3[TERMS], x__times_vy[TERMS], y__times_vx[TERMS],
+        angle_rate[TERMS], product_3_times_angle_rate[TERMS];
 } graze_rest_series;
 
 typedef struct {
-    pair x__times_x_;
-    pair y__times_y_;
-    pair length;
-    pair axial;
-    pair axial_times_x_;
-    pair axial_times_y_;
-    pair axial_times_y__plus_off_over_x_;
-    pair product_2;
-    pair length_rate_times_length_rate;
-    pair product_3;
-    pair x__times_vy;
-    pair y__times_vx;
-    pair angle_rate;
-    pair product_3_times_angle_rate;
+    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, axial_times_y_,
+        axial_times_y__plus_off_over_x_, product_2, length_rate_times_length_rate, product_3, x__times_vy,
+        y__times_vx, angle_rate, product_3_times_angle_rate;
 } graze_rest_sums;
 
 typedef struct {
-    real inverse_length;
-    real inverse_x_;
-    real inverse_square;
+    real inverse_length, inverse_x_, inverse_square;
 } graze_rest_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
@@ -3551,7 +3082,7 @@ KERNEL void step_graze_rest(const graze_rest_constants *c, const graze_rest_fact
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_graze_rest(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_graze_rest(const real *constants, int order, real *series) {
     const graze_rest_constants copy = *(const graze_rest_constants *)(const void *)constants, *c = &copy;
     graze_rest_series *s = (void *)series;
     static const graze_rest_sums none;
@@ -3590,40 +3121,16 @@ static void vary_graze_rest(const real *constants, const real *series, const rea
     const graze_rest_series *s = (const void *)series;
     const graze_rest_constants *d = (const void *)d_constants;
     graze_rest_series *t = (void *)varied;
-    real x__times_x__2[TERMS];
-    real y__times_y__2[TERMS];
-    real d_length[TERMS];
-    real d_length_rate[TERMS];
-    real axial_times_d_length[TERMS];
-    real d_axial[TERMS];
-    real d_axial_times_x_[TERMS];
-    real axial_times_x__2[TERMS];
-    real d_axial_times_y_[TERMS];
-    real axial_times_y__2[TERMS];
-    real product_4[TERMS];
-    real d_axial_times_y__plus_off_over_x_[TERMS];
-    real product_5[TERMS];
-    real product_6[TERMS];
-    real sum_plus_sum_times_foot_vx_plus_vx[TERMS];
-    real sum_times_d_foot_vx_plus_vx[TERMS];
-    real sum_minus_sum_times_vy[TERMS];
-    real sum_times_vy_2[TERMS];
-    real length_rate_times_d_length_rate[TERMS];
-    real product_7[TERMS];
-    real product_8[TERMS];
-    real d_product_3_times_angle_rate[TERMS];
-    real x__times_vy_2[TERMS];
-    real x__times_vy_3[TERMS];
-    real y__times_vx_2[TERMS];
-    real y__times_vx_3[TERMS];
-    real angle_rate_times_d_square[TERMS];
-    real d_angle_rate[TERMS];
-    real product_3_times_d_angle_rate[TERMS];
-    real sum_plus_sum[TERMS];
-    real d_foot_vx_plus_vx[TERMS];
-    real sum_minus_sum[TERMS];
-    real d_square[TERMS];
-    real d_product_3[TERMS];
+    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
+        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
+        d_axial_times_y_[TERMS], axial_times_y__2[TERMS], product_4[TERMS],
+        d_axial_times_y__plus_off_over_x_[TERMS], product_5[TERMS], product_6[TERMS],
+        sum_plus_sum_times_foot_vx_plus_vx[TERMS], sum_times_d_foot_vx_plus_vx[TERMS],
+        sum_minus_sum_times_vy[TERMS], sum_times_vy_2[TERMS], length_rate_times_d_length_rate[TERMS],
+        product_7[TERMS], product_8[TERMS], d_product_3_times_angle_rate[TERMS], x__times_vy_2[TERMS],
+        x__times_vy_3[TERMS], y__times_vx_2[TERMS], y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS],
+        d_angle_rate[TERMS], product_3_times_d_angle_rate[TERMS], sum_plus_sum[TERMS],
+        d_foot_vx_plus_vx[TERMS], sum_minus_sum[TERMS], d_square[TERMS], d_product_3[TERMS];
     t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
@@ -3722,14 +3229,10 @@ static void vary_graze_rest(const real *constants, const real *series, const rea
 /* First variation of power_of_hip. */
 static void d_observed_graze_rest_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const graze_rest_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -3753,8 +3256,8 @@ static void guard_graze_rest_passes_begin(const real *constants, const real *ser
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_graze_rest_ramp_ends(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const graze_rest_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->friction[k];
     }
@@ -3762,8 +3265,8 @@ static void guard_graze_rest_ramp_ends(const real *constants, const real *series
 
 /* falls: The body reaches the ground. */
 static void guard_graze_rest_falls(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const graze_rest_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->y_[k];
     }
@@ -3810,8 +3313,7 @@ static void guard_graze_rest_mid_stance(const real *constants, const real *serie
 static void guard_graze_rest_graze_to_contact(const real *constants, const real *series, int order, real *g) {
     const graze_rest_constants *c = (const void *)constants;
     const graze_rest_series *s = (const void *)series;
-    real own_turning[TERMS];
-    real own_turning_times_x_[TERMS];
+    real own_turning[TERMS], own_turning_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
         own_turning[k] = (with_constant(k, s->external_torque[k], -c->product_2) - product_so_far(own_turning,
             s->square, k)) / s->square[0];
@@ -3824,8 +3326,7 @@ static void guard_graze_rest_graze_to_contact(const real *constants, const real 
 static void guard_graze_rest_graze_to_flight(const real *constants, const real *series, int order, real *g) {
     const graze_rest_constants *c = (const void *)constants;
     const graze_rest_series *s = (const void *)series;
-    real own_external_torque_over_square[TERMS];
-    real own_external_torque_over_square_times_x_[TERMS];
+    real own_external_torque_over_square[TERMS], own_external_torque_over_square_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
         own_external_torque_over_square[k] = (s->external_torque[k]
             - product_so_far(own_external_torque_over_square, s->square, k)) / s->square[0];
@@ -3836,18 +3337,16 @@ static void guard_graze_rest_graze_to_flight(const real *constants, const real *
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_graze_rest_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const graze_rest_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_graze_rest(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_graze_rest(const real *constants, const real *series, const real *power,
+    int order, uint64_t watched, interval *bounds) {
     const graze_rest_constants *c = (const void *)constants;
     const graze_rest_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 4);
@@ -3913,65 +3412,24 @@ static void bounds_graze_rest(const real *constants, const real *series, const r
 
 /* The foot touches the ground without force, under the torque tau_eq between both hip laws. */
 typedef struct {
-    real x_[TERMS];
-    real y_[TERMS];
-    real vx[TERMS];
-    real vy[TERMS];
-    real foot_x[TERMS];
-    real foot_vx[TERMS];
-    real leg_work[TERMS];
-    real external_work[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real extension[TERMS];
-    real external_fx[TERMS];
-    real external_fy[TERMS];
-    real friction[TERMS];
-    real external_torque[TERMS];
-    real time[TERMS];
-    real seen_angle[TERMS];
-    real x__times_x_[TERMS];
-    real y__times_y_[TERMS];
-    real square[TERMS];
-    real length[TERMS];
-    real length_rate[TERMS];
-    real axial[TERMS];
-    real axial_times_x_[TERMS];
-    real axial_times_y_[TERMS];
-    real axial_times_y__plus_off_over_x_[TERMS];
-    real product_2[TERMS];
-    real foot_vx_plus_vx[TERMS];
-    real sum_times_foot_vx_plus_vx[TERMS];
-    real sum_times_vy[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real product_3[TERMS];
-    real x__times_vy[TERMS];
-    real y__times_vx[TERMS];
-    real angle_rate[TERMS];
-    real product_3_times_angle_rate[TERMS];
+    real x_[TERMS], y_[TERMS], vx[TERMS], vy[TERMS], foot_x[TERMS], foot_vx[TERMS], leg_work[TERMS],
+        external_work[TERMS], damper_loss[TERMS], work[TERMS], extension[TERMS], external_fx[TERMS],
+        external_fy[TERMS], friction[TERMS], external_torque[TERMS], time[TERMS], seen_angle[TERMS],
+        x__times_x_[TERMS], y__times_y_[TERMS], square[TERMS], length[TERMS], length_rate[TERMS],
+        axial[TERMS], axial_times_x_[TERMS], axial_times_y_[TERMS], axial_times_y__plus_off_over_x_[TERMS],
+        product_2[TERMS], foot_vx_plus_vx[TERMS], sum_times_foot_vx_plus_vx[TERMS], sum_times_vy[TERMS],
+        length_rate_times_length_rate[TERMS], product_3[TERMS], x__times_vy[TERMS], y__times_vx[TERMS],
+        angle_rate[TERMS], product_3_times_angle_rate[TERMS];
 } graze_retract_series;
 
 typedef struct {
-    pair x__times_x_;
-    pair y__times_y_;
-    pair length;
-    pair axial;
-    pair axial_times_x_;
-    pair axial_times_y_;
-    pair axial_times_y__plus_off_over_x_;
-    pair product_2;
-    pair length_rate_times_length_rate;
-    pair product_3;
-    pair x__times_vy;
-    pair y__times_vx;
-    pair angle_rate;
-    pair product_3_times_angle_rate;
+    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, axial_times_y_,
+        axial_times_y__plus_off_over_x_, product_2, length_rate_times_length_rate, product_3, x__times_vy,
+        y__times_vx, angle_rate, product_3_times_angle_rate;
 } graze_retract_sums;
 
 typedef struct {
-    real inverse_length;
-    real inverse_x_;
-    real inverse_square;
+    real inverse_length, inverse_x_, inverse_square;
 } graze_retract_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
@@ -4091,7 +3549,7 @@ KERNEL void step_graze_retract(const graze_retract_constants *c, const graze_ret
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_graze_retract(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_graze_retract(const real *constants, int order, real *series) {
     const graze_retract_constants copy = *(const graze_retract_constants *)(const void *)constants,
         *c = &copy;
     graze_retract_series *s = (void *)series;
@@ -4131,40 +3589,16 @@ static void vary_graze_retract(const real *constants, const real *series, const 
     const graze_retract_series *s = (const void *)series;
     const graze_retract_constants *d = (const void *)d_constants;
     graze_retract_series *t = (void *)varied;
-    real x__times_x__2[TERMS];
-    real y__times_y__2[TERMS];
-    real d_length[TERMS];
-    real d_length_rate[TERMS];
-    real axial_times_d_length[TERMS];
-    real d_axial[TERMS];
-    real d_axial_times_x_[TERMS];
-    real axial_times_x__2[TERMS];
-    real d_axial_times_y_[TERMS];
-    real axial_times_y__2[TERMS];
-    real product_4[TERMS];
-    real d_axial_times_y__plus_off_over_x_[TERMS];
-    real product_5[TERMS];
-    real product_6[TERMS];
-    real sum_plus_sum_times_foot_vx_plus_vx[TERMS];
-    real sum_times_d_foot_vx_plus_vx[TERMS];
-    real sum_minus_sum_times_vy[TERMS];
-    real sum_times_vy_2[TERMS];
-    real length_rate_times_d_length_rate[TERMS];
-    real product_7[TERMS];
-    real product_8[TERMS];
-    real d_product_3_times_angle_rate[TERMS];
-    real x__times_vy_2[TERMS];
-    real x__times_vy_3[TERMS];
-    real y__times_vx_2[TERMS];
-    real y__times_vx_3[TERMS];
-    real angle_rate_times_d_square[TERMS];
-    real d_angle_rate[TERMS];
-    real product_3_times_d_angle_rate[TERMS];
-    real sum_plus_sum[TERMS];
-    real d_foot_vx_plus_vx[TERMS];
-    real sum_minus_sum[TERMS];
-    real d_square[TERMS];
-    real d_product_3[TERMS];
+    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
+        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
+        d_axial_times_y_[TERMS], axial_times_y__2[TERMS], product_4[TERMS],
+        d_axial_times_y__plus_off_over_x_[TERMS], product_5[TERMS], product_6[TERMS],
+        sum_plus_sum_times_foot_vx_plus_vx[TERMS], sum_times_d_foot_vx_plus_vx[TERMS],
+        sum_minus_sum_times_vy[TERMS], sum_times_vy_2[TERMS], length_rate_times_d_length_rate[TERMS],
+        product_7[TERMS], product_8[TERMS], d_product_3_times_angle_rate[TERMS], x__times_vy_2[TERMS],
+        x__times_vy_3[TERMS], y__times_vx_2[TERMS], y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS],
+        d_angle_rate[TERMS], product_3_times_d_angle_rate[TERMS], sum_plus_sum[TERMS],
+        d_foot_vx_plus_vx[TERMS], sum_minus_sum[TERMS], d_square[TERMS], d_product_3[TERMS];
     t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
@@ -4263,14 +3697,10 @@ static void vary_graze_retract(const real *constants, const real *series, const 
 /* First variation of power_of_hip. */
 static void d_observed_graze_retract_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const graze_retract_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -4294,8 +3724,8 @@ static void guard_graze_retract_passes_begin(const real *constants, const real *
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_graze_retract_ramp_ends(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const graze_retract_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->friction[k];
     }
@@ -4303,8 +3733,8 @@ static void guard_graze_retract_ramp_ends(const real *constants, const real *ser
 
 /* falls: The body reaches the ground. */
 static void guard_graze_retract_falls(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const graze_retract_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->y_[k];
     }
@@ -4352,8 +3782,7 @@ static void guard_graze_retract_graze_to_contact(const real *constants, const re
     real *g) {
     const graze_retract_constants *c = (const void *)constants;
     const graze_retract_series *s = (const void *)series;
-    real own_turning[TERMS];
-    real own_turning_times_x_[TERMS];
+    real own_turning[TERMS], own_turning_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
         own_turning[k] = (with_constant(k, s->external_torque[k], -c->product_2) - product_so_far(own_turning,
             s->square, k)) / s->square[0];
@@ -4367,8 +3796,7 @@ static void guard_graze_retract_graze_to_flight(const real *constants, const rea
     real *g) {
     const graze_retract_constants *c = (const void *)constants;
     const graze_retract_series *s = (const void *)series;
-    real own_swing_torque_over_square[TERMS];
-    real own_swing_torque_over_square_times_x_[TERMS];
+    real own_swing_torque_over_square[TERMS], own_swing_torque_over_square_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
         own_swing_torque_over_square[k] = (with_constant(k, s->external_torque[k] - c->kp * s->seen_angle[k]
             - c->kd * s->angle_rate[k], -(c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle)))
@@ -4380,18 +3808,16 @@ static void guard_graze_retract_graze_to_flight(const real *constants, const rea
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_graze_retract_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const graze_retract_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_graze_retract(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_graze_retract(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const graze_retract_constants *c = (const void *)constants;
     const graze_retract_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 4);
@@ -4461,74 +3887,26 @@ static void bounds_graze_retract(const real *constants, const real *series, cons
 
 /* m_f vdot = p - s mu f_n, where p is the push of the leg and s the direction of slip. */
 typedef struct {
-    real x_[TERMS];
-    real y_[TERMS];
-    real vx[TERMS];
-    real vy[TERMS];
-    real foot_x[TERMS];
-    real foot_vx[TERMS];
-    real leg_work[TERMS];
-    real external_work[TERMS];
-    real damper_loss[TERMS];
-    real friction_loss[TERMS];
-    real work[TERMS];
-    real extension[TERMS];
-    real external_fx[TERMS];
-    real external_fy[TERMS];
-    real friction[TERMS];
-    real external_torque[TERMS];
-    real time[TERMS];
-    real seen_angle[TERMS];
-    real x__times_x_[TERMS];
-    real y__times_y_[TERMS];
-    real square[TERMS];
-    real length[TERMS];
-    real length_rate[TERMS];
-    real axial[TERMS];
-    real axial_times_x_[TERMS];
-    real turning[TERMS];
-    real turning_times_y_[TERMS];
-    real minus_product[TERMS];
-    real fading[TERMS];
-    real sum_2[TERMS];
-    real slip_friction[TERMS];
-    real way_times_slip_friction[TERMS];
-    real axial_times_y_[TERMS];
-    real turning_times_x_[TERMS];
-    real normal[TERMS];
-    real friction_force[TERMS];
-    real foot_vx_plus_vx[TERMS];
-    real sum_times_foot_vx_plus_vx[TERMS];
-    real sum_times_vy[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real friction_force_times_foot_vx[TERMS];
-    real x__times_vy[TERMS];
-    real y__times_vx[TERMS];
-    real angle_rate[TERMS];
-    real power_of_hip[TERMS];
+    real x_[TERMS], y_[TERMS], vx[TERMS], vy[TERMS], foot_x[TERMS], foot_vx[TERMS], leg_work[TERMS],
+        external_work[TERMS], damper_loss[TERMS], friction_loss[TERMS], work[TERMS], extension[TERMS],
+        external_fx[TERMS], external_fy[TERMS], friction[TERMS], external_torque[TERMS], time[TERMS],
+        seen_angle[TERMS], x__times_x_[TERMS], y__times_y_[TERMS], square[TERMS], length[TERMS],
+        length_rate[TERMS], axial[TERMS], axial_times_x_[TERMS], turning[TERMS], turning_times_y_[TERMS],
+        minus_product[TERMS], fading[TERMS], sum_2[TERMS], slip_friction[TERMS],
+        way_times_slip_friction[TERMS], axial_times_y_[TERMS], turning_times_x_[TERMS], normal[TERMS],
+        friction_force[TERMS], foot_vx_plus_vx[TERMS], sum_times_foot_vx_plus_vx[TERMS], sum_times_vy[TERMS],
+        length_rate_times_length_rate[TERMS], friction_force_times_foot_vx[TERMS], x__times_vy[TERMS],
+        y__times_vx[TERMS], angle_rate[TERMS], power_of_hip[TERMS];
 } slip_falling_series;
 
 typedef struct {
-    pair x__times_x_;
-    pair y__times_y_;
-    pair length;
-    pair axial;
-    pair axial_times_x_;
-    pair turning;
-    pair turning_times_y_;
-    pair axial_times_y_;
-    pair turning_times_x_;
-    pair friction_force;
-    pair length_rate_times_length_rate;
-    pair friction_force_times_foot_vx;
-    pair x__times_vy;
-    pair y__times_vx;
-    pair angle_rate;
+    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, turning, turning_times_y_, axial_times_y_,
+        turning_times_x_, friction_force, length_rate_times_length_rate, friction_force_times_foot_vx,
+        x__times_vy, y__times_vx, angle_rate;
 } slip_falling_sums;
 
 typedef struct {
-    real inverse_length;
-    real inverse_square;
+    real inverse_length, inverse_square;
 } slip_falling_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
@@ -4672,7 +4050,7 @@ KERNEL void step_slip_falling(const slip_falling_constants *c, const slip_fallin
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_slip_falling(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_slip_falling(const real *constants, int order, real *series) {
     const slip_falling_constants copy = *(const slip_falling_constants *)(const void *)constants, *c = &copy;
     slip_falling_series *s = (void *)series;
     static const slip_falling_sums none;
@@ -4710,53 +4088,20 @@ static void vary_slip_falling(const real *constants, const real *series, const r
     const slip_falling_series *s = (const void *)series;
     const slip_falling_constants *d = (const void *)d_constants;
     slip_falling_series *t = (void *)varied;
-    real x__times_x__2[TERMS];
-    real y__times_y__2[TERMS];
-    real d_length[TERMS];
-    real d_length_rate[TERMS];
-    real axial_times_d_length[TERMS];
-    real d_axial[TERMS];
-    real d_axial_times_x_[TERMS];
-    real axial_times_x__2[TERMS];
-    real turning_times_d_square[TERMS];
-    real d_turning[TERMS];
-    real d_turning_times_y_[TERMS];
-    real turning_times_y__2[TERMS];
-    real d_friction_along_times_sum_2[TERMS];
-    real fading_times_sum[TERMS];
-    real friction_along_times_d_sum_2[TERMS];
-    real d_way_times_slip_friction_times_normal[TERMS];
-    real d_axial_times_y_[TERMS];
-    real axial_times_y__2[TERMS];
-    real d_turning_times_x_[TERMS];
-    real turning_times_x__2[TERMS];
-    real way_times_slip_friction_times_d_normal[TERMS];
-    real sum_plus_sum_times_foot_vx_plus_vx[TERMS];
-    real sum_times_d_foot_vx_plus_vx[TERMS];
-    real sum_minus_sum_times_vy[TERMS];
-    real sum_times_vy_2[TERMS];
-    real length_rate_times_d_length_rate[TERMS];
-    real d_friction_force_times_foot_vx[TERMS];
-    real friction_force_times_foot_vx_2[TERMS];
-    real d_stance_torque_times_angle_rate[TERMS];
-    real x__times_vy_2[TERMS];
-    real x__times_vy_3[TERMS];
-    real y__times_vx_2[TERMS];
-    real y__times_vx_3[TERMS];
-    real angle_rate_times_d_square[TERMS];
-    real d_angle_rate[TERMS];
-    real stance_torque_times_d_angle_rate[TERMS];
-    real d_square[TERMS];
-    real d_friction_along[TERMS];
-    real sum_3[TERMS];
-    real d_sum_2[TERMS];
-    real d_way_times_slip_friction[TERMS];
-    real d_normal[TERMS];
-    real sum_plus_sum[TERMS];
-    real d_foot_vx_plus_vx[TERMS];
-    real sum_minus_sum[TERMS];
-    real d_friction_force[TERMS];
-    real d_stance_torque[TERMS];
+    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
+        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
+        turning_times_d_square[TERMS], d_turning[TERMS], d_turning_times_y_[TERMS], turning_times_y__2[TERMS],
+        d_friction_along_times_sum_2[TERMS], fading_times_sum[TERMS], friction_along_times_d_sum_2[TERMS],
+        d_way_times_slip_friction_times_normal[TERMS], d_axial_times_y_[TERMS], axial_times_y__2[TERMS],
+        d_turning_times_x_[TERMS], turning_times_x__2[TERMS], way_times_slip_friction_times_d_normal[TERMS],
+        sum_plus_sum_times_foot_vx_plus_vx[TERMS], sum_times_d_foot_vx_plus_vx[TERMS],
+        sum_minus_sum_times_vy[TERMS], sum_times_vy_2[TERMS], length_rate_times_d_length_rate[TERMS],
+        d_friction_force_times_foot_vx[TERMS], friction_force_times_foot_vx_2[TERMS],
+        d_stance_torque_times_angle_rate[TERMS], x__times_vy_2[TERMS], x__times_vy_3[TERMS],
+        y__times_vx_2[TERMS], y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS], d_angle_rate[TERMS],
+        stance_torque_times_d_angle_rate[TERMS], d_square[TERMS], d_friction_along[TERMS], sum_3[TERMS],
+        d_sum_2[TERMS], d_way_times_slip_friction[TERMS], d_normal[TERMS], sum_plus_sum[TERMS],
+        d_foot_vx_plus_vx[TERMS], sum_minus_sum[TERMS], d_friction_force[TERMS], d_stance_torque[TERMS];
     t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
@@ -4888,14 +4233,10 @@ static void vary_slip_falling(const real *constants, const real *series, const r
 /* First variation of power_of_hip. */
 static void d_observed_slip_falling_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const slip_falling_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -4906,29 +4247,14 @@ static void d_observed_slip_falling_vertical_force_on_foot(const real *constants
     const slip_falling_series *s = (const void *)series;
     const slip_falling_constants *d = (const void *)d_constants;
     const slip_falling_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS];
-    real own_y__times_y__2[TERMS];
-    real own_d_length[TERMS];
-    real own_d_length_rate[TERMS];
-    real own_axial_times_d_length[TERMS];
-    real own_d_axial[TERMS];
-    real own_d_axial_times_y_[TERMS];
-    real own_axial_times_y__2[TERMS];
-    real own_turning_times_d_square[TERMS];
-    real own_d_turning[TERMS];
-    real own_d_turning_times_x_[TERMS];
-    real own_turning_times_x__2[TERMS];
-    real own_d_friction_along_times_sum_2[TERMS];
-    real own_fading_times_sum[TERMS];
-    real own_friction_along_times_d_sum_2[TERMS];
-    real own_d_way_times_slip_friction_times_normal[TERMS];
-    real own_way_times_slip_friction_times_d_normal[TERMS];
-    real own_d_square[TERMS];
-    real own_d_friction_along[TERMS];
-    real own_sum_3[TERMS];
-    real own_d_sum_2[TERMS];
-    real own_d_way_times_slip_friction[TERMS];
-    real own_d_normal[TERMS];
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_turning_times_d_square[TERMS], own_d_turning[TERMS],
+        own_d_turning_times_x_[TERMS], own_turning_times_x__2[TERMS], own_d_friction_along_times_sum_2[TERMS],
+        own_fading_times_sum[TERMS], own_friction_along_times_d_sum_2[TERMS],
+        own_d_way_times_slip_friction_times_normal[TERMS], own_way_times_slip_friction_times_d_normal[TERMS],
+        own_d_square[TERMS], own_d_friction_along[TERMS], own_sum_3[TERMS], own_d_sum_2[TERMS],
+        own_d_way_times_slip_friction[TERMS], own_d_normal[TERMS];
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
@@ -4985,19 +4311,10 @@ static void d_observed_slip_falling_force_on_foot(const real *constants, const r
     const slip_falling_series *s = (const void *)series;
     const slip_falling_constants *d = (const void *)d_constants;
     const slip_falling_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS];
-    real own_y__times_y__2[TERMS];
-    real own_d_length[TERMS];
-    real own_d_length_rate[TERMS];
-    real own_axial_times_d_length[TERMS];
-    real own_d_axial[TERMS];
-    real own_d_axial_times_y_[TERMS];
-    real own_axial_times_y__2[TERMS];
-    real own_turning_times_d_square[TERMS];
-    real own_d_turning[TERMS];
-    real own_d_turning_times_x_[TERMS];
-    real own_turning_times_x__2[TERMS];
-    real own_d_square[TERMS];
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_turning_times_d_square[TERMS], own_d_turning[TERMS],
+        own_d_turning_times_x_[TERMS], own_turning_times_x__2[TERMS], own_d_square[TERMS];
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
@@ -5030,8 +4347,8 @@ static void d_observed_slip_falling_force_on_foot(const real *constants, const r
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_slip_falling_ramp_ends(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_falling_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->friction[k];
     }
@@ -5039,8 +4356,8 @@ static void guard_slip_falling_ramp_ends(const real *constants, const real *seri
 
 /* falls: The body reaches the ground. */
 static void guard_slip_falling_falls(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_falling_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->y_[k];
     }
@@ -5059,8 +4376,8 @@ static void guard_slip_falling_collapses(const real *constants, const real *seri
  * counted. */
 static void guard_slip_falling_greatest_compression(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const slip_falling_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = -s->length_rate[k];
     }
@@ -5077,8 +4394,8 @@ static void guard_slip_falling_mid_stance(const real *constants, const real *ser
 
 /* lift_off: Flight where the flight law lifts the foot too; graze where it would push the foot down again. */
 static void guard_slip_falling_lift_off(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_falling_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->normal[k];
     }
@@ -5114,12 +4431,10 @@ static void guard_slip_falling_crosses_border(const real *constants, const real 
 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_slip_falling_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_falling_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
@@ -5135,16 +4450,16 @@ static void guard_slip_falling_vertical_force_on_foot(const real *constants, con
 
 /* force_on_foot: Normal force of a sticking or slipping foot. */
 static void guard_slip_falling_force_on_foot(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const slip_falling_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->normal[k];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_slip_falling(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_slip_falling(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const slip_falling_constants *c = (const void *)constants;
     const slip_falling_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -5205,57 +4520,21 @@ static void bounds_slip_falling(const real *constants, const real *series, const
 
 /* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
 typedef struct {
-    real length[TERMS];
-    real angle[TERMS];
-    real length_rate[TERMS];
-    real com_x[TERMS];
-    real com_y[TERMS];
-    real com_vx[TERMS];
-    real com_vy[TERMS];
-    real momentum[TERMS];
-    real leg_work[TERMS];
-    real external_work[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real extension[TERMS];
-    real external_fx[TERMS];
-    real external_fy[TERMS];
-    real friction[TERMS];
-    real external_torque[TERMS];
-    real time[TERMS];
-    real placing[TERMS];
-    real square[TERMS];
-    real rate[TERMS];
-    real rate_times_rate[TERMS];
-    real length_times_rate_times_rate[TERMS];
-    real cosine[TERMS];
-    real external_fy_times_cosine[TERMS];
-    real sine[TERMS];
-    real external_fx_times_sine[TERMS];
-    real axial[TERMS];
-    real swing_torque[TERMS];
-    real external_fx_times_cosine[TERMS];
-    real external_fy_times_sine[TERMS];
-    real sum_2[TERMS];
-    real length_times_sum[TERMS];
-    real external_fx_times_com_vx[TERMS];
-    real external_fy_times_com_vy[TERMS];
-    real length_rate_times_axial[TERMS];
-    real rate_times_length_times_sum[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real power_of_hip[TERMS];
+    real length[TERMS], angle[TERMS], length_rate[TERMS], com_x[TERMS], com_y[TERMS], com_vx[TERMS],
+        com_vy[TERMS], momentum[TERMS], leg_work[TERMS], external_work[TERMS], damper_loss[TERMS],
+        work[TERMS], extension[TERMS], external_fx[TERMS], external_fy[TERMS], friction[TERMS],
+        external_torque[TERMS], time[TERMS], placing[TERMS], square[TERMS], rate[TERMS],
+        rate_times_rate[TERMS], length_times_rate_times_rate[TERMS], cosine[TERMS],
+        external_fy_times_cosine[TERMS], sine[TERMS], external_fx_times_sine[TERMS], axial[TERMS],
+        swing_torque[TERMS], external_fx_times_cosine[TERMS], external_fy_times_sine[TERMS], sum_2[TERMS],
+        length_times_sum[TERMS], external_fx_times_com_vx[TERMS], external_fy_times_com_vy[TERMS],
+        length_rate_times_axial[TERMS], rate_times_length_times_sum[TERMS],
+        length_rate_times_length_rate[TERMS], power_of_hip[TERMS];
 } flight_place_pushed_series;
 
 typedef struct {
-    pair square;
-    pair rate;
-    pair rate_times_rate;
-    pair length_times_rate_times_rate;
-    pair length_times_sum;
-    pair length_rate_times_axial;
-    pair rate_times_length_times_sum;
-    pair length_rate_times_length_rate;
-    pair power_of_hip;
+    pair square, rate, rate_times_rate, length_times_rate_times_rate, length_times_sum,
+        length_rate_times_axial, rate_times_length_times_sum, length_rate_times_length_rate, power_of_hip;
 } flight_place_pushed_sums;
 
 typedef struct {
@@ -5364,7 +4643,7 @@ KERNEL void step_flight_place_pushed(const flight_place_pushed_constants *c,
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_place_pushed(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_flight_place_pushed(const real *constants, int order, real *series) {
     const flight_place_pushed_constants copy = *(const flight_place_pushed_constants *)(const void
         *)constants, *c = &copy;
     flight_place_pushed_series *s = (void *)series;
@@ -5400,41 +4679,19 @@ static void vary_flight_place_pushed(const real *constants, const real *series, 
     const flight_place_pushed_series *s = (const void *)series;
     const flight_place_pushed_constants *d = (const void *)d_constants;
     flight_place_pushed_series *t = (void *)varied;
-    real length_times_length[TERMS];
-    real rate_times_d_square[TERMS];
-    real d_rate[TERMS];
-    real length_times_rate_times_rate_2[TERMS];
-    real rate_times_d_rate[TERMS];
-    real length_times_d_rate_times_rate[TERMS];
-    real external_fy_times_cosine_2[TERMS];
-    real sine_times_angle[TERMS];
-    real external_fy_times_sine_times_angle[TERMS];
-    real external_fx_times_sine_2[TERMS];
-    real d_sine[TERMS];
-    real external_fx_times_d_sine[TERMS];
-    real length_times_sum_2[TERMS];
-    real external_fx_times_cosine_2[TERMS];
-    real external_fx_times_sine_times_angle[TERMS];
-    real external_fy_times_sine_2[TERMS];
-    real external_fy_times_d_sine[TERMS];
-    real length_times_d_sum_2[TERMS];
-    real external_fx_times_com_vx_2[TERMS];
-    real external_fx_times_com_vx_3[TERMS];
-    real external_fy_times_com_vy_2[TERMS];
-    real external_fy_times_com_vy_3[TERMS];
-    real length_rate_times_axial_2[TERMS];
-    real length_rate_times_d_axial[TERMS];
-    real d_rate_times_length_times_sum[TERMS];
-    real rate_times_d_length_times_sum[TERMS];
-    real length_rate_times_length_rate_2[TERMS];
-    real d_swing_torque_times_rate[TERMS];
-    real swing_torque_times_d_rate[TERMS];
-    real d_square[TERMS];
-    real d_rate_times_rate[TERMS];
-    real d_sum_2[TERMS];
-    real d_axial[TERMS];
-    real d_length_times_sum[TERMS];
-    real d_swing_torque[TERMS];
+    real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
+        length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
+        length_times_d_rate_times_rate[TERMS], external_fy_times_cosine_2[TERMS], sine_times_angle[TERMS],
+        external_fy_times_sine_times_angle[TERMS], external_fx_times_sine_2[TERMS], d_sine[TERMS],
+        external_fx_times_d_sine[TERMS], length_times_sum_2[TERMS], external_fx_times_cosine_2[TERMS],
+        external_fx_times_sine_times_angle[TERMS], external_fy_times_sine_2[TERMS],
+        external_fy_times_d_sine[TERMS], length_times_d_sum_2[TERMS], external_fx_times_com_vx_2[TERMS],
+        external_fx_times_com_vx_3[TERMS], external_fy_times_com_vy_2[TERMS],
+        external_fy_times_com_vy_3[TERMS], length_rate_times_axial_2[TERMS], length_rate_times_d_axial[TERMS],
+        d_rate_times_length_times_sum[TERMS], rate_times_d_length_times_sum[TERMS],
+        length_rate_times_length_rate_2[TERMS], d_swing_torque_times_rate[TERMS],
+        swing_torque_times_d_rate[TERMS], d_square[TERMS], d_rate_times_rate[TERMS], d_sum_2[TERMS],
+        d_axial[TERMS], d_length_times_sum[TERMS], d_swing_torque[TERMS];
     for (int k = 0; k < order; ++k) {
         t->length[k + 1] = t->length_rate[k] * series_reciprocal[k + 1];
         t->com_x[k + 1] = t->com_vx[k] * series_reciprocal[k + 1];
@@ -5536,14 +4793,10 @@ static void vary_flight_place_pushed(const real *constants, const real *series, 
 /* First variation of power_of_hip. */
 static void d_observed_flight_place_pushed_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const flight_place_pushed_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -5574,8 +4827,7 @@ static void guard_flight_place_pushed_passes_begin(const real *constants, const 
 /* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
 static void guard_flight_place_pushed_next_segment_comes(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
-    (void)series;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = constant_of(k, broadcast(-1.0));
     }
@@ -5584,8 +4836,8 @@ static void guard_flight_place_pushed_next_segment_comes(const real *constants, 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_flight_place_pushed_ramp_ends(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const flight_place_pushed_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->friction[k];
     }
@@ -5596,11 +4848,9 @@ static void guard_flight_place_pushed_new_ground(const real *constants, const re
     real *g) {
     const flight_place_pushed_constants *c = (const void *)constants;
     const flight_place_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_set_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_set_slope[TERMS];
-    real own_angle_minus_set_slope[TERMS];
-    real own_share_times_length[TERMS];
+    real own_cos_of_angle_minus_set_slope[TERMS], own_product_2[TERMS],
+        own_sin_of_angle_minus_set_slope[TERMS], own_angle_minus_set_slope[TERMS],
+        own_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
@@ -5616,11 +4866,8 @@ static void guard_flight_place_pushed_new_ground(const real *constants, const re
 static void guard_flight_place_pushed_falls(const real *constants, const real *series, int order, real *g) {
     const flight_place_pushed_constants *c = (const void *)constants;
     const flight_place_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_slope[TERMS];
-    real own_angle_minus_slope[TERMS];
-    real own_by_1_minus_share_times_length[TERMS];
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_by_1_minus_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
@@ -5644,12 +4891,10 @@ static void guard_flight_place_pushed_collapses(const real *constants, const rea
 
 /* apex: A stride closes and place begins. An external force can cause further apices in place. */
 static void guard_flight_place_pushed_apex(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const flight_place_pushed_series *s = (const void *)series;
-    real own_rate_of_com_y[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_com_y[k] = (double)(k + 1) * s->com_y[k + 1];
-        g[k] = own_rate_of_com_y[k];
+        g[k] = (double)(k + 1) * s->com_y[k + 1];
     }
 }
 
@@ -5658,11 +4903,8 @@ static void guard_flight_place_pushed_touchdown(const real *constants, const rea
     real *g) {
     const flight_place_pushed_constants *c = (const void *)constants;
     const flight_place_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_slope[TERMS];
-    real own_angle_minus_slope[TERMS];
-    real own_share_times_length[TERMS];
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
@@ -5677,18 +4919,16 @@ static void guard_flight_place_pushed_touchdown(const real *constants, const rea
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_place_pushed_power_of_hip(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const flight_place_pushed_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_place_pushed(const real *constants, const real *series, const real *power,
-    int order, uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_flight_place_pushed(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const flight_place_pushed_constants *c = (const void *)constants;
     const flight_place_pushed_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
@@ -5763,54 +5003,20 @@ static void bounds_flight_place_pushed(const real *constants, const real *series
 
 /* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
 typedef struct {
-    real length[TERMS];
-    real angle[TERMS];
-    real length_rate[TERMS];
-    real com_x[TERMS];
-    real com_y[TERMS];
-    real com_vx[TERMS];
-    real com_vy[TERMS];
-    real momentum[TERMS];
-    real leg_work[TERMS];
-    real external_work[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real extension[TERMS];
-    real external_fx[TERMS];
-    real external_fy[TERMS];
-    real friction[TERMS];
-    real external_torque[TERMS];
-    real time[TERMS];
-    real square[TERMS];
-    real rate[TERMS];
-    real rate_times_rate[TERMS];
-    real length_times_rate_times_rate[TERMS];
-    real cosine[TERMS];
-    real external_fy_times_cosine[TERMS];
-    real sine[TERMS];
-    real external_fx_times_sine[TERMS];
-    real axial[TERMS];
-    real external_fx_times_cosine[TERMS];
-    real external_fy_times_sine[TERMS];
-    real sum_2[TERMS];
-    real length_times_sum[TERMS];
-    real external_fx_times_com_vx[TERMS];
-    real external_fy_times_com_vy[TERMS];
-    real length_rate_times_axial[TERMS];
-    real rate_times_length_times_sum[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real power_of_hip[TERMS];
+    real length[TERMS], angle[TERMS], length_rate[TERMS], com_x[TERMS], com_y[TERMS], com_vx[TERMS],
+        com_vy[TERMS], momentum[TERMS], leg_work[TERMS], external_work[TERMS], damper_loss[TERMS],
+        work[TERMS], extension[TERMS], external_fx[TERMS], external_fy[TERMS], friction[TERMS],
+        external_torque[TERMS], time[TERMS], square[TERMS], rate[TERMS], rate_times_rate[TERMS],
+        length_times_rate_times_rate[TERMS], cosine[TERMS], external_fy_times_cosine[TERMS], sine[TERMS],
+        external_fx_times_sine[TERMS], axial[TERMS], external_fx_times_cosine[TERMS],
+        external_fy_times_sine[TERMS], sum_2[TERMS], length_times_sum[TERMS], external_fx_times_com_vx[TERMS],
+        external_fy_times_com_vy[TERMS], length_rate_times_axial[TERMS], rate_times_length_times_sum[TERMS],
+        length_rate_times_length_rate[TERMS], power_of_hip[TERMS];
 } flight_rest_pushed_series;
 
 typedef struct {
-    pair square;
-    pair rate;
-    pair rate_times_rate;
-    pair length_times_rate_times_rate;
-    pair length_times_sum;
-    pair length_rate_times_axial;
-    pair rate_times_length_times_sum;
-    pair length_rate_times_length_rate;
+    pair square, rate, rate_times_rate, length_times_rate_times_rate, length_times_sum,
+        length_rate_times_axial, rate_times_length_times_sum, length_rate_times_length_rate;
 } flight_rest_pushed_sums;
 
 typedef struct {
@@ -5912,7 +5118,7 @@ KERNEL void step_flight_rest_pushed(const flight_rest_pushed_constants *c,
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_rest_pushed(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_flight_rest_pushed(const real *constants, int order, real *series) {
     const flight_rest_pushed_constants copy = *(const flight_rest_pushed_constants *)(const void *)constants,
         *c = &copy;
     flight_rest_pushed_series *s = (void *)series;
@@ -5947,40 +5153,19 @@ static void vary_flight_rest_pushed(const real *constants, const real *series, c
     const flight_rest_pushed_series *s = (const void *)series;
     const flight_rest_pushed_constants *d = (const void *)d_constants;
     flight_rest_pushed_series *t = (void *)varied;
-    real length_times_length[TERMS];
-    real rate_times_d_square[TERMS];
-    real d_rate[TERMS];
-    real length_times_rate_times_rate_2[TERMS];
-    real rate_times_d_rate[TERMS];
-    real length_times_d_rate_times_rate[TERMS];
-    real external_fy_times_cosine_2[TERMS];
-    real sine_times_angle[TERMS];
-    real external_fy_times_sine_times_angle[TERMS];
-    real external_fx_times_sine_2[TERMS];
-    real d_sine[TERMS];
-    real external_fx_times_d_sine[TERMS];
-    real length_times_sum_2[TERMS];
-    real external_fx_times_cosine_2[TERMS];
-    real external_fx_times_sine_times_angle[TERMS];
-    real external_fy_times_sine_2[TERMS];
-    real external_fy_times_d_sine[TERMS];
-    real length_times_d_sum_2[TERMS];
-    real external_fx_times_com_vx_2[TERMS];
-    real external_fx_times_com_vx_3[TERMS];
-    real external_fy_times_com_vy_2[TERMS];
-    real external_fy_times_com_vy_3[TERMS];
-    real length_rate_times_axial_2[TERMS];
-    real length_rate_times_d_axial[TERMS];
-    real d_rate_times_length_times_sum[TERMS];
-    real rate_times_d_length_times_sum[TERMS];
-    real length_rate_times_length_rate_2[TERMS];
-    real external_torque_times_rate[TERMS];
-    real external_torque_times_d_rate[TERMS];
-    real d_square[TERMS];
-    real d_rate_times_rate[TERMS];
-    real d_sum_2[TERMS];
-    real d_axial[TERMS];
-    real d_length_times_sum[TERMS];
+    real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
+        length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
+        length_times_d_rate_times_rate[TERMS], external_fy_times_cosine_2[TERMS], sine_times_angle[TERMS],
+        external_fy_times_sine_times_angle[TERMS], external_fx_times_sine_2[TERMS], d_sine[TERMS],
+        external_fx_times_d_sine[TERMS], length_times_sum_2[TERMS], external_fx_times_cosine_2[TERMS],
+        external_fx_times_sine_times_angle[TERMS], external_fy_times_sine_2[TERMS],
+        external_fy_times_d_sine[TERMS], length_times_d_sum_2[TERMS], external_fx_times_com_vx_2[TERMS],
+        external_fx_times_com_vx_3[TERMS], external_fy_times_com_vy_2[TERMS],
+        external_fy_times_com_vy_3[TERMS], length_rate_times_axial_2[TERMS], length_rate_times_d_axial[TERMS],
+        d_rate_times_length_times_sum[TERMS], rate_times_d_length_times_sum[TERMS],
+        length_rate_times_length_rate_2[TERMS], external_torque_times_rate[TERMS],
+        external_torque_times_d_rate[TERMS], d_square[TERMS], d_rate_times_rate[TERMS], d_sum_2[TERMS],
+        d_axial[TERMS], d_length_times_sum[TERMS];
     for (int k = 0; k < order; ++k) {
         t->length[k + 1] = t->length_rate[k] * series_reciprocal[k + 1];
         t->com_x[k + 1] = t->com_vx[k] * series_reciprocal[k + 1];
@@ -6076,14 +5261,10 @@ static void vary_flight_rest_pushed(const real *constants, const real *series, c
 /* First variation of power_of_hip. */
 static void d_observed_flight_rest_pushed_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const flight_rest_pushed_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -6114,8 +5295,7 @@ static void guard_flight_rest_pushed_passes_begin(const real *constants, const r
 /* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
 static void guard_flight_rest_pushed_next_segment_comes(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
-    (void)series;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = constant_of(k, broadcast(-1.0));
     }
@@ -6124,8 +5304,8 @@ static void guard_flight_rest_pushed_next_segment_comes(const real *constants, c
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_flight_rest_pushed_ramp_ends(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const flight_rest_pushed_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->friction[k];
     }
@@ -6136,11 +5316,9 @@ static void guard_flight_rest_pushed_new_ground(const real *constants, const rea
     real *g) {
     const flight_rest_pushed_constants *c = (const void *)constants;
     const flight_rest_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_set_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_set_slope[TERMS];
-    real own_angle_minus_set_slope[TERMS];
-    real own_share_times_length[TERMS];
+    real own_cos_of_angle_minus_set_slope[TERMS], own_product_2[TERMS],
+        own_sin_of_angle_minus_set_slope[TERMS], own_angle_minus_set_slope[TERMS],
+        own_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
@@ -6156,11 +5334,8 @@ static void guard_flight_rest_pushed_new_ground(const real *constants, const rea
 static void guard_flight_rest_pushed_falls(const real *constants, const real *series, int order, real *g) {
     const flight_rest_pushed_constants *c = (const void *)constants;
     const flight_rest_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_slope[TERMS];
-    real own_angle_minus_slope[TERMS];
-    real own_by_1_minus_share_times_length[TERMS];
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_by_1_minus_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
@@ -6184,12 +5359,10 @@ static void guard_flight_rest_pushed_collapses(const real *constants, const real
 
 /* apex: A stride closes and place begins. An external force can cause further apices in place. */
 static void guard_flight_rest_pushed_apex(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const flight_rest_pushed_series *s = (const void *)series;
-    real own_rate_of_com_y[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_com_y[k] = (double)(k + 1) * s->com_y[k + 1];
-        g[k] = own_rate_of_com_y[k];
+        g[k] = (double)(k + 1) * s->com_y[k + 1];
     }
 }
 
@@ -6198,11 +5371,8 @@ static void guard_flight_rest_pushed_touchdown(const real *constants, const real
     real *g) {
     const flight_rest_pushed_constants *c = (const void *)constants;
     const flight_rest_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_slope[TERMS];
-    real own_angle_minus_slope[TERMS];
-    real own_share_times_length[TERMS];
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
@@ -6227,18 +5397,16 @@ static void guard_flight_rest_pushed_release(const real *constants, const real *
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_rest_pushed_power_of_hip(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const flight_rest_pushed_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_rest_pushed(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_flight_rest_pushed(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const flight_rest_pushed_constants *c = (const void *)constants;
     const flight_rest_pushed_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
@@ -6326,56 +5494,20 @@ static void bounds_flight_rest_pushed(const real *constants, const real *series,
 
 /* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
 typedef struct {
-    real length[TERMS];
-    real angle[TERMS];
-    real length_rate[TERMS];
-    real com_x[TERMS];
-    real com_y[TERMS];
-    real com_vx[TERMS];
-    real com_vy[TERMS];
-    real momentum[TERMS];
-    real leg_work[TERMS];
-    real external_work[TERMS];
-    real damper_loss[TERMS];
-    real work[TERMS];
-    real extension[TERMS];
-    real external_fx[TERMS];
-    real external_fy[TERMS];
-    real friction[TERMS];
-    real external_torque[TERMS];
-    real time[TERMS];
-    real square[TERMS];
-    real rate[TERMS];
-    real rate_times_rate[TERMS];
-    real length_times_rate_times_rate[TERMS];
-    real cosine[TERMS];
-    real external_fy_times_cosine[TERMS];
-    real sine[TERMS];
-    real external_fx_times_sine[TERMS];
-    real axial[TERMS];
-    real swing_torque[TERMS];
-    real external_fx_times_cosine[TERMS];
-    real external_fy_times_sine[TERMS];
-    real sum_2[TERMS];
-    real length_times_sum[TERMS];
-    real external_fx_times_com_vx[TERMS];
-    real external_fy_times_com_vy[TERMS];
-    real length_rate_times_axial[TERMS];
-    real rate_times_length_times_sum[TERMS];
-    real length_rate_times_length_rate[TERMS];
-    real power_of_hip[TERMS];
+    real length[TERMS], angle[TERMS], length_rate[TERMS], com_x[TERMS], com_y[TERMS], com_vx[TERMS],
+        com_vy[TERMS], momentum[TERMS], leg_work[TERMS], external_work[TERMS], damper_loss[TERMS],
+        work[TERMS], extension[TERMS], external_fx[TERMS], external_fy[TERMS], friction[TERMS],
+        external_torque[TERMS], time[TERMS], square[TERMS], rate[TERMS], rate_times_rate[TERMS],
+        length_times_rate_times_rate[TERMS], cosine[TERMS], external_fy_times_cosine[TERMS], sine[TERMS],
+        external_fx_times_sine[TERMS], axial[TERMS], swing_torque[TERMS], external_fx_times_cosine[TERMS],
+        external_fy_times_sine[TERMS], sum_2[TERMS], length_times_sum[TERMS], external_fx_times_com_vx[TERMS],
+        external_fy_times_com_vy[TERMS], length_rate_times_axial[TERMS], rate_times_length_times_sum[TERMS],
+        length_rate_times_length_rate[TERMS], power_of_hip[TERMS];
 } flight_retract_pushed_series;
 
 typedef struct {
-    pair square;
-    pair rate;
-    pair rate_times_rate;
-    pair length_times_rate_times_rate;
-    pair length_times_sum;
-    pair length_rate_times_axial;
-    pair rate_times_length_times_sum;
-    pair length_rate_times_length_rate;
-    pair power_of_hip;
+    pair square, rate, rate_times_rate, length_times_rate_times_rate, length_times_sum,
+        length_rate_times_axial, rate_times_length_times_sum, length_rate_times_length_rate, power_of_hip;
 } flight_retract_pushed_sums;
 
 typedef struct {
@@ -6483,7 +5615,7 @@ KERNEL void step_flight_retract_pushed(const flight_retract_pushed_constants *c,
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_retract_pushed(const real *constants, int order, real *series) {
+TDMF_ALSO_FOR_AVX2 static void expand_flight_retract_pushed(const real *constants, int order, real *series) {
     const flight_retract_pushed_constants copy = *(const flight_retract_pushed_constants *)(const void
         *)constants, *c = &copy;
     flight_retract_pushed_series *s = (void *)series;
@@ -6518,41 +5650,19 @@ static void vary_flight_retract_pushed(const real *constants, const real *series
     const flight_retract_pushed_series *s = (const void *)series;
     const flight_retract_pushed_constants *d = (const void *)d_constants;
     flight_retract_pushed_series *t = (void *)varied;
-    real length_times_length[TERMS];
-    real rate_times_d_square[TERMS];
-    real d_rate[TERMS];
-    real length_times_rate_times_rate_2[TERMS];
-    real rate_times_d_rate[TERMS];
-    real length_times_d_rate_times_rate[TERMS];
-    real external_fy_times_cosine_2[TERMS];
-    real sine_times_angle[TERMS];
-    real external_fy_times_sine_times_angle[TERMS];
-    real external_fx_times_sine_2[TERMS];
-    real d_sine[TERMS];
-    real external_fx_times_d_sine[TERMS];
-    real length_times_sum_2[TERMS];
-    real external_fx_times_cosine_2[TERMS];
-    real external_fx_times_sine_times_angle[TERMS];
-    real external_fy_times_sine_2[TERMS];
-    real external_fy_times_d_sine[TERMS];
-    real length_times_d_sum_2[TERMS];
-    real external_fx_times_com_vx_2[TERMS];
-    real external_fx_times_com_vx_3[TERMS];
-    real external_fy_times_com_vy_2[TERMS];
-    real external_fy_times_com_vy_3[TERMS];
-    real length_rate_times_axial_2[TERMS];
-    real length_rate_times_d_axial[TERMS];
-    real d_rate_times_length_times_sum[TERMS];
-    real rate_times_d_length_times_sum[TERMS];
-    real length_rate_times_length_rate_2[TERMS];
-    real d_swing_torque_times_rate[TERMS];
-    real swing_torque_times_d_rate[TERMS];
-    real d_square[TERMS];
-    real d_rate_times_rate[TERMS];
-    real d_sum_2[TERMS];
-    real d_axial[TERMS];
-    real d_length_times_sum[TERMS];
-    real d_swing_torque[TERMS];
+    real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
+        length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
+        length_times_d_rate_times_rate[TERMS], external_fy_times_cosine_2[TERMS], sine_times_angle[TERMS],
+        external_fy_times_sine_times_angle[TERMS], external_fx_times_sine_2[TERMS], d_sine[TERMS],
+        external_fx_times_d_sine[TERMS], length_times_sum_2[TERMS], external_fx_times_cosine_2[TERMS],
+        external_fx_times_sine_times_angle[TERMS], external_fy_times_sine_2[TERMS],
+        external_fy_times_d_sine[TERMS], length_times_d_sum_2[TERMS], external_fx_times_com_vx_2[TERMS],
+        external_fx_times_com_vx_3[TERMS], external_fy_times_com_vy_2[TERMS],
+        external_fy_times_com_vy_3[TERMS], length_rate_times_axial_2[TERMS], length_rate_times_d_axial[TERMS],
+        d_rate_times_length_times_sum[TERMS], rate_times_d_length_times_sum[TERMS],
+        length_rate_times_length_rate_2[TERMS], d_swing_torque_times_rate[TERMS],
+        swing_torque_times_d_rate[TERMS], d_square[TERMS], d_rate_times_rate[TERMS], d_sum_2[TERMS],
+        d_axial[TERMS], d_length_times_sum[TERMS], d_swing_torque[TERMS];
     for (int k = 0; k < order; ++k) {
         t->length[k + 1] = t->length_rate[k] * series_reciprocal[k + 1];
         t->com_x[k + 1] = t->com_vx[k] * series_reciprocal[k + 1];
@@ -6651,14 +5761,10 @@ static void vary_flight_retract_pushed(const real *constants, const real *series
 /* First variation of power_of_hip. */
 static void d_observed_flight_retract_pushed_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants;
-    (void)series;
-    (void)d_constants;
     const flight_retract_pushed_series *t = (const void *)d_series;
-    real own_rate_of_work[TERMS];
+    (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
-        dg[k] = own_rate_of_work[k];
+        dg[k] = (double)(k + 1) * t->work[k + 1];
     }
 }
 
@@ -6689,8 +5795,7 @@ static void guard_flight_retract_pushed_passes_begin(const real *constants, cons
 /* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
 static void guard_flight_retract_pushed_next_segment_comes(const real *constants, const real *series,
     int order, real *g) {
-    (void)constants;
-    (void)series;
+    (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = constant_of(k, broadcast(-1.0));
     }
@@ -6699,8 +5804,8 @@ static void guard_flight_retract_pushed_next_segment_comes(const real *constants
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_flight_retract_pushed_ramp_ends(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const flight_retract_pushed_series *s = (const void *)series;
+    (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->friction[k];
     }
@@ -6711,11 +5816,9 @@ static void guard_flight_retract_pushed_new_ground(const real *constants, const 
     real *g) {
     const flight_retract_pushed_constants *c = (const void *)constants;
     const flight_retract_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_set_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_set_slope[TERMS];
-    real own_angle_minus_set_slope[TERMS];
-    real own_share_times_length[TERMS];
+    real own_cos_of_angle_minus_set_slope[TERMS], own_product_2[TERMS],
+        own_sin_of_angle_minus_set_slope[TERMS], own_angle_minus_set_slope[TERMS],
+        own_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
@@ -6731,11 +5834,8 @@ static void guard_flight_retract_pushed_new_ground(const real *constants, const 
 static void guard_flight_retract_pushed_falls(const real *constants, const real *series, int order, real *g) {
     const flight_retract_pushed_constants *c = (const void *)constants;
     const flight_retract_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_slope[TERMS];
-    real own_angle_minus_slope[TERMS];
-    real own_by_1_minus_share_times_length[TERMS];
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_by_1_minus_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
@@ -6759,12 +5859,10 @@ static void guard_flight_retract_pushed_collapses(const real *constants, const r
 
 /* apex: A stride closes and place begins. An external force can cause further apices in place. */
 static void guard_flight_retract_pushed_apex(const real *constants, const real *series, int order, real *g) {
-    (void)constants;
     const flight_retract_pushed_series *s = (const void *)series;
-    real own_rate_of_com_y[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_com_y[k] = (double)(k + 1) * s->com_y[k + 1];
-        g[k] = own_rate_of_com_y[k];
+        g[k] = (double)(k + 1) * s->com_y[k + 1];
     }
 }
 
@@ -6773,11 +5871,8 @@ static void guard_flight_retract_pushed_touchdown(const real *constants, const r
     real *g) {
     const flight_retract_pushed_constants *c = (const void *)constants;
     const flight_retract_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS];
-    real own_product_2[TERMS];
-    real own_sin_of_angle_minus_slope[TERMS];
-    real own_angle_minus_slope[TERMS];
-    real own_share_times_length[TERMS];
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_share_times_length[k] = c->share * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
@@ -6802,18 +5897,16 @@ static void guard_flight_retract_pushed_clamp(const real *constants, const real 
 /* power_of_hip: Power of the total hip torque. */
 static void guard_flight_retract_pushed_power_of_hip(const real *constants, const real *series, int order,
     real *g) {
-    (void)constants;
     const flight_retract_pushed_series *s = (const void *)series;
-    real own_rate_of_work[TERMS];
+    (void)constants;
     for (int k = 0; k < order; ++k) {
-        own_rate_of_work[k] = (double)(k + 1) * s->work[k + 1];
-        g[k] = own_rate_of_work[k];
+        g[k] = (double)(k + 1) * s->work[k + 1];
     }
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_retract_pushed(const real *constants, const real *series, const real *power,
-    int order, uint64_t watched, interval *bounds) {
+TDMF_ALSO_FOR_AVX2 static void bounds_flight_retract_pushed(const real *constants, const real *series,
+    const real *power, int order, uint64_t watched, interval *bounds) {
     const flight_retract_pushed_constants *c = (const void *)constants;
     const flight_retract_pushed_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
