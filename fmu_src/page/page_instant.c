@@ -217,7 +217,7 @@ void fmu_nominals(const fmu *fmu, double nominals[]) {
 
 /* ---- all that follows ---------------------------------------------------------------------------------- */
 
-/* Writes at most WORD_CAPACITY characters. A negative number is a word that is too long. */
+/* Writes at most WORD_CAPACITY characters. A negative number stands for the beginning of a longer word. */
 static void write_word(double number, const char *alphabet, char *text) {
     const double base = (double)strlen(alphabet);
     char letters[WORD_CAPACITY];
@@ -225,6 +225,7 @@ static void write_word(double number, const char *alphabet, char *text) {
     letters[place] = '\0';
     if (number < 0.0) {
         letters[--place] = '~';
+        number = -number;
     }
     for (; number >= 1.0 && place > 0; number = floor(number / base)) {
         letters[--place] = alphabet[(int)fmod(number, base)];
