@@ -118,6 +118,7 @@ def _write_if_changed(path: Path, text: str) -> None:
 FIRST = (
     "find_gait",
     "simulate",
+    "trajectory",
     "plot",
     "sweep",
     "gait_at",

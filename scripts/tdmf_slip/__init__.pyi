@@ -26,9 +26,8 @@ from .library.ground import RoughGround
 from .library.laws import AffineLaw
 from .library.own_model import load_model
 from .library.runner import Runner
-from .optimization.optimize import optimize
+from .optimization.optimize import optimize, pareto_front
 from .optimization.optimum import Optimum
-from .optimization.pareto import pareto_front
 from .paper.validation import Validation, validate
 from .pictures.plot import plot
 from .proof.proof import Proof
@@ -36,8 +35,7 @@ from .proof.prove import prove
 from .proof.prove_attraction import Attraction, prove_attraction
 from .proof.prove_border import BorderProof, prove_border
 from .version import __version__
-from .viable_sets.controller import ViableController
-from .viable_sets.viability import viability
+from .viable_sets.viability import ViableController, viability
 
 __all__ = [
     "AffineLaw",

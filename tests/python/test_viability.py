@@ -12,10 +12,8 @@ from conftest import assert_same
 from tdmf_slip import InputError
 from tdmf_slip.library.batch import ACCURACY
 from tdmf_slip.library.return_map import stride_from
-from tdmf_slip.viable_sets import boxes as boxes_module
-from tdmf_slip.viable_sets import grid as transitions_module
-from tdmf_slip.viable_sets.boxes import sums_of
-from tdmf_slip.viable_sets.grid import starts_at
+from tdmf_slip.viable_sets import grid
+from tdmf_slip.viable_sets.grid import starts_at, sums_of
 
 STICKING = {"ground.friction": 10.0}
 AXES = {"com_height": (0.3, 4.0), "com_speed": (0.0, 4.0)}
@@ -315,9 +313,9 @@ def test_of_random_boxes_the_table_of_sums_counts_right():
 
 
 def test_blocks_change_nothing(found, monkeypatch):
-    monkeypatch.setattr(transitions_module, "STRIDES_IN_A_CALL", 1000)
-    monkeypatch.setattr(transitions_module, "STRIDES_IN_A_BLOCK", 3000)
-    monkeypatch.setattr(boxes_module, "PAIRS_AT_ONCE", 700)
+    monkeypatch.setattr(grid, "STRIDES_IN_A_CALL", 1000)
+    monkeypatch.setattr(grid, "STRIDES_IN_A_BLOCK", 3000)
+    monkeypatch.setattr(grid, "PAIRS_AT_ONCE", 700)
     again = tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24)
     assert_same(again, found)
     assert_same(pickle.loads(pickle.dumps(found)), found)
@@ -336,8 +334,8 @@ def test_the_dataset_has_all_of_it(found):
 
 def test_a_file_is_gone_on_with(found, tmp_path, monkeypatch):
     path = tmp_path / "viable.nc"
-    monkeypatch.setattr(transitions_module, "STRIDES_IN_A_BLOCK", 3000)
-    make = transitions_module.strides_of
+    monkeypatch.setattr(grid, "STRIDES_IN_A_BLOCK", 3000)
+    make = grid.strides_of
     made = []
 
     def dies(part):
@@ -346,7 +344,7 @@ def test_a_file_is_gone_on_with(found, tmp_path, monkeypatch):
         made.append(part.rows)
         return make(part)
 
-    monkeypatch.setattr(transitions_module, "strides_of", dies)
+    monkeypatch.setattr(grid, "strides_of", dies)
     one_by_one = ThreadPoolExecutor(1)  # a block that still runs at the interrupt is not in the file
     with one_by_one, pytest.raises(KeyboardInterrupt):
         tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path, executor=one_by_one)
@@ -356,7 +354,7 @@ def test_a_file_is_gone_on_with(found, tmp_path, monkeypatch):
         again.append(part.rows)
         return make(part)
 
-    monkeypatch.setattr(transitions_module, "strides_of", counts)
+    monkeypatch.setattr(grid, "strides_of", counts)
     assert_same(tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path), found)
     assert set(sum(made, ())).isdisjoint(sum(again, ()))
     assert sorted(sum(made + again, ())) == list(range(25))

@@ -10,7 +10,7 @@ import pathlib
 import numpy as np
 import pytest
 from tdmf_slip.library import classic_slip
-from tdmf_slip.viable_sets.boxes import Boxes, largest_kept
+from tdmf_slip.viable_sets.grid import Boxes, largest_kept
 
 REFERENCE = json.loads(pathlib.Path(__file__).with_name("vibly_slip.json").read_text(encoding="utf-8"))
 GRIDS = REFERENCE["grids"]

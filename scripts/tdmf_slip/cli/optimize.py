@@ -8,9 +8,8 @@ import click
 from ..analysis.targeted import TargetNotMetError
 from ..errors import InputError
 from ..library.quantities import QUANTITIES, unit_of
-from ..optimization.optimize import MAX_STARTS, STARTS, optimize
+from ..optimization.optimize import MAX_POINTS, MAX_STARTS, POINTS, STARTS, best_compromises, optimize
 from ..optimization.optimum import Optimum, reported
-from ..optimization.pareto import MAX_POINTS, POINTS, best_compromises
 from ..record import origin_of
 from ..terminal.text import headed, table
 from ..variables.display_units import DisplayUnits

@@ -19,9 +19,8 @@ from ..library.settings import setting_number
 from ..record import runner_in
 from ..terminal.text import columns
 from ..variables.table import MODELS, VARIABLES
-from ..viable_sets.controller import ViableController
 from ..viable_sets.grid import MAX_CELLS, VALUES
-from ..viable_sets.viability import FACTOR, LARGEST_FACTOR, viability
+from ..viable_sets.viability import FACTOR, LARGEST_FACTOR, ViableController, viability
 from .options import JSON_OPTION, Command, NewFile, Number, ends_of, json_text, pairs_given, plot_option
 from .runner import Asked, runner_options
 from .workers import executor_of, workers_options

@@ -2,20 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from ..analysis.search import periodic_gait
+from ..analysis.targeted import TargetNotMetError
 from ..checks import checked_whole
+from ..errors import InputError
+from ..given import row_of
+from ..library.gait import gaits_dataset
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
-from ..terminal.progress import progress_bar
+from ..terminal.progress import Bar, progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model
 from ..variables.values import model_of
 from ..variables.variable import Given
-from .optimizer import Optimizer
-from .optimum import Optimum
-from .problem import Goal, check_action, checked_objective, checked_radius, checked_space, checked_values
+from .optimizer import Optimizer, Start
+from .optimum import Optimum, reported
+from .problem import (
+    Goal,
+    check_action,
+    checked_objective,
+    checked_quantity,
+    checked_radius,
+    checked_space,
+    checked_values,
+)
+
+if TYPE_CHECKING:
+    import xarray
 
 STARTS, MAX_STARTS = 6, 100
 
@@ -107,3 +125,166 @@ def optimize(
     with progress_bar("optimize", count, "starts", progress) as bar:
         found = optimizer.best(goal, bar)
     return optimizer.optimum(goal, found)
+
+
+POINTS, MAX_POINTS = 7, 1000
+
+
+def pareto_front(
+    runner: RunnerLike,
+    vary: Mapping[str, tuple[Given, Given]],
+    *,
+    minimize: Sequence[str] = (),
+    maximize: Sequence[str] = (),
+    target: Mapping[str, float] | None = None,
+    stable: bool | float = False,
+    points: int = POINTS,
+    starts: int = STARTS,
+    model: str | Model | None = None,
+    progress: bool = False,
+) -> xarray.Dataset:
+    """The best compromises between two quantities, from the best in one to the best in the other.
+
+    Each is an optimum of the first quantity as `optimize` finds it, with a limit on the second; the limits
+    are spread evenly between the values that the two ends have.
+
+    Parameters
+    ----------
+    runner : Runner, Gait, mapping of str to float, Series, str or Path
+        As in `optimize`.
+    vary : mapping of str to pairs of float
+        As in `optimize`.
+    minimize, maximize : sequence of str
+        Two quantities in all; those to be minimized come first.
+    target : mapping of str to float, optional
+        As in `optimize`.
+    stable : bool or float, default False
+        As in `optimize`.
+    points : int, default 7
+        How many runners, both ends among them.
+    starts : int, default 6
+        How many searches are made at the most for the ends; the others begin at their neighbours.
+    model : str, optional
+        As in `optimize`.
+    progress : bool, default False
+        A bar on stderr.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over `optimum`, from the best in the first quantity to the best in the second: all quantities of the
+        gaits, the parameters that are varied, and of each optimum `active_bounds`, `limits`, and `why` it is
+        not shown to be one, or an empty text. `gait_at(front.isel(optimum=0))` is a gait.
+
+    Raises
+    ------
+    InputError
+        Not two quantities, and as in `optimize`.
+    TargetNotMetError
+        As in `optimize`.
+    RunError
+        As in `optimize`.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> vary = {"hip.stance_torque": (0.15, 0.25)}
+    >>> front = tdmf_slip.pareto_front(
+    ...     {}, vary, minimize=["cost_of_transport"], maximize=["speed"], points=2, starts=1
+    ... )
+    >>> front["hip.stance_torque"].values.tolist()
+    [0.15, 0.25]
+    """
+    objectives, optima = best_compromises(
+        Runner(runner, model=model),
+        vary,
+        minimize=minimize,
+        maximize=maximize,
+        target=target,
+        stable=stable,
+        points=points,
+        starts=starts,
+        progress=progress,
+    )
+    names, gaits = list(optima[0].parameters), [best.gait for best in optima]
+    numbers = {"optimum": np.arange(len(optima), dtype=float)}
+    record = gaits[0].runner.record(*names)
+    data = gaits_dataset("front", record, gaits, numbers, objectives=", ".join(objectives))
+    texts = {
+        "active_bounds": [", ".join(map(": ".join, best.active_bounds.items())) for best in optima],
+        "limits": [", ".join(best.limits) for best in optima],
+        "why": [best.why for best in optima],
+    }
+    variables: dict[str, Any] = {name: ("optimum", np.array(of, dtype=object)) for name, of in texts.items()}
+    known = gaits[0].runner.model.variables
+    values: dict[str, Any] = {
+        name: (
+            "optimum",
+            [best.parameters[name] for best in optima],
+            known[name].attributes,
+        )
+        for name in names
+    }
+    return data.assign(variables).assign_coords(values)
+
+
+@shares_steps
+def best_compromises(
+    runner: Runner,
+    vary: Mapping[str, tuple[Given, Given]],
+    *,
+    minimize: Sequence[str] = (),
+    maximize: Sequence[str] = (),
+    target: Mapping[str, float] | None = None,
+    stable: bool | float = False,
+    points: int = POINTS,
+    starts: int = STARTS,
+    progress: bool = False,
+) -> tuple[tuple[str, str], tuple[Optimum, ...]]:
+    """The two quantities, and the optima from the best in the first to the best in the second."""
+    signs = _checked_objectives(minimize, maximize)
+    (first, second), space = tuple(signs), checked_space(vary, runner.model)
+    prescribed = checked_values(target, (first, second), space)
+    radius = checked_radius(stable)
+    goals = [Goal(name, signs[name], prescribed, radius=radius) for name in (first, second)]
+    count = checked_whole("points", points, 2, MAX_POINTS)
+    before = periodic_gait(runner)
+    optimizer = Optimizer(before, space, checked_whole("starts", starts, 1, MAX_STARTS))
+    check_action(optimizer.candidate(goals[0]), space)
+    total = 2 * optimizer.count + 2 * (count - 2)
+    with progress_bar("Pareto front", total, "searches", progress) as bar:
+        ends = [optimizer.best(goal, bar) for goal in goals]
+        inside = _between(optimizer, goals, ends[0].start, ends[1].start, count, bar)
+        found = [optimizer.optimum(goals[0], ends[0]), *inside, optimizer.optimum(goals[1], ends[1])]
+    return (first, second), tuple(found)
+
+
+def _between(
+    optimizer: Optimizer, goals: Sequence[Goal], begin: Start, end: Start, count: int, bar: Bar
+) -> Iterator[Optimum]:
+    """With limits on the second quantity, each from the one before and from the last."""
+    first, second = goals
+    low, high = (reported(start.gait)[second.objective] for start in (begin, end))
+    for limit in np.linspace(low, high, count)[1:-1]:
+        upper_limits = {second.objective: (second.sign, float(limit))}
+        goal = Goal(first.objective, first.sign, first.at, upper_limits, first.radius)
+        try:
+            found = optimizer.best(goal, bar, (begin, end))
+        except TargetNotMetError:
+            continue
+        begin = found.start
+        yield optimizer.optimum(goal, found)
+
+
+def _checked_objectives(minimize: Sequence[str], maximize: Sequence[str]) -> dict[str, float]:
+    """Two quantities with their signs."""
+    allowed = "names of quantities in a list, two in all"
+    least, largest = row_of(minimize, "minimize", allowed), row_of(maximize, "maximize", allowed)
+    signs = {checked_quantity(name, "minimize"): 1.0 for name in least}
+    both = [*least, *largest]
+    signs |= {checked_quantity(name, "maximize"): -1.0 for name in largest}
+    if len(both) != 2 or len(signs) != 2:
+        raise InputError(
+            f"minimize, maximize: {', '.join(map(str, both))}; allowed: two quantities that differ"
+        )
+    return signs
