@@ -13,7 +13,7 @@ from .instants import Functions, Instants, c_name
 from .motions import Motion
 from .page import Page
 from .quantities import range_of
-from .tables import enumeration, list_in_c, row_in_c, rows_in_c
+from .tables import enumeration, list_in_c, lists_in_c, row_in_c, rows_in_c
 
 SEEDS = """\
 /* First variations of {name} along two seeds at once, by motions of two lanes. */
@@ -51,8 +51,8 @@ def motion_row(page, motion):
     row |= {"series_count": len(motion.series), "constant_count": len(motion.constants)}
     row |= {"judged_count": len(motion.judged), "divisor_count": len(motion.divisors)}
     lists = ("moving", "degrees", "judged", "divided", "divisors", "integrals", "factors")
-    for what in lists:
-        tables += list_in_c("int", f"{what}_{name}", moving if what == "moving" else getattr(motion, what))
+    numbers = {f"{what}_{name}": moving if what == "moving" else getattr(motion, what) for what in lists}
+    tables += lists_in_c("int", numbers)
     row |= {what: f"{what}_{name}" for what in (*lists, "polynomials", "vary_observed")}
     row |= {"expand": f"expand_{name}", "vary": f"vary_{name}"}
     return tables, row_in_c(row | {"bounds": f"bounds_{name}" if motion.has_bounds else "NULL"})

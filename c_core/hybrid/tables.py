@@ -16,9 +16,15 @@ def rows_in_c(kind, name, rows, last):
     return f"static const tdmf_{kind}_kind {name}[] = {{\n{''.join(rows)}    {{.{last} = -1}},\n}};\n"
 
 
+def lists_in_c(kind, lists):
+    """Tables of numbers or names, by their own names."""
+    tables = [f"{name}[] = {{{', '.join(map(str, [*values] or [0]))}}}" for name, values in lists.items()]
+    return f"static const {kind} {', '.join(tables)};\n"
+
+
 def list_in_c(kind, name, values):
     """A table of numbers or names."""
-    return f"static const {kind} {name}[] = {{{', '.join(map(str, [*values] or [0]))}}};\n"
+    return lists_in_c(kind, {name: values})
 
 
 def enumeration(prefix, names):

@@ -521,70 +521,39 @@ TDMF_ALSO_FOR_AVX2 static void bounds_flight_up(const real *constants, const rea
 
 static const tdmf_polynomial polynomials_start_of_run[] = {guard_start_of_run_begins};
 static const tdmf_vary_polynomial vary_observed_start_of_run[] = {NULL};
-static const int moving_start_of_run[] = {0};
-static const int degrees_start_of_run[] = {1};
-static const int judged_start_of_run[] = {0};
-static const int divided_start_of_run[] = {0};
-static const int divisors_start_of_run[] = {0};
-static const int integrals_start_of_run[] = {0};
-static const int factors_start_of_run[] = {0};
+static const int moving_start_of_run[] = {0}, degrees_start_of_run[] = {1}, judged_start_of_run[] = {0},
+    divided_start_of_run[] = {0}, divisors_start_of_run[] = {0}, integrals_start_of_run[] = {0},
+    factors_start_of_run[] = {0};
 static const tdmf_polynomial polynomials_no_start[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_no_start[] = {NULL};
-static const int moving_no_start[] = {0};
-static const int degrees_no_start[] = {0};
-static const int judged_no_start[] = {0};
-static const int divided_no_start[] = {0};
-static const int divisors_no_start[] = {0};
-static const int integrals_no_start[] = {0};
-static const int factors_no_start[] = {0};
+static const int moving_no_start[] = {0}, degrees_no_start[] = {0}, judged_no_start[] = {0},
+    divided_no_start[] = {0}, divisors_no_start[] = {0}, integrals_no_start[] = {0}, factors_no_start[] = {0};
 static const tdmf_polynomial polynomials_flight_down[] = {guard_flight_down_touchdown,
     guard_flight_down_falls};
 static const tdmf_vary_polynomial vary_observed_flight_down[] = {NULL};
-static const int moving_flight_down[] = {2, 0, 1, 4, 5};
-static const int degrees_flight_down[] = {2, 1, 1, 1, 1};
-static const int judged_flight_down[] = {0};
-static const int divided_flight_down[] = {0};
-static const int divisors_flight_down[] = {0};
-static const int integrals_flight_down[] = {0};
-static const int factors_flight_down[] = {0};
+static const int moving_flight_down[] = {2, 0, 1, 4, 5}, degrees_flight_down[] = {2, 1, 1, 1, 1},
+    judged_flight_down[] = {0}, divided_flight_down[] = {0}, divisors_flight_down[] = {0},
+    integrals_flight_down[] = {0}, factors_flight_down[] = {0};
 static const tdmf_polynomial polynomials_fallen[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
-static const int moving_fallen[] = {0};
-static const int degrees_fallen[] = {0};
-static const int judged_fallen[] = {0};
-static const int divided_fallen[] = {0};
-static const int divisors_fallen[] = {0};
-static const int integrals_fallen[] = {0};
-static const int factors_fallen[] = {0};
+static const int moving_fallen[] = {0}, degrees_fallen[] = {0}, judged_fallen[] = {0}, divided_fallen[] = {0},
+    divisors_fallen[] = {0}, integrals_fallen[] = {0}, factors_fallen[] = {0};
 static const tdmf_polynomial polynomials_slides[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_slides[] = {NULL};
-static const int moving_slides[] = {0};
-static const int degrees_slides[] = {0};
-static const int judged_slides[] = {0};
-static const int divided_slides[] = {0};
-static const int divisors_slides[] = {0};
-static const int integrals_slides[] = {0};
-static const int factors_slides[] = {0};
+static const int moving_slides[] = {0}, degrees_slides[] = {0}, judged_slides[] = {0}, divided_slides[] = {0},
+    divisors_slides[] = {0}, integrals_slides[] = {0}, factors_slides[] = {0};
 static const tdmf_polynomial polynomials_stance[] = {guard_stance_take_off, guard_stance_leaves_cone,
     guard_stance_slides_out, guard_stance_collapses, guard_stance_tilt_ahead, guard_stance_tilt_behind};
 static const tdmf_vary_polynomial vary_observed_stance[] = {d_observed_stance_tilt_ahead,
     d_observed_stance_tilt_behind};
-static const int moving_stance[] = {1, 2, 3, 4, 0};
-static const int degrees_stance[] = {99, 99, 99, 99, 1};
-static const int judged_stance[] = {2, 3};
-static const int divided_stance[] = {-1, -1};
-static const int divisors_stance[] = {9};
-static const int integrals_stance[] = {-1, -1};
-static const int factors_stance[] = {-1, -1, -1, -1};
+static const int moving_stance[] = {1, 2, 3, 4, 0}, degrees_stance[] = {99, 99, 99, 99, 1},
+    judged_stance[] = {2, 3}, divided_stance[] = {-1, -1}, divisors_stance[] = {9}, integrals_stance[] = {-1,
+    -1}, factors_stance[] = {-1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_up[] = {guard_flight_up_falls, guard_flight_up_apex};
 static const tdmf_vary_polynomial vary_observed_flight_up[] = {NULL};
-static const int moving_flight_up[] = {2, 0, 1, 4};
-static const int degrees_flight_up[] = {2, 1, 1, 1};
-static const int judged_flight_up[] = {0};
-static const int divided_flight_up[] = {0};
-static const int divisors_flight_up[] = {0};
-static const int integrals_flight_up[] = {0};
-static const int factors_flight_up[] = {0};
+static const int moving_flight_up[] = {2, 0, 1, 4}, degrees_flight_up[] = {2, 1, 1, 1},
+    judged_flight_up[] = {0}, divided_flight_up[] = {0}, divisors_flight_up[] = {0},
+    integrals_flight_up[] = {0}, factors_flight_up[] = {0};
 
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_classic_slip_motions)[] = {
     {.moving_count = 1, .extra_count = 0, .series_count = 1, .constant_count = 0, .judged_count = 0,

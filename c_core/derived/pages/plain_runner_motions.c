@@ -2616,117 +2616,82 @@ TDMF_ALSO_FOR_AVX2 static void bounds_graze_retract(const real *constants, const
 
 static const tdmf_polynomial polynomials_start_of_run[] = {guard_start_of_run_begins};
 static const tdmf_vary_polynomial vary_observed_start_of_run[] = {NULL};
-static const int moving_start_of_run[] = {0};
-static const int degrees_start_of_run[] = {1};
-static const int judged_start_of_run[] = {0};
-static const int divided_start_of_run[] = {0};
-static const int divisors_start_of_run[] = {0};
-static const int integrals_start_of_run[] = {0};
-static const int factors_start_of_run[] = {0};
+static const int moving_start_of_run[] = {0}, degrees_start_of_run[] = {1}, judged_start_of_run[] = {0},
+    divided_start_of_run[] = {0}, divisors_start_of_run[] = {0}, integrals_start_of_run[] = {0},
+    factors_start_of_run[] = {0};
 static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_falls,
     guard_slip_constant_collapses, guard_slip_constant_greatest_compression, guard_slip_constant_mid_stance,
     guard_slip_constant_lift_off, guard_slip_constant_comes_to_rest, guard_slip_constant_power_of_hip,
     guard_slip_constant_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_slip_constant_power_of_hip,
     d_observed_slip_constant_force_on_foot};
-static const int moving_slip_constant[] = {54, 55, 56, 57, 58, 59, 62, 65, 75, 0};
-static const int degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99};
-static const int judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 10};
-static const int divided_slip_constant[] = {-1, -1, -1, -1, -1, -1, -1};
-static const int divisors_slip_constant[] = {14, 13};
-static const int integrals_slip_constant[] = {8, -1};
-static const int factors_slip_constant[] = {27, -1, -1, -1};
+static const int moving_slip_constant[] = {54, 55, 56, 57, 58, 59, 62, 65, 75, 0},
+    degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99}, judged_slip_constant[] = {2, 3, 5,
+    6, 7, 8, 10}, divided_slip_constant[] = {-1, -1, -1, -1, -1, -1, -1}, divisors_slip_constant[] = {14, 13},
+    integrals_slip_constant[] = {8, -1}, factors_slip_constant[] = {27, -1, -1, -1};
 static const tdmf_polynomial polynomials_stick[] = {guard_stick_falls, guard_stick_collapses,
     guard_stick_greatest_compression, guard_stick_mid_stance, guard_stick_lift_off, guard_stick_slips_forward,
     guard_stick_slips_backward, guard_stick_power_of_hip, guard_stick_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_power_of_hip,
     d_observed_stick_force_on_foot};
-static const int moving_stick[] = {54, 55, 56, 57, 62, 75, 0, 58};
-static const int degrees_stick[] = {99, 99, 99, 99, 99, 99, 1, 1, 99};
-static const int judged_stick[] = {2, 3, 4, 5, 8};
-static const int divided_stick[] = {-1, -1, -1, -1, -1};
-static const int divisors_stick[] = {12, 11};
-static const int integrals_stick[] = {5, -1};
-static const int factors_stick[] = {23, -1, -1, -1};
+static const int moving_stick[] = {54, 55, 56, 57, 62, 75, 0, 58}, degrees_stick[] = {99, 99, 99, 99, 99, 99,
+    1, 1, 99}, judged_stick[] = {2, 3, 4, 5, 8}, divided_stick[] = {-1, -1, -1, -1, -1},
+    divisors_stick[] = {12, 11}, integrals_stick[] = {5, -1}, factors_stick[] = {23, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_place_calm[] = {guard_flight_place_calm_falls,
     guard_flight_place_calm_collapses, guard_flight_place_calm_apex, guard_flight_place_calm_touchdown,
     guard_flight_place_calm_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_flight_place_calm[] =
     {d_observed_flight_place_calm_power_of_hip};
-static const int moving_flight_place_calm[] = {43, 44, 47, 50, 53, 62, 75, 0, 49, 52, 70};
-static const int degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1, 1, 1};
-static const int judged_flight_place_calm[] = {1, 2, 4, 5, 6};
-static const int divided_flight_place_calm[] = {-1, -1, 0, -1, -1};
-static const int divisors_flight_place_calm[] = {11};
-static const int integrals_flight_place_calm[] = {6};
-static const int factors_flight_place_calm[] = {15, 12};
+static const int moving_flight_place_calm[] = {43, 44, 47, 50, 53, 62, 75, 0, 49, 52, 70},
+    degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1, 1, 1}, judged_flight_place_calm[] = {1, 2,
+    4, 5, 6}, divided_flight_place_calm[] = {-1, -1, 0, -1, -1}, divisors_flight_place_calm[] = {11},
+    integrals_flight_place_calm[] = {6}, factors_flight_place_calm[] = {15, 12};
 static const tdmf_polynomial polynomials_flight_rest_calm[] = {guard_flight_rest_calm_falls,
     guard_flight_rest_calm_collapses, guard_flight_rest_calm_apex, guard_flight_rest_calm_touchdown,
     guard_flight_rest_calm_release, guard_flight_rest_calm_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_flight_rest_calm[] =
     {d_observed_flight_rest_calm_power_of_hip};
-static const int moving_flight_rest_calm[] = {43, 44, 47, 50, 62, 75, 0, 49, 52, 53};
-static const int degrees_flight_rest_calm[] = {99, 99, 99, 2, 99, 99, 1, 1, 1, 1};
-static const int judged_flight_rest_calm[] = {1, 2, 4, 5};
-static const int divided_flight_rest_calm[] = {-1, -1, -1, -1};
-static const int divisors_flight_rest_calm[] = {10};
-static const int integrals_flight_rest_calm[] = {5};
-static const int factors_flight_rest_calm[] = {11, -1};
+static const int moving_flight_rest_calm[] = {43, 44, 47, 50, 62, 75, 0, 49, 52, 53},
+    degrees_flight_rest_calm[] = {99, 99, 99, 2, 99, 99, 1, 1, 1, 1}, judged_flight_rest_calm[] = {1, 2, 4,
+    5}, divided_flight_rest_calm[] = {-1, -1, -1, -1}, divisors_flight_rest_calm[] = {10},
+    integrals_flight_rest_calm[] = {5}, factors_flight_rest_calm[] = {11, -1};
 static const tdmf_polynomial polynomials_flight_retract_calm[] = {guard_flight_retract_calm_falls,
     guard_flight_retract_calm_collapses, guard_flight_retract_calm_apex, guard_flight_retract_calm_touchdown,
     guard_flight_retract_calm_clamp, guard_flight_retract_calm_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_flight_retract_calm[] =
     {d_observed_flight_retract_calm_power_of_hip};
-static const int moving_flight_retract_calm[] = {43, 44, 47, 50, 53, 62, 75, 0, 49, 52};
-static const int degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1, 1};
-static const int judged_flight_retract_calm[] = {1, 2, 4, 5, 6};
-static const int divided_flight_retract_calm[] = {-1, -1, 0, -1, -1};
-static const int divisors_flight_retract_calm[] = {10};
-static const int integrals_flight_retract_calm[] = {6};
-static const int factors_flight_retract_calm[] = {14, 11};
+static const int moving_flight_retract_calm[] = {43, 44, 47, 50, 53, 62, 75, 0, 49, 52},
+    degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1, 1}, judged_flight_retract_calm[] = {1,
+    2, 4, 5, 6}, divided_flight_retract_calm[] = {-1, -1, 0, -1, -1}, divisors_flight_retract_calm[] = {10},
+    integrals_flight_retract_calm[] = {6}, factors_flight_retract_calm[] = {14, 11};
 static const tdmf_polynomial polynomials_fallen[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
-static const int moving_fallen[] = {0};
-static const int degrees_fallen[] = {0};
-static const int judged_fallen[] = {0};
-static const int divided_fallen[] = {0};
-static const int divisors_fallen[] = {0};
-static const int integrals_fallen[] = {0};
-static const int factors_fallen[] = {0};
+static const int moving_fallen[] = {0}, degrees_fallen[] = {0}, judged_fallen[] = {0}, divided_fallen[] = {0},
+    divisors_fallen[] = {0}, integrals_fallen[] = {0}, factors_fallen[] = {0};
 static const tdmf_polynomial polynomials_graze_place[] = {guard_graze_place_falls,
     guard_graze_place_collapses, guard_graze_place_mid_stance, guard_graze_place_graze_to_contact,
     guard_graze_place_graze_to_flight, guard_graze_place_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_graze_place[] = {d_observed_graze_place_power_of_hip};
-static const int moving_graze_place[] = {54, 55, 56, 58, 59, 62, 75, 0, 57, 70};
-static const int degrees_graze_place[] = {99, 2, 99, 99, 99, 99, 99, 1, 1, 1, 99};
-static const int judged_graze_place[] = {2, 4, 5, 6, 10};
-static const int divided_graze_place[] = {-1, -1, -1, -1, -1};
-static const int divisors_graze_place[] = {14, 0, 13};
-static const int integrals_graze_place[] = {6};
-static const int factors_graze_place[] = {22, 25};
+static const int moving_graze_place[] = {54, 55, 56, 58, 59, 62, 75, 0, 57, 70}, degrees_graze_place[] = {99,
+    2, 99, 99, 99, 99, 99, 1, 1, 1, 99}, judged_graze_place[] = {2, 4, 5, 6, 10}, divided_graze_place[] = {-1,
+    -1, -1, -1, -1}, divisors_graze_place[] = {14, 0, 13}, integrals_graze_place[] = {6},
+    factors_graze_place[] = {22, 25};
 static const tdmf_polynomial polynomials_graze_rest[] = {guard_graze_rest_falls, guard_graze_rest_collapses,
     guard_graze_rest_apex_in_graze, guard_graze_rest_release, guard_graze_rest_mid_stance,
     guard_graze_rest_graze_to_contact, guard_graze_rest_graze_to_flight, guard_graze_rest_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_graze_rest[] = {d_observed_graze_rest_power_of_hip};
-static const int moving_graze_rest[] = {54, 55, 56, 58, 59, 62, 75, 0, 57};
-static const int degrees_graze_rest[] = {99, 2, 99, 99, 99, 99, 99, 1, 1, 99};
-static const int judged_graze_rest[] = {2, 4, 5, 6, 9};
-static const int divided_graze_rest[] = {-1, -1, -1, -1, -1};
-static const int divisors_graze_rest[] = {13, 0, 12};
-static const int integrals_graze_rest[] = {6};
-static const int factors_graze_rest[] = {21, 24};
+static const int moving_graze_rest[] = {54, 55, 56, 58, 59, 62, 75, 0, 57}, degrees_graze_rest[] = {99, 2, 99,
+    99, 99, 99, 99, 1, 1, 99}, judged_graze_rest[] = {2, 4, 5, 6, 9}, divided_graze_rest[] = {-1, -1, -1, -1,
+    -1}, divisors_graze_rest[] = {13, 0, 12}, integrals_graze_rest[] = {6}, factors_graze_rest[] = {21, 24};
 static const tdmf_polynomial polynomials_graze_retract[] = {guard_graze_retract_falls,
     guard_graze_retract_collapses, guard_graze_retract_apex_in_graze, guard_graze_retract_clamp,
     guard_graze_retract_mid_stance, guard_graze_retract_graze_to_contact, guard_graze_retract_graze_to_flight,
     guard_graze_retract_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_graze_retract[] = {d_observed_graze_retract_power_of_hip};
-static const int moving_graze_retract[] = {54, 55, 56, 58, 59, 62, 75, 0, 57};
-static const int degrees_graze_retract[] = {99, 2, 99, 99, 99, 99, 99, 1, 1, 99};
-static const int judged_graze_retract[] = {2, 4, 5, 6, 9};
-static const int divided_graze_retract[] = {-1, -1, -1, -1, -1};
-static const int divisors_graze_retract[] = {13, 0, 12};
-static const int integrals_graze_retract[] = {6};
-static const int factors_graze_retract[] = {21, 24};
+static const int moving_graze_retract[] = {54, 55, 56, 58, 59, 62, 75, 0, 57}, degrees_graze_retract[] = {99,
+    2, 99, 99, 99, 99, 99, 1, 1, 99}, judged_graze_retract[] = {2, 4, 5, 6, 9}, divided_graze_retract[] = {-1,
+    -1, -1, -1, -1}, divisors_graze_retract[] = {13, 0, 12}, integrals_graze_retract[] = {6},
+    factors_graze_retract[] = {21, 24};
 
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
     {.moving_count = 1, .extra_count = 0, .series_count = 1, .constant_count = 0, .judged_count = 0,

@@ -1805,41 +1805,23 @@ TDMF_ALSO_FOR_AVX2 static void bounds_slip_falling(const real *constants, const 
 
 static const tdmf_polynomial polynomials_start_of_run[] = {guard_start_of_run_begins};
 static const tdmf_vary_polynomial vary_observed_start_of_run[] = {NULL};
-static const int moving_start_of_run[] = {0};
-static const int degrees_start_of_run[] = {1};
-static const int judged_start_of_run[] = {0};
-static const int divided_start_of_run[] = {0};
-static const int divisors_start_of_run[] = {0};
-static const int integrals_start_of_run[] = {0};
-static const int factors_start_of_run[] = {0};
+static const int moving_start_of_run[] = {0}, degrees_start_of_run[] = {1}, judged_start_of_run[] = {0},
+    divided_start_of_run[] = {0}, divisors_start_of_run[] = {0}, integrals_start_of_run[] = {0},
+    factors_start_of_run[] = {0};
 static const tdmf_polynomial polynomials_no_start[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_no_start[] = {NULL};
-static const int moving_no_start[] = {0};
-static const int degrees_no_start[] = {0};
-static const int judged_no_start[] = {0};
-static const int divided_no_start[] = {0};
-static const int divisors_no_start[] = {0};
-static const int integrals_no_start[] = {0};
-static const int factors_no_start[] = {0};
+static const int moving_no_start[] = {0}, degrees_no_start[] = {0}, judged_no_start[] = {0},
+    divided_no_start[] = {0}, divisors_no_start[] = {0}, integrals_no_start[] = {0}, factors_no_start[] = {0};
 static const tdmf_polynomial polynomials_flight_place[] = {guard_flight_place_falls,
     guard_flight_place_touchdown, guard_flight_place_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_flight_place[] = {d_observed_flight_place_power_of_hip};
-static const int moving_flight_place[] = {57, 58, 71, 0, 59, 60, 52, 80};
-static const int degrees_flight_place[] = {2, 2, 2, 1, 1, 1, 1, 1};
-static const int judged_flight_place[] = {0};
-static const int divided_flight_place[] = {0};
-static const int divisors_flight_place[] = {0};
-static const int integrals_flight_place[] = {-1};
-static const int factors_flight_place[] = {-1, -1};
+static const int moving_flight_place[] = {57, 58, 71, 0, 59, 60, 52, 80}, degrees_flight_place[] = {2, 2, 2,
+    1, 1, 1, 1, 1}, judged_flight_place[] = {0}, divided_flight_place[] = {0}, divisors_flight_place[] = {0},
+    integrals_flight_place[] = {-1}, factors_flight_place[] = {-1, -1};
 static const tdmf_polynomial polynomials_fallen[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
-static const int moving_fallen[] = {0};
-static const int degrees_fallen[] = {0};
-static const int judged_fallen[] = {0};
-static const int divided_fallen[] = {0};
-static const int divisors_fallen[] = {0};
-static const int integrals_fallen[] = {0};
-static const int factors_fallen[] = {0};
+static const int moving_fallen[] = {0}, degrees_fallen[] = {0}, judged_fallen[] = {0}, divided_fallen[] = {0},
+    divisors_fallen[] = {0}, integrals_fallen[] = {0}, factors_fallen[] = {0};
 static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_falls,
     guard_slip_constant_collapses, guard_slip_constant_greatest_compression, guard_slip_constant_mid_stance,
     guard_slip_constant_lift_off, guard_slip_constant_enters_layer, guard_slip_constant_comes_to_rest,
@@ -1847,54 +1829,35 @@ static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_
     guard_slip_constant_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_slip_constant_power_of_hip,
     d_observed_slip_constant_vertical_force_on_foot, d_observed_slip_constant_force_on_foot};
-static const int moving_slip_constant[] = {62, 63, 64, 65, 66, 67, 71, 72, 75, 82, 0};
-static const int degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99};
-static const int judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 9, 11};
-static const int divided_slip_constant[] = {-1, -1, -1, -1, -1, -1, -1, -1};
-static const int divisors_slip_constant[] = {15, 14};
-static const int integrals_slip_constant[] = {9, -1, -1};
-static const int factors_slip_constant[] = {28, -1, -1, -1, -1, -1};
+static const int moving_slip_constant[] = {62, 63, 64, 65, 66, 67, 71, 72, 75, 82, 0},
+    degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99}, judged_slip_constant[] = {2, 3,
+    5, 6, 7, 8, 9, 11}, divided_slip_constant[] = {-1, -1, -1, -1, -1, -1, -1, -1},
+    divisors_slip_constant[] = {15, 14}, integrals_slip_constant[] = {9, -1, -1},
+    factors_slip_constant[] = {28, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_stick[] = {guard_stick_falls, guard_stick_collapses,
     guard_stick_greatest_compression, guard_stick_mid_stance, guard_stick_lift_off, guard_stick_slips_forward,
     guard_stick_slips_backward, guard_stick_power_of_hip, guard_stick_vertical_force_on_foot,
     guard_stick_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_power_of_hip,
     d_observed_stick_vertical_force_on_foot, d_observed_stick_force_on_foot};
-static const int moving_stick[] = {62, 63, 64, 65, 71, 72, 82, 0, 66};
-static const int degrees_stick[] = {99, 99, 99, 99, 99, 99, 99, 1, 1, 99};
-static const int judged_stick[] = {2, 3, 4, 5, 6, 9};
-static const int divided_stick[] = {-1, -1, -1, -1, -1, -1};
-static const int divisors_stick[] = {13, 12};
-static const int integrals_stick[] = {6, -1, -1};
-static const int factors_stick[] = {24, -1, -1, -1, -1, -1};
+static const int moving_stick[] = {62, 63, 64, 65, 71, 72, 82, 0, 66}, degrees_stick[] = {99, 99, 99, 99, 99,
+    99, 99, 1, 1, 99}, judged_stick[] = {2, 3, 4, 5, 6, 9}, divided_stick[] = {-1, -1, -1, -1, -1, -1},
+    divisors_stick[] = {13, 12}, integrals_stick[] = {6, -1, -1}, factors_stick[] = {24, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_no_stance[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_no_stance[] = {NULL};
-static const int moving_no_stance[] = {0};
-static const int degrees_no_stance[] = {0};
-static const int judged_no_stance[] = {0};
-static const int divided_no_stance[] = {0};
-static const int divisors_no_stance[] = {0};
-static const int integrals_no_stance[] = {0};
-static const int factors_no_stance[] = {0};
+static const int moving_no_stance[] = {0}, degrees_no_stance[] = {0}, judged_no_stance[] = {0},
+    divided_no_stance[] = {0}, divisors_no_stance[] = {0}, integrals_no_stance[] = {0},
+    factors_no_stance[] = {0};
 static const tdmf_polynomial polynomials_no_apex[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_no_apex[] = {NULL};
-static const int moving_no_apex[] = {0};
-static const int degrees_no_apex[] = {0};
-static const int judged_no_apex[] = {0};
-static const int divided_no_apex[] = {0};
-static const int divisors_no_apex[] = {0};
-static const int integrals_no_apex[] = {0};
-static const int factors_no_apex[] = {0};
+static const int moving_no_apex[] = {0}, degrees_no_apex[] = {0}, judged_no_apex[] = {0},
+    divided_no_apex[] = {0}, divisors_no_apex[] = {0}, integrals_no_apex[] = {0}, factors_no_apex[] = {0};
 static const tdmf_polynomial polynomials_flight_retract[] = {guard_flight_retract_apex,
     guard_flight_retract_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_flight_retract[] = {d_observed_flight_retract_power_of_hip};
-static const int moving_flight_retract[] = {57, 58, 71, 0, 59, 60};
-static const int degrees_flight_retract[] = {2, 2, 2, 1, 1, 1};
-static const int judged_flight_retract[] = {0};
-static const int divided_flight_retract[] = {0};
-static const int divisors_flight_retract[] = {0};
-static const int integrals_flight_retract[] = {-1};
-static const int factors_flight_retract[] = {-1, -1};
+static const int moving_flight_retract[] = {57, 58, 71, 0, 59, 60}, degrees_flight_retract[] = {2, 2, 2, 1, 1,
+    1}, judged_flight_retract[] = {0}, divided_flight_retract[] = {0}, divisors_flight_retract[] = {0},
+    integrals_flight_retract[] = {-1}, factors_flight_retract[] = {-1, -1};
 static const tdmf_polynomial polynomials_slip_falling[] = {guard_slip_falling_falls,
     guard_slip_falling_collapses, guard_slip_falling_greatest_compression, guard_slip_falling_mid_stance,
     guard_slip_falling_lift_off, guard_slip_falling_leaves_layer, guard_slip_falling_comes_to_rest,
@@ -1902,13 +1865,11 @@ static const tdmf_polynomial polynomials_slip_falling[] = {guard_slip_falling_fa
     guard_slip_falling_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_slip_falling[] = {d_observed_slip_falling_power_of_hip,
     d_observed_slip_falling_vertical_force_on_foot, d_observed_slip_falling_force_on_foot};
-static const int moving_slip_falling[] = {62, 63, 64, 65, 66, 67, 71, 72, 75, 82, 0};
-static const int degrees_slip_falling[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99};
-static const int judged_slip_falling[] = {2, 3, 5, 6, 7, 8, 9, 11};
-static const int divided_slip_falling[] = {-1, -1, -1, -1, -1, -1, -1, -1};
-static const int divisors_slip_falling[] = {15, 14};
-static const int integrals_slip_falling[] = {9, -1, -1};
-static const int factors_slip_falling[] = {32, -1, -1, -1, -1, -1};
+static const int moving_slip_falling[] = {62, 63, 64, 65, 66, 67, 71, 72, 75, 82, 0},
+    degrees_slip_falling[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99}, judged_slip_falling[] = {2, 3,
+    5, 6, 7, 8, 9, 11}, divided_slip_falling[] = {-1, -1, -1, -1, -1, -1, -1, -1},
+    divisors_slip_falling[] = {15, 14}, integrals_slip_falling[] = {9, -1, -1}, factors_slip_falling[] = {32,
+    -1, -1, -1, -1, -1};
 
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_reduced_runner_motions)[] = {
     {.moving_count = 1, .extra_count = 0, .series_count = 1, .constant_count = 0, .judged_count = 0,

@@ -5994,13 +5994,9 @@ TDMF_ALSO_FOR_AVX2 static void bounds_flight_retract_pushed(const real *constant
 static const tdmf_polynomial polynomials_start_of_run[] = {guard_start_of_run_passes_end,
     guard_start_of_run_passes_begin, guard_start_of_run_begins};
 static const tdmf_vary_polynomial vary_observed_start_of_run[] = {NULL};
-static const int moving_start_of_run[] = {53, 54, 55, 83, 88, 0};
-static const int degrees_start_of_run[] = {1, 1, 1, 1, 1, 1};
-static const int judged_start_of_run[] = {0};
-static const int divided_start_of_run[] = {0};
-static const int divisors_start_of_run[] = {0};
-static const int integrals_start_of_run[] = {0};
-static const int factors_start_of_run[] = {0};
+static const int moving_start_of_run[] = {53, 54, 55, 83, 88, 0}, degrees_start_of_run[] = {1, 1, 1, 1, 1, 1},
+    judged_start_of_run[] = {0}, divided_start_of_run[] = {0}, divisors_start_of_run[] = {0},
+    integrals_start_of_run[] = {0}, factors_start_of_run[] = {0};
 static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_ramp_ends,
     guard_slip_constant_falls, guard_slip_constant_collapses, guard_slip_constant_greatest_compression,
     guard_slip_constant_mid_stance, guard_slip_constant_lift_off, guard_slip_constant_enters_layer,
@@ -6008,26 +6004,21 @@ static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_
     guard_slip_constant_vertical_force_on_foot, guard_slip_constant_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_slip_constant_power_of_hip,
     d_observed_slip_constant_vertical_force_on_foot, d_observed_slip_constant_force_on_foot};
-static const int moving_slip_constant[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 85, 96, 53, 54, 55, 83, 88, 0};
-static const int degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99};
-static const int judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 9, 10, 17};
-static const int divided_slip_constant[] = {-1, -1, -1, -1, -1, -1, -1, -1, -1};
-static const int divisors_slip_constant[] = {21, 20};
-static const int integrals_slip_constant[] = {10, -1, -1};
-static const int factors_slip_constant[] = {39, -1, -1, -1, -1, -1};
+static const int moving_slip_constant[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 85, 96, 53, 54, 55, 83, 88, 0},
+    degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99},
+    judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 9, 10, 17}, divided_slip_constant[] = {-1, -1, -1, -1, -1, -1,
+    -1, -1, -1}, divisors_slip_constant[] = {21, 20}, integrals_slip_constant[] = {10, -1, -1},
+    factors_slip_constant[] = {39, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_stick[] = {guard_stick_ramp_ends, guard_stick_falls,
     guard_stick_collapses, guard_stick_greatest_compression, guard_stick_mid_stance, guard_stick_lift_off,
     guard_stick_slips_forward, guard_stick_slips_backward, guard_stick_power_of_hip,
     guard_stick_vertical_force_on_foot, guard_stick_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_power_of_hip,
     d_observed_stick_vertical_force_on_foot, d_observed_stick_force_on_foot};
-static const int moving_stick[] = {69, 70, 71, 72, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0, 73};
-static const int degrees_stick[] = {99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99};
-static const int judged_stick[] = {2, 3, 4, 5, 6, 7, 15};
-static const int divided_stick[] = {-1, -1, -1, -1, -1, -1, -1};
-static const int divisors_stick[] = {19, 18};
-static const int integrals_stick[] = {7, -1, -1};
-static const int factors_stick[] = {34, -1, -1, -1, -1, -1};
+static const int moving_stick[] = {69, 70, 71, 72, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0, 73},
+    degrees_stick[] = {99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99}, judged_stick[] = {2, 3, 4, 5,
+    6, 7, 15}, divided_stick[] = {-1, -1, -1, -1, -1, -1, -1}, divisors_stick[] = {19, 18},
+    integrals_stick[] = {7, -1, -1}, factors_stick[] = {34, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_place_calm[] = {guard_flight_place_calm_passes_end,
     guard_flight_place_calm_passes_begin, guard_flight_place_calm_next_segment_comes,
     guard_flight_place_calm_ramp_ends, guard_flight_place_calm_wind_rises, guard_flight_place_calm_new_ground,
@@ -6036,13 +6027,10 @@ static const tdmf_polynomial polynomials_flight_place_calm[] = {guard_flight_pla
 static const tdmf_vary_polynomial vary_observed_flight_place_calm[] =
     {d_observed_flight_place_calm_power_of_hip};
 static const int moving_flight_place_calm[] = {58, 59, 62, 65, 68, 77, 79, 96, 53, 54, 55, 83, 88, 0, 64, 67,
-    91};
-static const int degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1, 1};
-static const int judged_flight_place_calm[] = {1, 2, 4, 5, 6, 7};
-static const int divided_flight_place_calm[] = {-1, -1, 0, -1, -1, -1};
-static const int divisors_flight_place_calm[] = {17};
-static const int integrals_flight_place_calm[] = {7};
-static const int factors_flight_place_calm[] = {21, 18};
+    91}, degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1, 1},
+    judged_flight_place_calm[] = {1, 2, 4, 5, 6, 7}, divided_flight_place_calm[] = {-1, -1, 0, -1, -1, -1},
+    divisors_flight_place_calm[] = {17}, integrals_flight_place_calm[] = {7},
+    factors_flight_place_calm[] = {21, 18};
 static const tdmf_polynomial polynomials_flight_rest_calm[] = {guard_flight_rest_calm_passes_end,
     guard_flight_rest_calm_passes_begin, guard_flight_rest_calm_next_segment_comes,
     guard_flight_rest_calm_ramp_ends, guard_flight_rest_calm_wind_rises, guard_flight_rest_calm_new_ground,
@@ -6050,13 +6038,11 @@ static const tdmf_polynomial polynomials_flight_rest_calm[] = {guard_flight_rest
     guard_flight_rest_calm_touchdown, guard_flight_rest_calm_release, guard_flight_rest_calm_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_flight_rest_calm[] =
     {d_observed_flight_rest_calm_power_of_hip};
-static const int moving_flight_rest_calm[] = {58, 59, 62, 65, 68, 77, 79, 96, 53, 54, 55, 83, 88, 0, 64, 67};
-static const int degrees_flight_rest_calm[] = {99, 99, 99, 2, 2, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1};
-static const int judged_flight_rest_calm[] = {1, 2, 5, 6, 7};
-static const int divided_flight_rest_calm[] = {-1, -1, -1, -1, -1};
-static const int divisors_flight_rest_calm[] = {16};
-static const int integrals_flight_rest_calm[] = {7};
-static const int factors_flight_rest_calm[] = {21, -1};
+static const int moving_flight_rest_calm[] = {58, 59, 62, 65, 68, 77, 79, 96, 53, 54, 55, 83, 88, 0, 64, 67},
+    degrees_flight_rest_calm[] = {99, 99, 99, 2, 2, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1},
+    judged_flight_rest_calm[] = {1, 2, 5, 6, 7}, divided_flight_rest_calm[] = {-1, -1, -1, -1, -1},
+    divisors_flight_rest_calm[] = {16}, integrals_flight_rest_calm[] = {7}, factors_flight_rest_calm[] = {21,
+    -1};
 static const tdmf_polynomial polynomials_flight_retract_calm[] = {guard_flight_retract_calm_passes_end,
     guard_flight_retract_calm_passes_begin, guard_flight_retract_calm_next_segment_comes,
     guard_flight_retract_calm_ramp_ends, guard_flight_retract_calm_wind_rises,
@@ -6066,60 +6052,44 @@ static const tdmf_polynomial polynomials_flight_retract_calm[] = {guard_flight_r
 static const tdmf_vary_polynomial vary_observed_flight_retract_calm[] =
     {d_observed_flight_retract_calm_power_of_hip};
 static const int moving_flight_retract_calm[] = {58, 59, 62, 65, 68, 77, 79, 96, 53, 54, 55, 83, 88, 0, 64,
-    67};
-static const int degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1};
-static const int judged_flight_retract_calm[] = {1, 2, 4, 5, 6, 7};
-static const int divided_flight_retract_calm[] = {-1, -1, 0, -1, -1, -1};
-static const int divisors_flight_retract_calm[] = {16};
-static const int integrals_flight_retract_calm[] = {7};
-static const int factors_flight_retract_calm[] = {20, 17};
+    67}, degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1},
+    judged_flight_retract_calm[] = {1, 2, 4, 5, 6, 7}, divided_flight_retract_calm[] = {-1, -1, 0, -1, -1,
+    -1}, divisors_flight_retract_calm[] = {16}, integrals_flight_retract_calm[] = {7},
+    factors_flight_retract_calm[] = {20, 17};
 static const tdmf_polynomial polynomials_fallen[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
-static const int moving_fallen[] = {0};
-static const int degrees_fallen[] = {0};
-static const int judged_fallen[] = {0};
-static const int divided_fallen[] = {0};
-static const int divisors_fallen[] = {0};
-static const int integrals_fallen[] = {0};
-static const int factors_fallen[] = {0};
+static const int moving_fallen[] = {0}, degrees_fallen[] = {0}, judged_fallen[] = {0}, divided_fallen[] = {0},
+    divisors_fallen[] = {0}, integrals_fallen[] = {0}, factors_fallen[] = {0};
 static const tdmf_polynomial polynomials_graze_place[] = {guard_graze_place_passes_end,
     guard_graze_place_passes_begin, guard_graze_place_ramp_ends, guard_graze_place_falls,
     guard_graze_place_collapses, guard_graze_place_mid_stance, guard_graze_place_graze_to_contact,
     guard_graze_place_graze_to_flight, guard_graze_place_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_graze_place[] = {d_observed_graze_place_power_of_hip};
-static const int moving_graze_place[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0, 91};
-static const int degrees_graze_place[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99};
-static const int judged_graze_place[] = {2, 5, 6, 7, 8, 9, 17};
-static const int divided_graze_place[] = {-1, -1, -1, -1, -1, -1, -1};
-static const int divisors_graze_place[] = {21, 0, 20};
-static const int integrals_graze_place[] = {9};
-static const int factors_graze_place[] = {32, 35};
+static const int moving_graze_place[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0, 91},
+    degrees_graze_place[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99},
+    judged_graze_place[] = {2, 5, 6, 7, 8, 9, 17}, divided_graze_place[] = {-1, -1, -1, -1, -1, -1, -1},
+    divisors_graze_place[] = {21, 0, 20}, integrals_graze_place[] = {9}, factors_graze_place[] = {32, 35};
 static const tdmf_polynomial polynomials_graze_rest[] = {guard_graze_rest_passes_end,
     guard_graze_rest_passes_begin, guard_graze_rest_ramp_ends, guard_graze_rest_falls,
     guard_graze_rest_collapses, guard_graze_rest_apex_in_graze, guard_graze_rest_release,
     guard_graze_rest_mid_stance, guard_graze_rest_graze_to_contact, guard_graze_rest_graze_to_flight,
     guard_graze_rest_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_graze_rest[] = {d_observed_graze_rest_power_of_hip};
-static const int moving_graze_rest[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0};
-static const int degrees_graze_rest[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99};
-static const int judged_graze_rest[] = {2, 5, 6, 7, 8, 9, 16};
-static const int divided_graze_rest[] = {-1, -1, -1, -1, -1, -1, -1};
-static const int divisors_graze_rest[] = {20, 0, 19};
-static const int integrals_graze_rest[] = {9};
-static const int factors_graze_rest[] = {31, 34};
+static const int moving_graze_rest[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0},
+    degrees_graze_rest[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99},
+    judged_graze_rest[] = {2, 5, 6, 7, 8, 9, 16}, divided_graze_rest[] = {-1, -1, -1, -1, -1, -1, -1},
+    divisors_graze_rest[] = {20, 0, 19}, integrals_graze_rest[] = {9}, factors_graze_rest[] = {31, 34};
 static const tdmf_polynomial polynomials_graze_retract[] = {guard_graze_retract_passes_end,
     guard_graze_retract_passes_begin, guard_graze_retract_ramp_ends, guard_graze_retract_falls,
     guard_graze_retract_collapses, guard_graze_retract_apex_in_graze, guard_graze_retract_clamp,
     guard_graze_retract_mid_stance, guard_graze_retract_graze_to_contact, guard_graze_retract_graze_to_flight,
     guard_graze_retract_power_of_hip};
 static const tdmf_vary_polynomial vary_observed_graze_retract[] = {d_observed_graze_retract_power_of_hip};
-static const int moving_graze_retract[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0};
-static const int degrees_graze_retract[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99};
-static const int judged_graze_retract[] = {2, 5, 6, 7, 8, 9, 16};
-static const int divided_graze_retract[] = {-1, -1, -1, -1, -1, -1, -1};
-static const int divisors_graze_retract[] = {20, 0, 19};
-static const int integrals_graze_retract[] = {9};
-static const int factors_graze_retract[] = {31, 34};
+static const int moving_graze_retract[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0},
+    degrees_graze_retract[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99},
+    judged_graze_retract[] = {2, 5, 6, 7, 8, 9, 16}, divided_graze_retract[] = {-1, -1, -1, -1, -1, -1, -1},
+    divisors_graze_retract[] = {20, 0, 19}, integrals_graze_retract[] = {9}, factors_graze_retract[] = {31,
+    34};
 static const tdmf_polynomial polynomials_slip_falling[] = {guard_slip_falling_ramp_ends,
     guard_slip_falling_falls, guard_slip_falling_collapses, guard_slip_falling_greatest_compression,
     guard_slip_falling_mid_stance, guard_slip_falling_lift_off, guard_slip_falling_leaves_layer,
@@ -6127,13 +6097,11 @@ static const tdmf_polynomial polynomials_slip_falling[] = {guard_slip_falling_ra
     guard_slip_falling_vertical_force_on_foot, guard_slip_falling_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_slip_falling[] = {d_observed_slip_falling_power_of_hip,
     d_observed_slip_falling_vertical_force_on_foot, d_observed_slip_falling_force_on_foot};
-static const int moving_slip_falling[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 85, 96, 53, 54, 55, 83, 88, 0};
-static const int degrees_slip_falling[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99};
-static const int judged_slip_falling[] = {2, 3, 5, 6, 7, 8, 9, 10, 17};
-static const int divided_slip_falling[] = {-1, -1, -1, -1, -1, -1, -1, -1, -1};
-static const int divisors_slip_falling[] = {21, 20};
-static const int integrals_slip_falling[] = {10, -1, -1};
-static const int factors_slip_falling[] = {44, -1, -1, -1, -1, -1};
+static const int moving_slip_falling[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 85, 96, 53, 54, 55, 83, 88, 0},
+    degrees_slip_falling[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99},
+    judged_slip_falling[] = {2, 3, 5, 6, 7, 8, 9, 10, 17}, divided_slip_falling[] = {-1, -1, -1, -1, -1, -1,
+    -1, -1, -1}, divisors_slip_falling[] = {21, 20}, integrals_slip_falling[] = {10, -1, -1},
+    factors_slip_falling[] = {44, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_place_pushed[] = {guard_flight_place_pushed_passes_end,
     guard_flight_place_pushed_passes_begin, guard_flight_place_pushed_next_segment_comes,
     guard_flight_place_pushed_ramp_ends, guard_flight_place_pushed_new_ground,
@@ -6142,14 +6110,10 @@ static const tdmf_polynomial polynomials_flight_place_pushed[] = {guard_flight_p
 static const tdmf_vary_polynomial vary_observed_flight_place_pushed[] =
     {d_observed_flight_place_pushed_power_of_hip};
 static const int moving_flight_place_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68, 77, 78, 79, 96, 53, 54, 55,
-    83, 88, 0, 91};
-static const int degrees_flight_place_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1,
-    1, 1};
-static const int judged_flight_place_pushed[] = {1, 2, 7, 8, 9, 10, 11};
-static const int divided_flight_place_pushed[] = {-1, -1, 0, -1, -1, -1, -1};
-static const int divisors_flight_place_pushed[] = {19};
-static const int integrals_flight_place_pushed[] = {11};
-static const int factors_flight_place_pushed[] = {28, 20};
+    83, 88, 0, 91}, degrees_flight_place_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1,
+    1, 1, 1}, judged_flight_place_pushed[] = {1, 2, 7, 8, 9, 10, 11}, divided_flight_place_pushed[] = {-1, -1,
+    0, -1, -1, -1, -1}, divisors_flight_place_pushed[] = {19}, integrals_flight_place_pushed[] = {11},
+    factors_flight_place_pushed[] = {28, 20};
 static const tdmf_polynomial polynomials_flight_rest_pushed[] = {guard_flight_rest_pushed_passes_end,
     guard_flight_rest_pushed_passes_begin, guard_flight_rest_pushed_next_segment_comes,
     guard_flight_rest_pushed_ramp_ends, guard_flight_rest_pushed_new_ground, guard_flight_rest_pushed_falls,
@@ -6158,14 +6122,10 @@ static const tdmf_polynomial polynomials_flight_rest_pushed[] = {guard_flight_re
 static const tdmf_vary_polynomial vary_observed_flight_rest_pushed[] =
     {d_observed_flight_rest_pushed_power_of_hip};
 static const int moving_flight_rest_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68, 77, 78, 79, 96, 53, 54, 55,
-    83, 88, 0};
-static const int degrees_flight_rest_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1,
-    1};
-static const int judged_flight_rest_pushed[] = {1, 2, 7, 8, 9, 10, 11};
-static const int divided_flight_rest_pushed[] = {-1, -1, 0, -1, -1, -1, -1};
-static const int divisors_flight_rest_pushed[] = {18};
-static const int integrals_flight_rest_pushed[] = {11};
-static const int factors_flight_rest_pushed[] = {36, -1};
+    83, 88, 0}, degrees_flight_rest_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1},
+    judged_flight_rest_pushed[] = {1, 2, 7, 8, 9, 10, 11}, divided_flight_rest_pushed[] = {-1, -1, 0, -1, -1,
+    -1, -1}, divisors_flight_rest_pushed[] = {18}, integrals_flight_rest_pushed[] = {11},
+    factors_flight_rest_pushed[] = {36, -1};
 static const tdmf_polynomial polynomials_flight_retract_pushed[] = {guard_flight_retract_pushed_passes_end,
     guard_flight_retract_pushed_passes_begin, guard_flight_retract_pushed_next_segment_comes,
     guard_flight_retract_pushed_ramp_ends, guard_flight_retract_pushed_new_ground,
@@ -6175,14 +6135,10 @@ static const tdmf_polynomial polynomials_flight_retract_pushed[] = {guard_flight
 static const tdmf_vary_polynomial vary_observed_flight_retract_pushed[] =
     {d_observed_flight_retract_pushed_power_of_hip};
 static const int moving_flight_retract_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68, 77, 78, 79, 96, 53, 54, 55,
-    83, 88, 0};
-static const int degrees_flight_retract_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1,
-    1};
-static const int judged_flight_retract_pushed[] = {1, 2, 7, 8, 9, 10, 11};
-static const int divided_flight_retract_pushed[] = {-1, -1, 0, -1, -1, -1, -1};
-static const int divisors_flight_retract_pushed[] = {18};
-static const int integrals_flight_retract_pushed[] = {11};
-static const int factors_flight_retract_pushed[] = {27, 19};
+    83, 88, 0}, degrees_flight_retract_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1,
+    1}, judged_flight_retract_pushed[] = {1, 2, 7, 8, 9, 10, 11}, divided_flight_retract_pushed[] = {-1, -1,
+    0, -1, -1, -1, -1}, divisors_flight_retract_pushed[] = {18}, integrals_flight_retract_pushed[] = {11},
+    factors_flight_retract_pushed[] = {27, 19};
 
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
     {.moving_count = 6, .extra_count = 0, .series_count = 6, .constant_count = 7, .judged_count = 0,
