@@ -71,10 +71,10 @@ double fmu_get_number_rate(const fmu *fmu, const fmu_variable *input) {
     return rate == NULL ? 0.0 : *rate;
 }
 
-void fmu_set_number_rate(fmu *fmu, const fmu_variable *input, double value) {
-    double *rate = rate_of(fmu, input);
-    if (rate != NULL) {
-        *rate = value;
+void fmu_set_number_rate(fmu *fmu, const fmu_variable *input, double rate) {
+    double *ramp = rate_of(fmu, input);
+    if (ramp != NULL) {
+        *ramp = rate;
     }
 }
 
