@@ -341,25 +341,25 @@ static tdmf_run_outcome to_event(work *w, double until) {
 /* Numbers of memory that hold a driver. */
 static const size_t driver_size = (sizeof(tdmf_driver) + sizeof(double) - 1) / sizeof(double);
 
-/* Series of the states that move in a mode, at most; for variations these suffice. */
-static int most_moving(const tdmf_model_kind *model) {
+/* The largest number of series of moving states in any mode. Variations have no other series. */
+static size_t most_moving(const tdmf_model_kind *model) {
     int most = 0;
     for (int mode = 0; mode < model->mode_count; ++mode) {
         const tdmf_motion_kind *m = model->modes[mode].motion;
         most = m->moving_count + m->extra_count > most ? m->moving_count + m->extra_count : most;
     }
-    return most;
+    return (size_t)most;
 }
 
 /* Numbers for the constants and series of two lanes, which are aligned, and for their variations. */
 static size_t size_of_seed_lanes(const tdmf_model_kind *model, int seed_count) {
     const size_t constants = (size_t)model->constant_count,
-                 series = (size_t)(model->series_count + most_moving(model));
+                 series = (size_t)model->series_count + most_moving(model);
     return model->seeds && seed_count > 1 ? 2 * (1 + 2 * constants + series * TERMS) : 0;
 }
 
 size_t tdmf_size_of_driver(const tdmf_model_kind *model, int seed_count) {
-    const size_t series = (size_t)(model->series_count + most_moving(model));
+    const size_t series = (size_t)model->series_count + most_moving(model);
     return driver_size + series * TERMS + (size_t)model->state_count + TDMF_WATCH_LIMIT +
            size_of_seed_lanes(model, seed_count);
 }
