@@ -1,4 +1,4 @@
-"""Runs of the hand-written core, with the names of the runner's page."""
+"""Runs of the library's native solver, with the names of the runner's page."""
 
 from functools import reduce
 from pathlib import Path
