@@ -144,6 +144,8 @@ def calls(gait):
     return {
         tdmf_slip.find_gait: {"runner": HOME, "target": {"speed": 1.05}, "vary": [TORQUE]},
         tdmf_slip.simulate: {"stop_time": 0.1},
+        tdmf_slip.new: {"name": "page"},
+        tdmf_slip.load_model: {"path": "nothing"},
         tdmf_slip.simulate_many: {"runners": [HOME], "strides": 1},
         tdmf_slip.sweep: {"runner": HOME, "vary": {FRICTION: [0.6]}},
         tdmf_slip.continue_branch: {"runner": HOME, "vary": {FRICTION: (0.6, 0.601)}, "max_points": 1},
@@ -216,8 +218,8 @@ def calls(gait):
     }
 
 
-NOT_CALLED = {"gait_at", "plot", "prove_attraction"}
-"""The last proves before it can refuse; its only argument is that of `prove`. The others take results."""
+NOT_CALLED = {"build", "gait_at", "plot", "prove_attraction"}
+"""`build` runs its page, and `prove_attraction` proves before it can refuse. The others take results."""
 
 
 def test_every_public_function_is_called(calls):
