@@ -116,7 +116,7 @@ tdmf_page_run tdmf_run_of_page_map(const tdmf_page_map *map) {
                                .tolerance = map->tolerance,
                                .order = tdmf_page_order(map->tolerance),
                                .stop_event = -1,
-                               .observes = true,
+                               .observes = TDMF_OBSERVE_USUAL,
                                .step_limit = map->step_limit > 0 ? map->step_limit : limit,
                                .event_limit = limit,
                                .seed_count = map->seed_count,

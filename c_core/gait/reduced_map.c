@@ -182,7 +182,8 @@ static void begin(stride *s, const double *apex, bool derivatives, const tdmf_se
     s->run.shift = s->shift;
     s->run.tolerance = s->solver->relative_tolerance;
     s->run.order = tdmf_page_order(s->run.tolerance);
-    s->run.observes = derivatives || !s->solver->without_peaks_and_positive_work;
+    s->run.observes = derivatives || !s->solver->without_peaks_and_positive_work ? TDMF_OBSERVE_USUAL
+                                                                                 : TDMF_OBSERVE_NOTHING;
     s->run.log = s->rows;
     s->run.log_states = s->row_states;
     s->run.log_size = s->solver->log ? TDMF_EVENT_CAPACITY : 0;
@@ -350,11 +351,7 @@ static void write_stride(const stride *s, tdmf_return *result) {
 static const page *page_of(tdmf_system system, const tdmf_seed *seeds, int count) {
     tdmf_page_point point = {.p = tdmf_page_parameters(&system.model->parameters, system.inputs)};
     tdmf_write_page_inputs(system.inputs, &point.x);
-    bool suits = tdmf_suits_plain_page(&point);
-    for (int i = 0; i < count; ++i) {
-        suits = suits && tdmf_varies_plain_page(&seeds[i]);
-    }
-    return suits ? &plain : &whole;
+    return tdmf_suits_plain_page_varied(&point, seeds, count) ? &plain : &whole;
 }
 
 tdmf_return tdmf_reduced_map(tdmf_solver *solver, tdmf_system system, const double apex[TDMF_REDUCED_COUNT],

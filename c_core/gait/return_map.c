@@ -1,36 +1,28 @@
-/* A point of the section is a state with vy_c = 0; x is dropped, because nothing depends on it but where
- * there is a patch of ground. With the variation d_x of the state at a fixed time, the next section is met
- * later by dT = -d_vy_c/a_y, so that on it the variation is d_x + f dT. */
+/* A stride from apex to apex, as a run of the runner's page. The page's section writes the coordinates of an
+ * apex, so that variations at the next one are those on the section. */
 #include "tdmf_slip/return_map.h"
 
 #include "coordinate_laws.h"
-#include "free_fall_laws.h"
 #include "ground_line.h"
+#include "input_rates.h"
 #include "leg.h"
+#include "page_solver.h"
 #include "patch.h"
 #include "request.h"
 #include "return_record.h"
-#include "seed.h"
-#include "stride_measures.h"
 #include "tdmf_slip/automaton.h"
-#include "tdmf_slip/dynamics.h"
 
 #include <math.h>
 #include <string.h>
 
-/* The leg of a point of the section, or of a variation on it; the rest is zero. */
-static void write_leg(const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]) {
-    double written[TDMF_STATE_COUNT] = {[TDMF_LEG_LENGTH] = section[TDMF_SECTION_LEG_LENGTH],
-                                        [TDMF_LEG_ANGLE] = section[TDMF_SECTION_LEG_ANGLE],
-                                        [TDMF_LEG_LENGTH_RATE] = section[TDMF_SECTION_LEG_LENGTH_RATE],
-                                        [TDMF_LEG_ANGLE_RATE] = section[TDMF_SECTION_LEG_ANGLE_RATE]};
-    memcpy(state, written, sizeof written);
-}
-
 void tdmf_section_state(tdmf_system system, const double section[TDMF_SECTION_COUNT],
                         double state[TDMF_STATE_COUNT]) {
     const double com_height = section[TDMF_SECTION_COM_HEIGHT], com_speed = section[TDMF_SECTION_COM_SPEED];
-    write_leg(section, state);
+    const double leg[TDMF_STATE_COUNT] = {[TDMF_LEG_LENGTH] = section[TDMF_SECTION_LEG_LENGTH],
+                                          [TDMF_LEG_ANGLE] = section[TDMF_SECTION_LEG_ANGLE],
+                                          [TDMF_LEG_LENGTH_RATE] = section[TDMF_SECTION_LEG_LENGTH_RATE],
+                                          [TDMF_LEG_ANGLE_RATE] = section[TDMF_SECTION_LEG_ANGLE_RATE]};
+    memcpy(state, leg, sizeof leg);
     const tdmf_ground_line ground = tdmf_ground_line_set(system.inputs);
     const tdmf_point body = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
     const double ground_height = tdmf_ground_height_at(&ground, system.model->body_share * body.x);
@@ -60,52 +52,6 @@ void tdmf_section_of_state(const tdmf_model *model, const tdmf_ground_line *grou
     memcpy(section, coordinates, sizeof coordinates);
 }
 
-/* Varies the map above, which has made `state`, along a seed on the section and in masses and ground. */
-static void vary_section_state(const tdmf_model *model, const tdmf_ground_line *ground,
-                               const double state[TDMF_STATE_COUNT],
-                               const double d_section[TDMF_SECTION_COUNT], const tdmf_local_seed *d,
-                               double d_state[TDMF_STATE_COUNT]) {
-    write_leg(d_section, d_state);
-    /* The foot does not move yet: this is how the centre of mass moves from it. */
-    const tdmf_point from_foot =
-        tdmf_vary_center_of_mass_along(model, state, tdmf_leg_direction_of(state), &d->model, d_state);
-    const double d_ground_height =
-        tdmf_vary_ground_height_at(ground, tdmf_center_of_mass(model, state).x, &d->mode.ground, from_foot.x);
-    d_state[TDMF_FOOT_Y] = d_section[TDMF_SECTION_COM_HEIGHT] + d_ground_height - from_foot.y;
-    d_state[TDMF_FOOT_VX] = d_section[TDMF_SECTION_COM_SPEED] - from_foot.vx;
-    d_state[TDMF_FOOT_VY] = -from_foot.vy;
-}
-
-/* Projects a variation at the time of an apex on the section. */
-static tdmf_stride_variation on_section(tdmf_system system, const tdmf_motion *motion,
-                                        const double derivatives[TDMF_STATE_COUNT], const tdmf_seed *seed,
-                                        const double start_com_x, const tdmf_variation *variation) {
-    const double *d_state = variation->state;
-    const tdmf_point com = tdmf_center_of_mass(system.model, motion->state);
-    const tdmf_local_seed d = tdmf_local_seed_of(system.model, seed, NULL);
-    const tdmf_point d_com = tdmf_vary_center_of_mass_along(
-        system.model, motion->state, tdmf_leg_direction_of(motion->state), &d.model, d_state);
-    const tdmf_vector acceleration = tdmf_falling_acceleration(system.model, system.inputs);
-    const double shift = d_com.vy / -acceleration.y;
-    const double d_com_x = d_com.x + com.vx * shift;
-    const double d_ground_height =
-        tdmf_vary_ground_height_at(&motion->mode.ground, com.x, &d.mode.ground, d_com_x);
-    tdmf_stride_variation result = {
-        .apex = {d_com.y + com.vy * shift - d_ground_height, d_com.vx + acceleration.x * shift,
-                 d_state[TDMF_LEG_LENGTH] + derivatives[TDMF_LEG_LENGTH] * shift,
-                 d_state[TDMF_LEG_ANGLE] + derivatives[TDMF_LEG_ANGLE] * shift,
-                 d_state[TDMF_LEG_LENGTH_RATE] + derivatives[TDMF_LEG_LENGTH_RATE] * shift,
-                 d_state[TDMF_LEG_ANGLE_RATE] + derivatives[TDMF_LEG_ANGLE_RATE] * shift},
-        .foot_x = d_state[TDMF_FOOT_X] + derivatives[TDMF_FOOT_X] * shift,
-        .period = shift,
-        .length = d_com_x - start_com_x,
-        .work = d_state[TDMF_HIP_WORK] + d_state[TDMF_LEG_WORK] + derivatives[TDMF_HIP_WORK] * shift,
-    };
-    tdmf_write_stance_variation(&variation->stance, &result);
-    return result;
-}
-
-/* What is asked for. */
 typedef struct {
     tdmf_system system;
     const double *section;
@@ -117,73 +63,17 @@ typedef struct {
 } stride_request;
 
 typedef struct {
-    int count;
-    tdmf_seed seeds[TDMF_VARIATION_LIMIT];
-    tdmf_variation variations[TDMF_VARIATION_LIMIT];
-    double start_com_x[TDMF_VARIATION_LIMIT];
-    double foot_clearance[TDMF_VARIATION_LIMIT]; /* at the start */
-    tdmf_measured measured;
-} stride_variations;
-
-/* What a variation begins with: of a coordinate, of a seed, or last of the place of the foot. */
-static void begin_variation(const stride_request *request, const tdmf_ground_line *ground,
-                            const double state[TDMF_STATE_COUNT], int i, const tdmf_local_seed *d,
-                            tdmf_variation *variation) {
-    double d_section[TDMF_SECTION_COUNT] = {0.0};
-    if (i < TDMF_SECTION_COUNT) {
-        d_section[i] = 1.0;
-    }
-    vary_section_state(request->system.model, ground, state, d_section, d, variation->state);
-    if (i == TDMF_SECTION_COUNT + request->count) {
-        variation->state[TDMF_FOOT_X] = 1.0;
-        variation->state[TDMF_FOOT_Y] =
-            tdmf_vary_ground_height_at(ground, state[TDMF_FOOT_X], &d->mode.ground, 1.0);
-    }
-    variation->liftoff_angle = d_section[TDMF_SECTION_LEG_ANGLE];
-    memset(&variation->stance, 0, sizeof variation->stance);
-}
-
-static void open_variations(stride_variations *varied, const stride_request *request,
-                            const tdmf_ground_line *ground, const double state[TDMF_STATE_COUNT]) {
-    static const tdmf_seed none = {0};
-    const tdmf_model *model = request->system.model;
-    varied->count = TDMF_SECTION_COUNT + request->count + (request->foot_x != NULL);
-    for (int i = 0; i < varied->count; ++i) {
-        const int given = i - TDMF_SECTION_COUNT;
-        varied->seeds[i] = given >= 0 && given < request->count ? request->seeds[given] : none;
-        tdmf_variation *variation = &varied->variations[i];
-        const tdmf_local_seed d = tdmf_local_seed_of(model, &varied->seeds[i], NULL);
-        begin_variation(request, ground, state, i, &d, variation);
-        varied->start_com_x[i] = tdmf_vary_center_of_mass_along(model, state, tdmf_leg_direction_of(state),
-                                                                &d.model, variation->state)
-                                     .x;
-        varied->foot_clearance[i] = variation->state[TDMF_FOOT_Y] -
-                                    tdmf_vary_ground_height_at(ground, state[TDMF_FOOT_X], &d.mode.ground,
-                                                               variation->state[TDMF_FOOT_X]);
-    }
-}
-
-static void close_variations(stride_variations *varied, const stride_request *request,
-                             const tdmf_motion *motion, tdmf_return *result) {
-    const tdmf_system system = request->system;
-    double derivatives[TDMF_STATE_COUNT];
-    tdmf_derivatives(system, &motion->mode, motion->state, derivatives);
-    for (int i = 0; i < varied->count; ++i) {
-        tdmf_stride_variation at_section = on_section(system, motion, derivatives, &varied->seeds[i],
-                                                      varied->start_com_x[i], &varied->variations[i]);
-        at_section.foot_clearance = varied->foot_clearance[i];
-        if (request->measures) {
-            tdmf_vary_measured_end(&varied->measured, i, system, motion, derivatives, at_section.period);
-            at_section.measures = varied->measured.varied[i];
-        }
-        result->variations[i] = at_section;
-    }
-}
+    const stride_request *request;
+    tdmf_motion start;
+    double
+        d_clearance[TDMF_VARIATION_LIMIT]; /* variation of the foot's height above the ground at the start */
+    tdmf_page_solver solver;
+} stride;
 
 static bool is_sound(const tdmf_solver *solver, const stride_request *request) {
     const bool has_foot_x = request->foot_x != NULL;
     return tdmf_is_sound_solver(solver) && request->system.model != NULL && request->system.inputs != NULL &&
-           request->section != NULL &&
+           request->section != NULL && !isnan(request->until) &&
            tdmf_are_sound_seeds(request->seeds, request->count, TDMF_RETURN_MAP_SEEDS - has_foot_x) &&
            (has_foot_x || !tdmf_has_patch(request->system.model));
 }
@@ -196,45 +86,166 @@ static bool begin_motion(const stride_request *request, tdmf_motion *motion) {
     return tdmf_start(request->system, motion).variable == NULL && motion->record.progress.open.began_at_apex;
 }
 
+/* ---- variations ---------------------------------------------------------------------------------------- */
+
+/* The change of the start along coordinate i of the section, along a seed, or along x. On the page's section
+ * the centre of mass is at x = 0; here the foot is at a given place. */
+static tdmf_page_direction direction_at_start(const stride_request *request, const tdmf_page_point *point,
+                                              int i) {
+    static const tdmf_seed none = {0};
+    const int number = i - TDMF_SECTION_COUNT;
+    const bool is_seed = number >= 0 && number < request->count;
+    const double along_x = number == request->count ? 1.0 : 0.0, rise = tan(point->x.slope);
+    const double *p = (const double *)&point->p, *x = (const double *)&point->x;
+    double along[TDMF_SECTION_COUNT] = {0.0};
+    tdmf_page_direction d = tdmf_direction_of_seed(is_seed ? &request->seeds[number] : &none);
+    const double *dp = (const double *)&d.p;
+    if (number < 0) {
+        along[i] = 1.0;
+    }
+    d.x.height = d.p.ground_height;
+    d.x.slope = d.p.ground_slope;
+    runner_states seen = d.x;
+    tdmf_runner_model.sections->vary_enter(p, x, dp, (const double *)&d.x, request->section, along,
+                                           (double *)&seen);
+    seen.seen_y += rise * (along_x - seen.seen_x) + (1.0 + rise * rise) * d.x.slope * point->x.com_x;
+    seen.seen_x = along_x;
+    d.x = seen;
+    tdmf_runner_model.modes[point->mode].vary_from_world(p, x, dp, (const double *)&seen, (double *)&d.x);
+    d.x.x_then = d.x.com_x;
+    d.x.y_then = d.x.com_y;
+    d.x.liftoff_angle = d.x.angle;
+    return d;
+}
+
+static void forget_direction(tdmf_page_direction *d) {
+    double *values = (double *)&d->x;
+    for (int i = 0; i < TDMF_PAGE_STATE_COUNT; ++i) {
+        values[i] = NAN;
+    }
+}
+
+static tdmf_stride_measures measures_of(const runner_states *x) {
+    const tdmf_stride_measures measures = {.positive_hip_work = x->positive_work,
+                                           .positive_leg_work = x->positive_leg_work,
+                                           .squared_torque = x->squared_torque,
+                                           .friction_loss = x->friction_loss,
+                                           .greatest_slip_velocity = x->greatest_slip_velocity,
+                                           .greatest_foot_height = x->greatest_foot_height};
+    return measures;
+}
+
+static tdmf_stride_variation variation_at_end(const tdmf_page_point *point, const tdmf_page_direction *d) {
+    runner_states seen = d->x;
+    tdmf_runner_model.modes[point->mode].vary_to_world((const double *)&point->p, (const double *)&point->x,
+                                                       (const double *)&d->p, (const double *)&d->x,
+                                                       (double *)&seen);
+    const tdmf_stride_variation variation = {
+        .apex = {d->x.apex_com_height, d->x.apex_com_speed, d->x.apex_length, d->x.apex_angle,
+                 d->x.apex_length_rate, d->x.apex_angle_rate},
+        .period = d->x.period,
+        .length = d->x.distance,
+        .work = d->x.work_of_stride,
+        .stance_time = d->x.stance_time,
+        .slip_distance = d->x.slip_distance,
+        .peak_force = d->x.peak_force,
+        .peak_vertical_force = d->x.peak_vertical_force,
+        .foot_x = seen.seen_x,
+    };
+    return variation;
+}
+
+/* ---- the stride ---------------------------------------------------------------------------------------- */
+
+static void add_directions(stride *s) {
+    const stride_request *request = s->request;
+    const tdmf_page_point *point = &s->solver.point;
+    const double rise = tan(point->x.slope);
+    for (int i = 0; i < TDMF_SECTION_COUNT + request->count + (request->foot_x != NULL); ++i) {
+        const tdmf_page_direction d = direction_at_start(request, point, i);
+        const double d_rise = (1.0 + rise * rise) * d.x.slope;
+        s->d_clearance[i] = d.x.seen_y - d.x.height - rise * d.x.seen_x - d_rise * point->x.seen_x;
+        tdmf_add_direction(&s->solver, &d);
+    }
+}
+
+static bool is_kinked(const stride_request *request, int i) {
+    const int number = i - TDMF_SECTION_COUNT;
+    return number >= 0 && number < request->count &&
+           tdmf_is_kinked(&request->system.model->parameters, &request->seeds[number]);
+}
+
+static void write_variations(const stride *s, tdmf_return *result) {
+    for (int i = 0; i < s->solver.run.run.seed_count; ++i) {
+        tdmf_page_direction d = tdmf_direction_at_end(&s->solver, i);
+        if (is_kinked(s->request, i)) {
+            forget_direction(&d);
+        }
+        tdmf_stride_variation *variation = &result->variations[i];
+        *variation = variation_at_end(&s->solver.point, &d);
+        variation->foot_clearance = s->d_clearance[i];
+        if (s->request->measures) {
+            variation->measures = measures_of(&d.x);
+        }
+    }
+}
+
+static void write_stride(const stride *s, tdmf_return *result) {
+    const runner_states *x = &s->solver.point.x;
+    const double apex[TDMF_SECTION_COUNT] = {x->apex_com_height, x->apex_com_speed,   x->apex_length,
+                                             x->apex_angle,      x->apex_length_rate, x->apex_angle_rate};
+    tdmf_motion motion = s->start;
+    tdmf_motion_of_page(s->request->system, &s->solver.point, s->solver.last_mode, &motion);
+    memcpy(result->apex, apex, sizeof apex);
+    result->foot_x = motion.state[TDMF_FOOT_X];
+    result->liftoff_angle = x->liftoff_angle;
+    tdmf_write_return(&motion.record, motion.state, result);
+    if (s->request->measures) {
+        result->measures = measures_of(x);
+    }
+    write_variations(s, result);
+}
+
+static void run_stride(tdmf_solver *solver, stride *s, tdmf_return *result) {
+    const stride_request *request = s->request;
+    const int seeds = request->derivatives ? request->count : 0;
+    const tdmf_inputs rates = tdmf_rates_with_varied_push(&tdmf_zero_input_rates, request->seeds, seeds);
+    tdmf_page_point point = tdmf_page_of_motion(request->system, &rates, &s->start);
+    const bool is_plain = tdmf_suits_plain_page_varied(&point, request->seeds, seeds);
+    point.p.notes_compression = !is_plain; /* the plain page has no thrust */
+    tdmf_begin_page_solver(&s->solver, solver, request->system, &point, is_plain);
+    s->solver.motion = &s->start;
+    s->solver.stays_on_guard = true;
+    if (request->derivatives) {
+        add_directions(s);
+    }
+    if (request->measures) {
+        s->solver.run.run.observes = TDMF_OBSERVE_ALL;
+    }
+    result->solver = tdmf_run_page_solver(&s->solver, request->until, EVENT_apex);
+    const tdmf_stride_outcome ended = {result->solver, s->solver.has_stopped};
+    result->outcome = tdmf_return_outcome_of(ended);
+    if (ended.closed) {
+        ++solver->strides;
+        tdmf_end_runner_run(&s->solver.run, &s->solver.point);
+        write_stride(s, result);
+    }
+}
+
 static tdmf_return stride_from(tdmf_solver *solver, const stride_request *request) {
-    const tdmf_system system = request->system;
+    stride s;
     tdmf_return result;
-    tdmf_motion motion;
-    stride_variations varied;
     memset(&result, 0, sizeof result);
+    s.request = request;
     if (!is_sound(solver, request)) {
         result.outcome = TDMF_RETURN_REFUSED;
-        return result;
-    }
-    if (!begin_motion(request, &motion)) {
+    } else if (!begin_motion(request, &s.start)) {
         result.outcome = TDMF_RETURN_NO_START;
-        return result;
-    }
-    varied.count = 0;
-    if (request->derivatives) {
-        open_variations(&varied, request, &motion.mode.ground, motion.state);
-    }
-    result.foot_clearance =
-        motion.state[TDMF_FOOT_Y] - tdmf_ground_height_at(&motion.mode.ground, motion.state[TDMF_FOOT_X]);
-    const tdmf_stride_outcome ended =
-        request->measures ? tdmf_native_stride_measured(solver, system, request->until, &motion, varied.seeds,
-                                                        varied.variations, varied.count, &varied.measured)
-                          : tdmf_map_stride(solver, system, request->until, &motion, varied.seeds,
-                                            varied.variations, varied.count);
-    result.outcome = tdmf_return_outcome_of(ended);
-    result.solver = ended.outcome;
-    if (!ended.closed) {
-        return result;
-    }
-    tdmf_section_of_state(system.model, &motion.mode.ground, motion.state, result.apex);
-    result.foot_x = motion.state[TDMF_FOOT_X];
-    result.liftoff_angle = motion.mode.liftoff_angle;
-    tdmf_write_return(&motion.record, motion.state, &result);
-    if (request->measures) {
-        result.measures = varied.measured.so_far;
-    }
-    if (request->derivatives) {
-        close_variations(&varied, request, &motion, &result);
+    } else {
+        const double *state = s.start.state;
+        result.foot_clearance =
+            state[TDMF_FOOT_Y] - tdmf_ground_height_at(&s.start.mode.ground, state[TDMF_FOOT_X]);
+        run_stride(solver, &s, &result);
     }
     return result;
 }

@@ -297,7 +297,8 @@ class Instants:
         tables = rows_in_c("guard", f"guards_{name}", guards, "event")
         tables += rows_in_c("watch", f"watches_{name}", watches, "into")
         row |= {"guard_count": len(guards), "guards": f"guards_{name}"}
-        row |= {"watch_count": len(watches), "watches": f"watches_{name}"}
+        usual = sum(o.is_usual for o in motion.observed.values())
+        row |= {"watch_count": len(watches), "usual_count": usual, "watches": f"watches_{name}"}
         row |= self.outputs(key) | self.time_scale(key) | self.leaving(key) | self.world(key)
         return tables, row_in_c(row)
 

@@ -127,9 +127,14 @@ def output(unit="1", meaning="", name=None, kind=float, of=None):
     return mark(of)
 
 
-def observe(modes, part, into, unit="1"):
-    """Mark a quantity whose "positive integral" or "largest" value goes into a state."""
-    return _marked(is_observed=True, modes=_words(modes, "observe"), part=part, unit=unit, into=into)
+def observe(modes, part, into, unit="1", usual=True):
+    """Mark a quantity whose "positive integral" or "largest" value goes into a state.
+
+    One that is not usual is observed only in runs that ask for all observed quantities.
+    """
+    return _marked(
+        is_observed=True, modes=_words(modes, "observe"), part=part, unit=unit, into=into, is_usual=usual
+    )
 
 
 class _Body(dict):

@@ -83,7 +83,8 @@ class Motion:
     def __init__(self, page, key, name):
         self.page, self.key, self.name, self.function = page, key, name, page.modes[key[0]]
         self.watched = list(page.watched(key))
-        self.observed = {n: o for n, o in page.observed.items() if key[0] in o.modes}
+        observed = [(n, o) for n, o in page.observed.items() if key[0] in o.modes]
+        self.observed = dict(sorted(observed, key=lambda of: not of[1].is_usual))
         self.moving, drifting = [], []
         for seen in range(3):  # first finds what moves, then what moves at a constant rate
             forget_expressions()

@@ -75,6 +75,7 @@ class Leg(Model):
 
     thrusting = state(0, "1", "1 from greatest compression to lift-off, else 0")
     leg_work = state(0, "J", "Work of thrust and leg extension since the start", name="leg.work")
+    positive_leg_work = state(0, "J", "Positive works of jumps of the rest length since the start")
     external_work = state(
         0, "J", "Work of external forces on the body since the start", name="energy.external_work")
     damper_loss = state(0, "J", "Energy lost in the damper since the start", name="energy.damper_loss")
@@ -134,7 +135,10 @@ class Leg(Model):
         """Work that a jump of the rest length does on the spring."""
         jump = after.rest_length() - r.rest_length()
         middle = r.rest_length() + jump / 2 - r.leg().length
-        return r.replace(leg_work=r.leg_work + r.stiffness * jump * middle)
+        work = r.stiffness * jump * middle
+        begins = select(after.thrusting > r.thrusting, select(work >= 0, work, 0), 0)  # varies at a work of 0
+        return r.replace(leg_work=r.leg_work + work,
+                         positive_leg_work=r.positive_leg_work + select(work > 0, work, begins))
 
     def with_thrust(r, thrusting):
         """Switch thrust on (1) or off (0)."""

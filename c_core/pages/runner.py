@@ -21,6 +21,8 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         "N": lambda r: r.stiffness * r.free_length,
         "N.m": lambda r: r.stiffness * r.free_length * r.free_length,
         "J": lambda r: r.stiffness * r.free_length * r.free_length,
+        "N2.m2.s": lambda r: (r.stiffness * r.free_length * r.free_length) ** 2
+        * sqrt(r.body_mass / r.stiffness),
     }
 
     # ---- forces of the ground
@@ -421,7 +423,7 @@ class PlainRunner(RunnerOnOneLine):
 
     height = slope = ground_height = ground_slope = more_angle = more_torque = more_thrust = 0
     thrust = extension = external_fx = external_fy = retraction_rate = 0
-    leg_work = external_work = leg_work_of_stride = leg_work_then = 0
+    leg_work = positive_leg_work = external_work = leg_work_of_stride = leg_work_then = 0
     static_ratio, friction_rate, external_torque_rate = 1, 0, 0
     stribeck_velocity, vertical_so_far, vertical_force_on_foot, ramp_ends = 0, 0, None, None
     new_ground = wind_rises = enters_layer = leaves_layer = None

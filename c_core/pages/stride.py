@@ -1,6 +1,6 @@
 """Strides, from apex to apex: quantities of the open stride, and those of the last completed stride."""
 
-from ..hybrid import Model, clock, letters, observe, select, state
+from ..hybrid import Model, clock, cos, letters, observe, select, state
 
 STICK, FORWARD, BACKWARD = 2, 3, 1
 """Digits of the gait word in base 4; 0 is the bar before a new stance."""
@@ -16,6 +16,12 @@ class Stride(Model):
     events = state(0, "1", "Changes of contact and phase since the start", name="event.count", values=int,
         least=0)
     last_event = state(0, "s", "Time of the last change of contact or phase", name="event.last_time")
+
+    # Measures since the start, of runs that observe them.
+    greatest_slip_velocity = state(0, "m/s", "Largest slip velocity since the start")
+    greatest_foot_height = state(
+        0, "m", "Largest height of the foot above the ground, in flight, since the start")
+    squared_torque = state(0, "N2.m2.s", "Integral of the squared hip torque since the start")
 
     # The open stride, and values at its start.
     is_open = state(0, "1", "1 if the open stride began at an apex, else 0")
@@ -156,3 +162,18 @@ class Stride(Model):
     def force_on_foot(r):
         """Normal force of a sticking or slipping foot."""
         return r.standing().normal
+
+    @observe("slip", "largest", into="greatest_slip_velocity", unit="m/s", usual=False)
+    def slip_velocity(r):
+        """Speed at which the foot slips."""
+        return r.way * r.foot_vx
+
+    @observe("flight", "largest", into="greatest_foot_height", unit="m", usual=False)
+    def height_of_foot(r):
+        """Height of the foot above the ground vertically below."""
+        return r.foot_above(r.height, r.slope) / cos(r.slope)
+
+    @observe("flight stick slip graze", "positive integral", into="squared_torque", unit="N2.m2", usual=False)
+    def square_of_torque(r):
+        """Square of the total hip torque."""
+        return r.torque() ** 2

@@ -6,7 +6,6 @@
 #include "request.h"
 #include "tdmf_slip/automaton.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -16,31 +15,6 @@ typedef struct {
     tdmf_variation *variations;
     int count;
 } directions;
-
-static bool suits_plain_page(const tdmf_page_point *point, const directions *varied) {
-    bool suits = tdmf_suits_plain_page(point);
-    for (int i = 0; i < varied->count; ++i) {
-        suits = suits && tdmf_varies_plain_page(&varied->seeds[i]);
-    }
-    return suits;
-}
-
-/* A push that is 0 and varies acts as one that is ramped, too slowly for any result. */
-static tdmf_inputs rates_with_push(const tdmf_inputs *rates, const directions *varied) {
-    tdmf_inputs with_push = *rates;
-    for (int i = 0; i < varied->count; ++i) {
-        if (tdmf_is_pushed(&varied->seeds[i].inputs)) {
-            with_push.body.external_fx += DBL_MIN;
-        }
-    }
-    return with_push;
-}
-
-/* Along a gain there is no derivative where both gains are zero, because the clamp has a kink. */
-static bool is_kinked(const tdmf_parameters *p, const tdmf_parameters *d) {
-    return p->hip.swing_clamp && p->hip.kp == 0.0 && p->hip.kd == 0.0 &&
-           (d->hip.kp != 0.0 || d->hip.kd != 0.0);
-}
 
 static void write_undefined(tdmf_variation *variation) {
     for (int i = 0; i < TDMF_VARIED_COUNT; ++i) {
@@ -62,10 +36,11 @@ static tdmf_outcome run_motion(tdmf_solver *solver, tdmf_system system, const td
     if (motion->mode.fallen) {
         return TDMF_FELL;
     }
-    const tdmf_inputs given = rates_with_push(rates, varied);
+    const tdmf_inputs given = tdmf_rates_with_varied_push(rates, varied->seeds, varied->count);
     const tdmf_page_point point = tdmf_page_of_motion(system, &given, motion);
     tdmf_page_solver s;
-    tdmf_begin_page_solver(&s, solver, system, &point, suits_plain_page(&point, varied));
+    tdmf_begin_page_solver(&s, solver, system, &point,
+                           tdmf_suits_plain_page_varied(&point, varied->seeds, varied->count));
     s.motion = &before;
     for (int i = 0; i < varied->count; ++i) {
         const tdmf_page_direction d =
@@ -93,7 +68,7 @@ static tdmf_outcome run_motion(tdmf_solver *solver, tdmf_system system, const td
     for (int i = 0; i < varied->count; ++i) {
         const tdmf_page_direction d = tdmf_direction_at_end(&s, i);
         varied->variations[i] = tdmf_variation_of_page(&s.point, &d, motion->record.stride.count > strides);
-        if (is_kinked(&system.model->parameters, &varied->seeds[i].parameters)) {
+        if (tdmf_is_kinked(&system.model->parameters, &varied->seeds[i])) {
             write_undefined(&varied->variations[i]);
         }
     }

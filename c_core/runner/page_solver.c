@@ -77,7 +77,7 @@ void tdmf_begin_page_solver(tdmf_page_solver *s, tdmf_solver *solver, tdmf_syste
     tdmf_page_run *r = &s->run.run;
     r->tolerance = solver->relative_tolerance;
     r->order = tdmf_page_order(r->tolerance);
-    r->observes = !solver->without_peaks_and_positive_work;
+    r->observes = solver->without_peaks_and_positive_work ? TDMF_OBSERVE_NOTHING : TDMF_OBSERVE_USUAL;
     r->dp = s->dp;
     r->dx = s->dx;
     r->shift = s->shift;
@@ -86,7 +86,7 @@ void tdmf_begin_page_solver(tdmf_page_solver *s, tdmf_solver *solver, tdmf_syste
 void tdmf_add_direction(tdmf_page_solver *s, const tdmf_page_direction *direction) {
     tdmf_page_run *r = &s->run.run;
     const int i = r->seed_count++;
-    r->observes = true;
+    r->observes = TDMF_OBSERVE_USUAL;
     s->shift[i] = 0.0;
     tdmf_take_parameters(s->run.is_plain, (const double *)&direction->p,
                          s->dp + i * s->run.model->parameter_count);

@@ -1,12 +1,14 @@
 /* The correspondence of variations. Of the world's states those that a variation has are read and written. */
 #include "page_variation.h"
 
+#include "input_rates.h"
 #include "page_fields.h"
 
+#include <float.h>
 #include <string.h>
 
 /* The plain page lacks these numbers, so that a direction must not change them. */
-bool tdmf_varies_plain_page(const tdmf_seed *seed) {
+static bool varies_plain_page(const tdmf_seed *seed) {
     const tdmf_parameters *p = &seed->parameters;
     const tdmf_inputs *i = &seed->inputs;
     return p->leg.thrust == 0.0 && p->ground.static_friction_ratio == 0.0 &&
@@ -17,8 +19,31 @@ bool tdmf_varies_plain_page(const tdmf_seed *seed) {
            i->control.stance_torque == 0.0 && i->control.thrust == 0.0;
 }
 
-/* The change of parameters and inputs, for states that do not change. */
-static tdmf_page_direction direction_of_seed(const tdmf_seed *seed) {
+bool tdmf_suits_plain_page_varied(const tdmf_page_point *point, const tdmf_seed *seeds, int count) {
+    bool suits = tdmf_suits_plain_page(point);
+    for (int i = 0; i < count; ++i) {
+        suits = suits && varies_plain_page(&seeds[i]);
+    }
+    return suits;
+}
+
+tdmf_inputs tdmf_rates_with_varied_push(const tdmf_inputs *rates, const tdmf_seed *seeds, int count) {
+    tdmf_inputs with_push = *rates;
+    for (int i = 0; i < count; ++i) {
+        if (tdmf_is_pushed(&seeds[i].inputs)) {
+            with_push.body.external_fx += DBL_MIN;
+        }
+    }
+    return with_push;
+}
+
+bool tdmf_is_kinked(const tdmf_parameters *parameters, const tdmf_seed *seed) {
+    const tdmf_parameters *p = parameters, *d = &seed->parameters;
+    return p->hip.swing_clamp && p->hip.kp == 0.0 && p->hip.kd == 0.0 &&
+           (d->hip.kp != 0.0 || d->hip.kd != 0.0);
+}
+
+tdmf_page_direction tdmf_direction_of_seed(const tdmf_seed *seed) {
     tdmf_page_direction d = {.p = tdmf_page_parameters(&seed->parameters, &seed->inputs)};
     tdmf_write_page_inputs(&seed->inputs, &d.x);
     return d;
@@ -27,7 +52,7 @@ static tdmf_page_direction direction_of_seed(const tdmf_seed *seed) {
 tdmf_page_direction tdmf_page_of_variation(const tdmf_page_point *point, const double state[TDMF_STATE_COUNT],
                                            const tdmf_seed *seed, const tdmf_variation *variation) {
     const tdmf_mode_kind *mode = &tdmf_runner_model.modes[point->mode];
-    tdmf_page_direction d = direction_of_seed(seed);
+    tdmf_page_direction d = tdmf_direction_of_seed(seed);
     double varied[TDMF_STATE_COUNT] = {0.0};
     memcpy(varied, variation->state, TDMF_VARIED_COUNT * sizeof *varied);
     tdmf_read_page_state(varied, &d.x);

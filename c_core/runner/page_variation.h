@@ -10,8 +10,19 @@ typedef struct {
     runner_states x;
 } tdmf_page_direction;
 
-/* Whether the plain page has all that changes along a direction. */
-bool tdmf_varies_plain_page(const tdmf_seed *seed);
+/* Whether the plain page has all that acts on the runner of a point, and all that changes along the seeds. */
+bool tdmf_suits_plain_page_varied(const tdmf_page_point *point, const tdmf_seed *seeds, int count);
+
+/* Rates of the inputs for a run with these seeds. A push that is 0 and varies acts as one that is ramped, too
+ * slowly for any result. */
+tdmf_inputs tdmf_rates_with_varied_push(const tdmf_inputs *rates, const tdmf_seed *seeds, int count);
+
+/* Whether there is no derivative along a seed: along a gain where both gains are zero, because the clamp has
+ * a kink. */
+bool tdmf_is_kinked(const tdmf_parameters *parameters, const tdmf_seed *seed);
+
+/* The change of parameters and inputs, for states that do not change. */
+tdmf_page_direction tdmf_direction_of_seed(const tdmf_seed *seed);
 
 /* The change of the point of a motion, whose state is `state`. */
 tdmf_page_direction tdmf_page_of_variation(const tdmf_page_point *point, const double state[TDMF_STATE_COUNT],

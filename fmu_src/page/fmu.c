@@ -102,7 +102,7 @@ static tdmf_page_run run_of(fmu *fmu) {
                                .tolerance = tolerance,
                                .order = tdmf_page_order(tolerance),
                                .stop_event = -1,
-                               .observes = true,
+                               .observes = TDMF_OBSERVE_USUAL,
                                .step_limit = step_limit,
                                .event_limit = event_limit};
     return run;
@@ -228,7 +228,7 @@ static void note_guards(fmu *fmu, const guard_state *guards) {
 static void observe(fmu *fmu) {
     const tdmf_mode_kind *mode = mode_of(fmu);
     const instant at = instant_of(fmu);
-    for (int i = 0; i < mode->watch_count; ++i) {
+    for (int i = 0; i < mode->usual_count; ++i) {
         double value, rate, *into = &states_of(fmu)[mode->watches[i].into];
         if (mode->watches[i].part == TDMF_LARGEST) {
             observed_at(fmu, &at, i, &value, &rate);

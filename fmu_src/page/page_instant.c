@@ -117,7 +117,7 @@ static double indicator(const fmu *fmu, const instant *at, const guard_state *gu
             least = fmin(least, guards[i].value);
         }
     }
-    for (int i = 0; row->events == 0 && i < mode->watch_count; ++i) {
+    for (int i = 0; row->events == 0 && i < mode->usual_count; ++i) {
         if (mode->watches[i].part == TDMF_LARGEST && mode->watches[i].into == row->into) {
             double value, rate;
             observed_at(fmu, at, i, &value, &rate);
@@ -153,7 +153,7 @@ void rates_at(const fmu *fmu, const instant *at, double *rates) {
     for (int i = 0; i < mode->motion->moving_count; ++i) {
         rates[mode->motion->moving[i]] = at->s[i][1];
     }
-    for (int i = 0; i < mode->watch_count; ++i) {
+    for (int i = 0; i < mode->usual_count; ++i) {
         double value, rate;
         if (mode->watches[i].part == TDMF_POSITIVE_INTEGRAL) {
             observed_at(fmu, at, i, &value, &rate);
@@ -253,7 +253,7 @@ void fmu_evaluate(const fmu *fmu, fmu_view *view) {
 
 static void vary_integrals(const fmu *fmu, const instant *at, double *d_rates) {
     const tdmf_mode_kind *mode = mode_of(fmu);
-    for (int i = 0; i < mode->watch_count; ++i) {
+    for (int i = 0; i < mode->usual_count; ++i) {
         double value, rate, dg[TERMS] = {0.0};
         if (mode->watches[i].part == TDMF_POSITIVE_INTEGRAL) {
             observed_at(fmu, at, i, &value, &rate);

@@ -9,7 +9,7 @@ typedef void (*functions_of_time)(long double t, const void *context, double val
 long double derivative_at_zero(function_of_time f, const void *context, long double step);
 
 /* The same for several functions that are computed together. */
-enum { FUNCTIONS_LIMIT = 16 };
+enum { FUNCTIONS_LIMIT = 20 };
 void derivatives_at_zero(functions_of_time f, const void *context, long double step, int count,
                          double derivatives[]);
 

@@ -47,7 +47,7 @@ class RunStruct(Structure):
     _fields_ = [
         *(("p", c_void_p), ("x", c_void_p), ("memory", c_void_p), ("tables", c_void_p)),
         *(("time", c_double), ("mode", c_int), ("tolerance", c_double)),
-        *(("order", c_int), ("stop_event", c_int), ("observes", c_bool)),
+        *(("order", c_int), ("stop_event", c_int), ("observes", c_int)),
         *(("step_limit", c_long), ("event_limit", c_long)),
         *(("seed_count", c_int), ("dp", c_void_p), ("dx", c_void_p), ("shift", c_void_p)),
         *(("log", c_void_p), ("log_states", c_void_p), ("log_size", c_int), ("log_count", c_int)),
@@ -71,7 +71,8 @@ class ModeStruct(Structure):
     FUNCTIONS = (*AT_INSTANTS, *MAPS)
     _fields_ = [
         *(("motion", c_void_p), ("ends", c_bool), ("guard_count", c_int), ("guards", c_void_p)),
-        *(("watch_count", c_int), ("watches", c_void_p), *((name, c_void_p) for name in FUNCTIONS)),
+        *(("watch_count", c_int), ("usual_count", c_int), ("watches", c_void_p)),
+        *((name, c_void_p) for name in FUNCTIONS),
         *((f"vary_{name}", c_void_p) for name in MAPS),
     ]
 

@@ -4,7 +4,7 @@ import ctypes
 
 import numpy as np
 import pytest
-from page_runs import BEHIND, COMPILER, KERNEL, CompiledPage, StuckError
+from page_runs import BEHIND, COMPILER, KERNEL, CompiledPage, StuckError, run_batch, widths_of
 from test_page_language import Hopper
 
 from c_core.hybrid import Model, cos, event, mode, observe, output, parameter, sin, state
@@ -247,6 +247,52 @@ def test_the_first_derivative_that_is_not_zero_decides(lifts, order, noise):
         rises = lifts.start(**{"g0": noise, f"g{order}": slope}).to(9.0)
         due = (120 * slope / factorial) ** (1 / (5 - order))
         assert [time for time, *_ in rises.log] == pytest.approx([due], rel=1e-9)
+
+
+class Slides(Model):
+    """A block is dropped and slides from the impact on until friction has stopped it."""
+
+    start = "falls", {}
+    height, speed, sliding = state(1, "m"), state(0, "m/s"), state(0, "s")
+    after, descent, friction = parameter(0, "m/s"), parameter(1, "m/s"), parameter(2, "m/s2")
+
+    @mode()
+    def falls(s):
+        """It falls at a steady speed."""
+        return {"height": -s.descent}
+
+    @mode()
+    def slides(s):
+        """Friction slows it down."""
+        return {"speed": -s.friction, "sliding": 1}
+
+    @mode()
+    def lies(s):
+        """It is at rest."""
+        return {}
+
+    @event("falls", when=lambda s: s.height, unit="m")
+    def lands(s):
+        """The impact leaves a speed, which may be 0."""
+        return s.to("slides", speed=s.after)
+
+    @event("slides", when=lambda s: s.speed, unit="m/s")
+    def stops(s):
+        """Its speed has come to 0."""
+        return s.to("lies", speed=0)
+
+
+@pytest.mark.parametrize("width", [1, 2, 4, 8])
+def test_an_event_in_zero_time_has_a_time_that_varies_where_its_guard_falls_from_zero(width):
+    """The block slides for after/friction, of which nothing is left at 0 but the derivative."""
+    page = CompiledPage(Slides, in_lanes=True)
+    if width not in widths_of(page):
+        pytest.skip("this machine has no such lanes")
+    runs = [page.start(seeds=["after", "height"], after=after) for after in (0.0, 1e-6, 0.3, 0.0)]
+    run_batch(runs, 3.0, width=width)
+    for run in runs:
+        assert run.mode == "lies" and run.sliding == pytest.approx(run.after / 2, abs=1e-14)
+        assert run.d("sliding") == pytest.approx([0.5, 0.0], abs=1e-12)
 
 
 # ---- observed quantities ---------------------------------------------------------------------------------

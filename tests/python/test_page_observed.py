@@ -4,11 +4,9 @@ import numpy as np
 import pytest
 from conftest import some_of
 from page_runs import COMPILER, CompiledPage, run_batch, widths_of
-from tdmf_slip.library.binding import c, ffi
 from test_page_random import drawn
-from test_page_runner import GAITS
 
-from c_core.hybrid import Model, cos, event, mode, observe, parameter, sin, state
+from c_core.hybrid import Model, event, mode, observe, parameter, sin, state
 from c_core.pages.runner import Runner
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
@@ -101,81 +99,23 @@ def test_they_are_the_same_in_lanes_in_many_calls_and_sampled(pulse):
 # ---- the runner ------------------------------------------------------------------------------------------
 
 
-class Measured(Runner):
-    """The runner, with quantities that are the best known by their largest value."""
-
-    greatest_slip_velocity, greatest_foot_height = state(0, "m/s"), state(0, "m")
-    squared_torque = state(0, "N2.m2.s")
-
-    @observe("slip", "largest", into="greatest_slip_velocity", unit="m/s")
-    def slip_velocity(r):
-        """Speed at which the foot slips."""
-        return r.way * r.foot_vx
-
-    @observe("flight", "largest", into="greatest_foot_height", unit="m")
-    def height_of_foot(r):
-        """Height of the foot above the ground vertically below."""
-        return r.foot_above(r.height, r.slope) / cos(r.slope)
-
-    @observe("flight stick slip graze", "positive integral", into="squared_torque", unit="N2.m2")
-    def square_of_torque(r):
-        """The torque, squared."""
-        return r.torque() ** 2
-
-
-OBSERVED = {
-    "positive_work": "positive_hip_work", "squared_torque": "squared_torque",
-    "greatest_slip_velocity": "greatest_slip_velocity", "greatest_foot_height": "greatest_foot_height",
-}  # fmt: skip
-
-
 @pytest.fixture(scope="module")
-def measured():
-    return CompiledPage(Measured)
+def whole():
+    return CompiledPage(Runner)
 
 
-def core_stride(values, apex, slope=0.0):
-    """A stride of the hand-written core, with its variations by the coordinates of the apex."""
-    parameters, inputs = ffi.new("tdmf_parameters *", c.tdmf_default_parameters()), ffi.new("tdmf_inputs *")
-    inputs[0] = c.tdmf_default_inputs()
-    inputs.ground.friction, inputs.ground.slope = values["friction"], slope
-    parameters.hip.swing_clamp = bool(values["swing_clamp"])
-    model, solver = ffi.new("tdmf_model *"), ffi.new("tdmf_solver *", c.tdmf_solver_default())
-    solver.relative_tolerance = 1e-13
-    assert not c.tdmf_model_create(model, parameters).variable
-    system = ffi.new("tdmf_system *", {"model": model, "inputs": inputs})
-    stride = c.tdmf_measured_return_map(solver, system[0], list(apex), 1e4, True, ffi.NULL, 0)
-    assert stride.outcome == c.TDMF_RETURN_CLOSED
-    return stride
+OBSERVE_ALL = 2
 
 
-def differences_of_strides(at_apex, apex, name, step=1e-5):
-    """Central differences of a state at the next apex, by the coordinates of an apex."""
-    moves = [np.array(apex) + sign * step * row for row in np.eye(6) for sign in (1, -1)]
-    ends = [at_apex.after(point).state(name) for point in moves]
-    return (np.array(ends[::2]) - ends[1::2]) / (2 * step)
-
-
-@pytest.mark.parametrize(("reading", "gait"), GAITS[::3], ids=[f"{r} {g['friction']}" for r, g in GAITS[::3]])
-@pytest.mark.parametrize("slope", [0.0, -0.05])
-def test_peaks_works_and_measures_vary_as_in_the_core(measured, reading, gait, slope):
-    given = {"friction": gait["friction"], "swing_clamp": reading == "clamped"}
-    at_apex = measured.section("at_apex", **given, ground_slope=slope, tolerance=1e-13)
-    core = core_stride(given, gait["apex"], slope)
-    for name in ("peak_force", "peak_vertical_force", *OBSERVED):
-        assert at_apex.after(gait["apex"], varies=True).outcome == "stopped"
-        mine = at_apex.dx[:, measured.states.index(name)].copy()
-        *theirs, value = (
-            getattr(s.measures, OBSERVED[name]) if name in OBSERVED else getattr(s, name)
-            for s in (*core.variations[0:6], core if name in OBSERVED else core.stride)
-        )
-        assert at_apex.state(name) == pytest.approx(value, abs=1e-10), name
-        precision = 1e-8
-        if (
-            name == "greatest_foot_height" and slope
-        ):  # the core forgets the time of the apex that ends a stride
-            theirs, precision = differences_of_strides(at_apex, gait["apex"], name), 1e-6
-        assert mine == pytest.approx(theirs, abs=precision * (1 + np.abs(theirs).max())), name
+def test_only_usual_quantities_are_observed_unless_a_run_asks_for_all(whole):
+    given = {"seen_vy": -0.01, "friction": 0.6}
+    usual, asked = whole.start(**given), whole.start(**given)
+    asked.run.observes = OBSERVE_ALL
+    assert usual.to(30.0).x[:1] == asked.to(30.0).x[:1]
+    measures = ("squared_torque", "greatest_foot_height", "greatest_slip_velocity")
+    assert all(getattr(asked, name) > 0 for name in measures)
+    assert all(getattr(usual, name) == 0 for name in measures)
+    assert usual.positive_work_so_far == pytest.approx(asked.positive_work_so_far, abs=1e-10)
 
 
 def differences(start, seed, step, until, events):
@@ -194,9 +134,9 @@ def events_of(run):
     return [name for _, name, *_ in run.log]
 
 
-def test_random_runners_of_any_stiffness_vary_as_differences_do(measured):
-    names, checked = {measured.model.public(n): n for n in [*measured.states, *measured.parameters]}, 0
-    observed = [measured.states.index(o.into) for o in measured.model.marked("is_observed").values()]
+def test_random_runners_of_any_stiffness_vary_as_differences_do(whole):
+    names, checked = {whole.model.public(n): n for n in [*whole.states, *whole.parameters]}, 0
+    observed = [whole.states.index(o.into) for o in whole.model.marked("is_observed").values()]
     for number in some_of(range(3000), 60):
         parameters, inputs, world, segments, (length, rate, _) = drawn(number)
         values = {names[n]: v for n, v in (parameters | inputs).items()} | world
@@ -205,7 +145,9 @@ def test_random_runners_of_any_stiffness_vary_as_differences_do(measured):
         seeds = {"seen_vx": length * rate, "angle": 1.0, "gravity": values["gravity"] + 1e-9}
 
         def start(values=values, seeds=(), **changes):
-            return measured.start(seeds=seeds, **values | changes)
+            run = whole.start(seeds=seeds, **values | changes)
+            run.run.observes = OBSERVE_ALL
+            return run
 
         values["seen_vy"] -= 1e-3 * length * rate  # no apex
         until = (5 + number % 37) / rate
@@ -221,5 +163,5 @@ def test_random_runners_of_any_stiffness_vary_as_differences_do(measured):
                 if (off := abs(found[0][at] - found[1][at])) < scale:
                     checked += 1
                     error = abs(run.dx[i, at] - found[1][at])
-                    assert error <= 3 * off + scale / 30, (number, seed, measured.states[at])
+                    assert error <= 3 * off + scale / 30, (number, seed, whole.states[at])
     assert checked > 100

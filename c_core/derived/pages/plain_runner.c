@@ -276,6 +276,7 @@ static void open_slip_constant(const real *parameters, const real *states, real 
     const real inverse_foot_mass = 1.0 / p->foot_mass;
     const real way_times_friction = x->way * x->friction;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
+    const real square_of_torque = stance_torque * stance_torque;
     c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
@@ -288,6 +289,7 @@ static void open_slip_constant(const real *parameters, const real *states, real 
     c->foot_mass_times_gravity = foot_mass_times_gravity;
     c->least_length = p->least_length;
     c->winding = x->winding;
+    c->square_of_torque = square_of_torque;
 }
 
 /* First variation of open_slip_constant. */
@@ -306,6 +308,8 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
     const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
     const real d_way_times_friction = x->friction * dx->way + x->way * dx->friction;
     const real d_foot_mass_times_gravity = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
+    const real stance_torque = x->external_torque - x->driving * p->drive_torque;
+    const real d_square_of_torque = 2.0 * (stance_torque * d_stance_torque);
     c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
@@ -318,6 +322,7 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
     c->foot_mass_times_gravity = d_foot_mass_times_gravity;
     c->least_length = dp->least_length;
     c->winding = dx->winding;
+    c->square_of_torque = d_square_of_torque;
 }
 
 /* falls: The body reaches the ground. */
@@ -916,6 +921,7 @@ static void open_stick(const real *parameters, const real *states, real *constan
     const real inverse_body_mass = 1.0 / p->body_mass;
     const real stance_torque = x->external_torque - x->driving * p->drive_torque;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
+    const real square_of_torque = stance_torque * stance_torque;
     c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
@@ -927,6 +933,7 @@ static void open_stick(const real *parameters, const real *states, real *constan
     c->winding = x->winding;
     c->foot_mass_times_gravity = foot_mass_times_gravity;
     c->friction = x->friction;
+    c->square_of_torque = square_of_torque;
 }
 
 /* First variation of open_stick. */
@@ -942,6 +949,8 @@ static void vary_open_stick(const real *parameters, const real *states, const re
     const real d_stance_torque = dx->external_torque - (p->drive_torque * dx->driving
         + x->driving * dp->drive_torque);
     const real d_foot_mass_times_gravity = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
+    const real stance_torque = x->external_torque - x->driving * p->drive_torque;
+    const real d_square_of_torque = 2.0 * (stance_torque * d_stance_torque);
     c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
@@ -953,6 +962,7 @@ static void vary_open_stick(const real *parameters, const real *states, const re
     c->winding = dx->winding;
     c->foot_mass_times_gravity = d_foot_mass_times_gravity;
     c->friction = dx->friction;
+    c->square_of_torque = d_square_of_torque;
 }
 
 /* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
@@ -1668,6 +1678,7 @@ static void open_flight_rest_calm(const real *parameters, const real *states, re
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real by_1_minus_share = 1.0 - share;
     const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
+    const real square_of_torque = x->external_torque * x->external_torque;
     c->mobility = mobility;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
@@ -1682,6 +1693,7 @@ static void open_flight_rest_calm(const real *parameters, const real *states, re
     c->kp = p->kp;
     c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
     c->kd = p->kd;
+    c->square_of_torque = square_of_torque;
 }
 
 /* First variation of open_flight_rest_calm. */
@@ -1706,6 +1718,7 @@ static void vary_open_flight_rest_calm(const real *parameters, const real *state
     const real d_by_1_minus_share = -d_share;
     const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
         + p->liftoff_factor * dx->liftoff_angle;
+    const real d_square_of_torque = 2.0 * (x->external_torque * dx->external_torque);
     c->mobility = d_mobility;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
@@ -1720,6 +1733,7 @@ static void vary_open_flight_rest_calm(const real *parameters, const real *state
     c->kp = dp->kp;
     c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
     c->kd = dp->kd;
+    c->square_of_torque = d_square_of_torque;
 }
 
 /* touchdown: The foot reaches the ground. */
@@ -2541,90 +2555,94 @@ static void vary_enter_at_apex(const real *parameters, const real *states, const
 static void scales(const real *parameters, real *of_states, real *of_events) {
     const plain_runner_parameters *p = (const void *)parameters;
     const real sqrt_of_stiffness_over_body_mass = real_sqrt(p->stiffness / p->body_mass);
+    const real product_2 = p->stiffness * p->free_length * p->free_length;
     of_states[0] = real_sqrt(p->body_mass / p->stiffness);
     of_states[1] = 1.0;
     of_states[2] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[3] = 1.0;
-    of_states[4] = p->stiffness * p->free_length * p->free_length;
-    of_states[5] = p->stiffness * p->free_length * p->free_length;
-    of_states[6] = p->stiffness * p->free_length * p->free_length;
-    of_states[7] = p->stiffness * p->free_length;
-    of_states[8] = 1.0;
-    of_states[9] = p->free_length;
-    of_states[10] = p->free_length;
-    of_states[11] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[12] = 1.0;
-    of_states[13] = 1.0;
-    of_states[14] = 1.0;
-    of_states[15] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[16] = p->free_length;
-    of_states[17] = p->free_length;
-    of_states[18] = 1.0;
-    of_states[19] = 1.0;
-    of_states[20] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[21] = p->free_length;
-    of_states[22] = p->free_length;
-    of_states[23] = p->stiffness * p->free_length * p->free_length;
-    of_states[24] = p->stiffness * p->free_length * p->free_length;
-    of_states[25] = p->stiffness * p->free_length * p->free_length;
-    of_states[26] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[27] = 1.0;
-    of_states[28] = 1.0;
-    of_states[29] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[3] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[4] = p->free_length;
+    of_states[5] = product_2 * product_2 * real_sqrt(p->body_mass / p->stiffness);
+    of_states[6] = 1.0;
+    of_states[7] = product_2;
+    of_states[8] = product_2;
+    of_states[9] = product_2;
+    of_states[10] = p->stiffness * p->free_length;
+    of_states[11] = 1.0;
+    of_states[12] = p->free_length;
+    of_states[13] = p->free_length;
+    of_states[14] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[15] = 1.0;
+    of_states[16] = 1.0;
+    of_states[17] = 1.0;
+    of_states[18] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[19] = p->free_length;
+    of_states[20] = p->free_length;
+    of_states[21] = 1.0;
+    of_states[22] = 1.0;
+    of_states[23] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[24] = p->free_length;
+    of_states[25] = p->free_length;
+    of_states[26] = product_2;
+    of_states[27] = product_2;
+    of_states[28] = product_2;
+    of_states[29] = p->free_length * sqrt_of_stiffness_over_body_mass;
     of_states[30] = 1.0;
-    of_states[31] = p->free_length;
-    of_states[32] = p->stiffness * p->free_length;
-    of_states[33] = p->stiffness * p->free_length;
-    of_states[34] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[35] = p->free_length;
-    of_states[36] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[37] = p->free_length;
-    of_states[38] = 1.0;
+    of_states[31] = 1.0;
+    of_states[32] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[33] = 1.0;
+    of_states[34] = p->free_length;
+    of_states[35] = p->stiffness * p->free_length;
+    of_states[36] = p->stiffness * p->free_length;
+    of_states[37] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[38] = p->free_length;
     of_states[39] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[40] = sqrt_of_stiffness_over_body_mass;
-    of_states[41] = p->free_length;
-    of_states[42] = p->free_length;
-    of_states[43] = p->free_length;
-    of_states[44] = 1.0;
-    of_states[45] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[46] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[47] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[48] = sqrt_of_stiffness_over_body_mass;
-    of_states[49] = p->free_length;
-    of_states[50] = p->free_length;
-    of_states[51] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[52] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[53] = p->free_length * p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[54] = p->free_length;
-    of_states[55] = p->free_length;
-    of_states[56] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[57] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[40] = p->free_length;
+    of_states[41] = 1.0;
+    of_states[42] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[43] = sqrt_of_stiffness_over_body_mass;
+    of_states[44] = p->free_length;
+    of_states[45] = p->free_length;
+    of_states[46] = p->free_length;
+    of_states[47] = 1.0;
+    of_states[48] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[49] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[50] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[51] = sqrt_of_stiffness_over_body_mass;
+    of_states[52] = p->free_length;
+    of_states[53] = p->free_length;
+    of_states[54] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[55] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[56] = p->free_length * p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[57] = p->free_length;
     of_states[58] = p->free_length;
     of_states[59] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[60] = 1.0;
-    of_states[61] = 1.0;
-    of_states[62] = p->stiffness * p->free_length * p->free_length;
+    of_states[60] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[61] = p->free_length;
+    of_states[62] = p->free_length * sqrt_of_stiffness_over_body_mass;
     of_states[63] = 1.0;
     of_states[64] = 1.0;
-    of_states[65] = p->stiffness * p->free_length * p->free_length;
-    of_states[66] = p->stiffness * p->free_length * p->free_length;
-    of_states[67] = p->stiffness * p->free_length * p->free_length;
-    of_states[68] = 1.0;
-    of_states[69] = 1.0;
-    of_states[70] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[71] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[65] = product_2;
+    of_states[66] = 1.0;
+    of_states[67] = 1.0;
+    of_states[68] = product_2;
+    of_states[69] = product_2;
+    of_states[70] = product_2;
+    of_states[71] = 1.0;
     of_states[72] = 1.0;
     of_states[73] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[74] = 1.0;
-    of_states[75] = p->stiffness * p->free_length * p->free_length;
+    of_states[74] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[75] = 1.0;
+    of_states[76] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[77] = 1.0;
+    of_states[78] = product_2;
     of_events[EVENT_begins] = 1.0;
     of_events[EVENT_falls] = p->free_length;
     of_events[EVENT_collapses] = p->free_length;
     of_events[EVENT_apex] = p->free_length * sqrt_of_stiffness_over_body_mass;
     of_events[EVENT_apex_in_graze] = p->free_length * sqrt_of_stiffness_over_body_mass;
     of_events[EVENT_touchdown] = p->free_length;
-    of_events[EVENT_clamp] = p->stiffness * p->free_length * p->free_length;
-    of_events[EVENT_release] = p->stiffness * p->free_length * p->free_length;
+    of_events[EVENT_clamp] = product_2;
+    of_events[EVENT_release] = product_2;
     of_events[EVENT_greatest_compression] = p->free_length * sqrt_of_stiffness_over_body_mass;
     of_events[EVENT_mid_stance] = 1.0;
     of_events[EVENT_lift_off] = p->stiffness * p->free_length;
@@ -2667,8 +2685,10 @@ static const tdmf_guard_kind guards_slip_constant[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_slip_constant[] = {
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 8},
+    {.part = TDMF_LARGEST, .into = 10},
+    {.part = TDMF_LARGEST, .into = 3},
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
-    {.part = TDMF_LARGEST, .into = 7},
     {.into = -1},
 };
 static const tdmf_guard_kind guards_stick[] = {
@@ -2697,8 +2717,9 @@ static const tdmf_guard_kind guards_stick[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_stick[] = {
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 8},
+    {.part = TDMF_LARGEST, .into = 10},
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
-    {.part = TDMF_LARGEST, .into = 7},
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_place_calm[] = {
@@ -2718,6 +2739,8 @@ static const tdmf_guard_kind guards_flight_place_calm[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_place_calm[] = {
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 8},
+    {.part = TDMF_LARGEST, .into = 4},
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
@@ -2740,6 +2763,8 @@ static const tdmf_guard_kind guards_flight_rest_calm[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_rest_calm[] = {
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 8},
+    {.part = TDMF_LARGEST, .into = 4},
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
@@ -2762,6 +2787,8 @@ static const tdmf_guard_kind guards_flight_retract_calm[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_retract_calm[] = {
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 8},
+    {.part = TDMF_LARGEST, .into = 4},
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
@@ -2789,6 +2816,7 @@ static const tdmf_guard_kind guards_graze_place[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_graze_place[] = {
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 8},
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
@@ -2816,6 +2844,7 @@ static const tdmf_guard_kind guards_graze_rest[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_graze_rest[] = {
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 8},
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
@@ -2843,72 +2872,74 @@ static const tdmf_guard_kind guards_graze_retract[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_graze_retract[] = {
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 8},
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
-static const int coordinates_at_apex[] = {35, 36, 37, 38, 39, 40};
+static const int coordinates_at_apex[] = {38, 39, 40, 41, 42, 43};
 
 static const tdmf_mode_kind modes[] = {
     {.motion = &tdmf_plain_runner_motions[MODE_start_of_run], .open = open_start_of_run,
         .vary_open = vary_open_start_of_run, .guard_count = 1, .guards = guards_start_of_run,
-        .watch_count = 0, .watches = watches_start_of_run, .outputs = outputs_start_of_run,
+        .watch_count = 0, .usual_count = 0, .watches = watches_start_of_run, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run},
     {.motion = &tdmf_plain_runner_motions[MODE_slip_constant], .open = open_slip_constant,
         .vary_open = vary_open_slip_constant, .guard_count = 6, .guards = guards_slip_constant,
-        .watch_count = 2, .watches = watches_slip_constant, .outputs = outputs_start_of_run,
+        .watch_count = 4, .usual_count = 2, .watches = watches_slip_constant, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_slip_constant,
         .vary_leave = vary_leave_slip_constant, .from_world = from_world_slip_constant,
         .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
         .vary_to_world = vary_to_world_slip_constant},
     {.motion = &tdmf_plain_runner_motions[MODE_stick], .open = open_stick, .vary_open = vary_open_stick,
-        .guard_count = 7, .guards = guards_stick, .watch_count = 2, .watches = watches_stick,
-        .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run, .leave = leave_stick,
-        .vary_leave = vary_leave_stick, .from_world = from_world_slip_constant,
+        .guard_count = 7, .guards = guards_stick, .watch_count = 3, .usual_count = 2,
+        .watches = watches_stick, .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
+        .leave = leave_stick, .vary_leave = vary_leave_stick, .from_world = from_world_slip_constant,
         .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
         .vary_to_world = vary_to_world_slip_constant},
     {.motion = &tdmf_plain_runner_motions[MODE_flight_place_calm], .open = open_flight_place_calm,
         .vary_open = vary_open_flight_place_calm, .guard_count = 4, .guards = guards_flight_place_calm,
-        .watch_count = 1, .watches = watches_flight_place_calm, .outputs = outputs_start_of_run,
-        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
-        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
-        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
-        .vary_to_world = vary_to_world_flight_place_calm},
+        .watch_count = 3, .usual_count = 1, .watches = watches_flight_place_calm,
+        .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
+        .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
+        .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm},
     {.motion = &tdmf_plain_runner_motions[MODE_flight_rest_calm], .open = open_flight_rest_calm,
         .vary_open = vary_open_flight_rest_calm, .guard_count = 5, .guards = guards_flight_rest_calm,
-        .watch_count = 1, .watches = watches_flight_rest_calm, .outputs = outputs_start_of_run,
-        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
-        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
-        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
-        .vary_to_world = vary_to_world_flight_place_calm},
+        .watch_count = 3, .usual_count = 1, .watches = watches_flight_rest_calm,
+        .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
+        .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
+        .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm},
     {.motion = &tdmf_plain_runner_motions[MODE_flight_retract_calm], .open = open_flight_retract_calm,
         .vary_open = vary_open_flight_retract_calm, .guard_count = 5, .guards = guards_flight_retract_calm,
-        .watch_count = 1, .watches = watches_flight_retract_calm, .outputs = outputs_start_of_run,
-        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
-        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
-        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
-        .vary_to_world = vary_to_world_flight_place_calm},
+        .watch_count = 3, .usual_count = 1, .watches = watches_flight_retract_calm,
+        .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
+        .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
+        .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm},
     {.motion = &tdmf_plain_runner_motions[MODE_fallen], .ends = true, .open = open_start_of_run,
         .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_fallen, .watch_count = 0,
-        .watches = watches_fallen, .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
-        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run},
+        .usual_count = 0, .watches = watches_fallen, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run},
     {.motion = &tdmf_plain_runner_motions[MODE_graze_place], .open = open_graze_place,
-        .vary_open = vary_open_graze_place, .guard_count = 5, .guards = guards_graze_place, .watch_count = 1,
-        .watches = watches_graze_place, .outputs = outputs_start_of_run,
+        .vary_open = vary_open_graze_place, .guard_count = 5, .guards = guards_graze_place, .watch_count = 2,
+        .usual_count = 1, .watches = watches_graze_place, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_graze_place,
         .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
         .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
         .vary_to_world = vary_to_world_slip_constant},
     {.motion = &tdmf_plain_runner_motions[MODE_graze_rest], .open = open_graze_rest,
-        .vary_open = vary_open_graze_rest, .guard_count = 7, .guards = guards_graze_rest, .watch_count = 1,
-        .watches = watches_graze_rest, .outputs = outputs_start_of_run,
+        .vary_open = vary_open_graze_rest, .guard_count = 7, .guards = guards_graze_rest, .watch_count = 2,
+        .usual_count = 1, .watches = watches_graze_rest, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_graze_place,
         .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
         .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
         .vary_to_world = vary_to_world_slip_constant},
     {.motion = &tdmf_plain_runner_motions[MODE_graze_retract], .open = open_graze_retract,
         .vary_open = vary_open_graze_retract, .guard_count = 7, .guards = guards_graze_retract,
-        .watch_count = 1, .watches = watches_graze_retract, .outputs = outputs_start_of_run,
+        .watch_count = 2, .usual_count = 1, .watches = watches_graze_retract, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_graze_place,
         .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
         .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
@@ -2926,17 +2957,18 @@ static const tdmf_section_kind sections[] = {
 
 static const char *const mode_names[] = {"start_of_run", "slip_constant", "stick", "flight_place_calm",
     "flight_rest_calm", "flight_retract_calm", "fallen", "graze_place", "graze_rest", "graze_retract"};
-static const char *const state_names[] = {"time", "events", "last_event", "is_open", "work_then",
-    "positive_work_so_far", "positive_work_then", "peak_force_so_far", "touchdowns_so_far", "slip_so_far",
-    "slid_from", "stance_so_far", "word_so_far", "last_letter", "bar_is_due", "mode_began", "x_then",
-    "y_then", "count", "word_code", "period", "distance", "rise_of_stride", "work_of_stride", "hip_work",
-    "positive_work", "speed", "cost_of_transport", "touchdowns", "stance_time", "duty_factor",
-    "slip_distance", "peak_force", "peak_vertical_force", "apex_time", "apex_com_height", "apex_com_speed",
-    "apex_length", "apex_angle", "apex_length_rate", "apex_angle_rate", "seen_x", "seen_y", "length", "angle",
-    "seen_vx", "seen_vy", "length_rate", "angle_rate", "com_x", "com_y", "com_vx", "com_vy", "momentum", "x",
-    "y", "vx", "vy", "foot_x", "foot_vx", "winding", "thrusting", "damper_loss", "friction", "way",
-    "friction_loss", "impact_loss", "external_torque", "liftoff_angle", "driving", "placing",
-    "touchdown_time", "was_placed", "placed_for", "rises_again", "work"};
+static const char *const state_names[] = {"time", "events", "last_event", "greatest_slip_velocity",
+    "greatest_foot_height", "squared_torque", "is_open", "work_then", "positive_work_so_far",
+    "positive_work_then", "peak_force_so_far", "touchdowns_so_far", "slip_so_far", "slid_from",
+    "stance_so_far", "word_so_far", "last_letter", "bar_is_due", "mode_began", "x_then", "y_then", "count",
+    "word_code", "period", "distance", "rise_of_stride", "work_of_stride", "hip_work", "positive_work",
+    "speed", "cost_of_transport", "touchdowns", "stance_time", "duty_factor", "slip_distance", "peak_force",
+    "peak_vertical_force", "apex_time", "apex_com_height", "apex_com_speed", "apex_length", "apex_angle",
+    "apex_length_rate", "apex_angle_rate", "seen_x", "seen_y", "length", "angle", "seen_vx", "seen_vy",
+    "length_rate", "angle_rate", "com_x", "com_y", "com_vx", "com_vy", "momentum", "x", "y", "vx", "vy",
+    "foot_x", "foot_vx", "winding", "thrusting", "damper_loss", "friction", "way", "friction_loss",
+    "impact_loss", "external_torque", "liftoff_angle", "driving", "placing", "touchdown_time", "was_placed",
+    "placed_for", "rises_again", "work"};
 static const char *const parameter_names[] = {"body_mass", "foot_mass", "stiffness", "damping", "free_length",
     "least_length", "gravity", "notes_compression", "drive_torque", "kp", "kd", "touchdown_angle",
     "liftoff_factor", "swing_clamp"};
@@ -2948,7 +2980,7 @@ static const char *const table_names[] = {0};
 static const char *const section_names[] = {"at_apex"};
 static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.4722627765193387, 0.6417114468531165, 0.9999993776846997,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.4722627765193387, 0.6417114468531165, 0.9999993776846997,
     -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05, 1.1268102275039307e-06,
     4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0,
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
@@ -2973,7 +3005,7 @@ const tdmf_model_kind tdmf_plain_runner_model = {
     .seeds = TDMF_FOR_SEEDS(tdmf_plain_runner_seeds),
     .mode_count = 10,
     .mode_names = mode_names,
-    .state_count = 76,
+    .state_count = 79,
     .state_names = state_names,
     .parameter_count = 14,
     .parameter_names = parameter_names,

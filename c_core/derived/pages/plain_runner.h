@@ -36,6 +36,10 @@ typedef struct {
     real time; /* s: Time */
     real events; /* 1: Changes of contact and phase since the start */
     real last_event; /* s: Time of the last change of contact or phase */
+    real greatest_slip_velocity; /* m/s: Largest slip velocity since the start */
+    real greatest_foot_height; /* m: Largest height of the foot above the ground, in flight,
+        since the start */
+    real squared_torque; /* N2.m2.s: Integral of the squared hip torque since the start */
     real is_open; /* 1: 1 if the open stride began at an apex, else 0 */
     real work_then; /* J: Work of the hip at the start of the stride */
     real positive_work_so_far; /* J: Positive work of the hip since the start */
@@ -118,12 +122,12 @@ typedef struct {
 
 typedef struct {
     real inverse_body_mass, stiffness, free_length, damping, stance_torque, inverse_foot_mass, way,
-        way_times_friction, gravity, foot_mass_times_gravity, least_length, winding;
+        way_times_friction, gravity, foot_mass_times_gravity, least_length, winding, square_of_torque;
 } slip_constant_constants;
 
 typedef struct {
     real inverse_body_mass, stiffness, free_length, damping, stance_torque, gravity, foot_vx, least_length,
-        winding, foot_mass_times_gravity, friction;
+        winding, foot_mass_times_gravity, friction, square_of_torque;
 } stick_constants;
 
 typedef struct {
@@ -134,7 +138,7 @@ typedef struct {
 typedef struct {
     real mobility, stiffness, free_length, damping, external_torque, com_vx, minus_gravity,
         mobility_times_external_torque, share, by_1_minus_share, least_length, kp,
-        liftoff_factor_times_liftoff_angle, kd;
+        liftoff_factor_times_liftoff_angle, kd, square_of_torque;
 } flight_rest_calm_constants;
 
 typedef struct {

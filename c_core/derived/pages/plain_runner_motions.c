@@ -328,6 +328,28 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
     }
 }
 
+/* First variation of slip_velocity. */
+static void d_observed_slip_constant_slip_velocity(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const slip_constant_constants *c = (const void *)constants;
+    const slip_constant_series *s = (const void *)series;
+    const slip_constant_constants *d = (const void *)d_constants;
+    const slip_constant_series *t = (const void *)d_series;
+    for (int k = 0; k < order; ++k) {
+        dg[k] = d->way * s->foot_vx[k] + c->way * t->foot_vx[k];
+    }
+}
+
+/* First variation of square_of_torque. */
+static void d_observed_slip_constant_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const slip_constant_constants *d = (const void *)d_constants;
+    (void)constants, (void)series, (void)d_series;
+    for (int k = 0; k < order; ++k) {
+        dg[k] = constant_of(k, d->square_of_torque);
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_slip_constant_falls(const real *constants, const real *series, int order, real *g) {
     const slip_constant_series *s = (const void *)series;
@@ -402,6 +424,25 @@ static void guard_slip_constant_force_on_foot(const real *constants, const real 
     }
 }
 
+/* slip_velocity: Speed at which the foot slips. */
+static void guard_slip_constant_slip_velocity(const real *constants, const real *series, int order, real *g) {
+    const slip_constant_constants *c = (const void *)constants;
+    const slip_constant_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = c->way * s->foot_vx[k];
+    }
+}
+
+/* square_of_torque: Square of the total hip torque. */
+static void guard_slip_constant_square_of_torque(const real *constants, const real *series, int order,
+    real *g) {
+    const slip_constant_constants *c = (const void *)constants;
+    (void)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = constant_of(k, c->square_of_torque);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_slip_constant(const real *constants, const real *series,
     const real *power, int order, uint64_t watched, interval *bounds) {
@@ -436,6 +477,13 @@ TDMF_ALSO_FOR_AVX2 static void bounds_slip_constant(const real *constants, const
     }
     if (watched >> 7 & 1) {
         bounds[7] = span_8;
+    }
+    if (watched >> 8 & 1) {
+        bounds[8] = span_11;
+    }
+    if (watched >> 9 & 1) {
+        const interval span_12 = interval_at(c->square_of_torque, c->square_of_torque);
+        bounds[9] = span_12;
     }
 }
 
@@ -690,6 +738,16 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
     }
 }
 
+/* First variation of square_of_torque. */
+static void d_observed_stick_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const stick_constants *d = (const void *)d_constants;
+    (void)constants, (void)series, (void)d_series;
+    for (int k = 0; k < order; ++k) {
+        dg[k] = constant_of(k, d->square_of_torque);
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_stick_falls(const real *constants, const real *series, int order, real *g) {
     const stick_series *s = (const void *)series;
@@ -774,6 +832,15 @@ static void guard_stick_force_on_foot(const real *constants, const real *series,
     }
 }
 
+/* square_of_torque: Square of the total hip torque. */
+static void guard_stick_square_of_torque(const real *constants, const real *series, int order, real *g) {
+    const stick_constants *c = (const void *)constants;
+    (void)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = constant_of(k, c->square_of_torque);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_stick(const real *constants, const real *series, const real *power,
     int order, uint64_t watched, interval *bounds) {
@@ -813,6 +880,10 @@ TDMF_ALSO_FOR_AVX2 static void bounds_stick(const real *constants, const real *s
     }
     if (watched >> 8 & 1) {
         bounds[8] = span_8;
+    }
+    if (watched >> 9 & 1) {
+        const interval span_16 = interval_at(c->square_of_torque, c->square_of_torque);
+        bounds[9] = span_16;
     }
 }
 
@@ -977,6 +1048,50 @@ static void d_observed_flight_place_calm_power_of_hip(const real *constants, con
     }
 }
 
+/* First variation of height_of_foot. */
+static void d_observed_flight_place_calm_height_of_foot(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_place_calm_constants *c = (const void *)constants;
+    const flight_place_calm_series *s = (const void *)series;
+    const flight_place_calm_constants *d = (const void *)d_constants;
+    const flight_place_calm_series *t = (const void *)d_series;
+    real own_cos_of_angle[TERMS], own_sum_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
+        own_sin_of_angle_times_angle[TERMS], own_product_2[TERMS], own_sum_2[TERMS],
+        own_share_times_length[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_sum_2[k] = d->share * s->length[k] + c->share * t->length[k];
+        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
+        own_sum_times_cos_of_angle[k] = product(own_sum_2, own_cos_of_angle, k);
+        own_share_times_length[k] = c->share * s->length[k];
+        own_sin_of_angle_times_angle[k] = product(own_sin_of_angle, t->angle, k);
+        own_product_2[k] = product(own_share_times_length, own_sin_of_angle_times_angle, k);
+        dg[k] = t->com_y[k] - own_sum_times_cos_of_angle[k] + own_product_2[k];
+    }
+}
+
+/* First variation of square_of_torque. */
+static void d_observed_flight_place_calm_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_place_calm_constants *c = (const void *)constants;
+    const flight_place_calm_series *s = (const void *)series;
+    const flight_place_calm_constants *d = (const void *)d_constants;
+    const flight_place_calm_series *t = (const void *)d_series;
+    real own_length_times_length[TERMS], own_rate_times_d_square[TERMS], own_d_rate[TERMS],
+        own_swing_torque_times_d_swing_torque[TERMS], own_d_square[TERMS], own_d_swing_torque[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_length_times_length[k] = product(s->length, t->length, k);
+        own_d_square[k] = 2.0 * own_length_times_length[k];
+        own_rate_times_d_square[k] = product(s->rate, own_d_square, k);
+        own_d_rate[k] = (t->momentum[k] - own_rate_times_d_square[k] - product_so_far(own_d_rate, s->square,
+            k)) / s->square[0];
+        own_d_swing_torque[k] = with_constant(k, -(d->kp * s->angle[k]) - c->kp * t->angle[k]
+            - d->kd * s->rate[k] - c->kd * own_d_rate[k], d->external_torque
+            - (-(d->kp * c->touchdown_angle) - c->kp * d->touchdown_angle));
+        own_swing_torque_times_d_swing_torque[k] = product(s->swing_torque, own_d_swing_torque, k);
+        dg[k] = 2.0 * own_swing_torque_times_d_swing_torque[k];
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_flight_place_calm_falls(const real *constants, const real *series, int order, real *g) {
     const flight_place_calm_constants *c = (const void *)constants;
@@ -1033,6 +1148,31 @@ static void guard_flight_place_calm_power_of_hip(const real *constants, const re
     }
 }
 
+/* height_of_foot: Height of the foot above the ground vertically below. */
+static void guard_flight_place_calm_height_of_foot(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_place_calm_constants *c = (const void *)constants;
+    const flight_place_calm_series *s = (const void *)series;
+    real own_cos_of_angle[TERMS], own_share_times_length_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
+        own_share_times_length[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_share_times_length[k] = c->share * s->length[k];
+        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
+        own_share_times_length_times_cos_of_angle[k] = product(own_share_times_length, own_cos_of_angle, k);
+        g[k] = s->com_y[k] - own_share_times_length_times_cos_of_angle[k];
+    }
+}
+
+/* square_of_torque: Square of the total hip torque. */
+static void guard_flight_place_calm_square_of_torque(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_place_calm_series *s = (const void *)series;
+    (void)constants;
+    for (int k = 0; k < order; ++k) {
+        g[k] = product(s->swing_torque, s->swing_torque, k);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_flight_place_calm(const real *constants, const real *series,
     const real *power, int order, uint64_t watched, interval *bounds) {
@@ -1058,6 +1198,14 @@ TDMF_ALSO_FOR_AVX2 static void bounds_flight_place_calm(const real *constants, c
     if (watched >> 2 & 1) {
         const interval span_14 = interval_of_rate(s->com_y, power, 2);
         bounds[2] = span_14;
+    }
+    if (watched >> 5 & 1) {
+        bounds[5] = span_13;
+    }
+    if (watched >> 6 & 1) {
+        const interval span_14 = interval_of_series(s->swing_torque, power, order);
+        const interval span_15 = interval_product(span_14, span_14);
+        bounds[6] = span_15;
     }
 }
 
@@ -1203,6 +1351,37 @@ static void d_observed_flight_rest_calm_power_of_hip(const real *constants, cons
     }
 }
 
+/* First variation of height_of_foot. */
+static void d_observed_flight_rest_calm_height_of_foot(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_rest_calm_constants *c = (const void *)constants;
+    const flight_rest_calm_series *s = (const void *)series;
+    const flight_rest_calm_constants *d = (const void *)d_constants;
+    const flight_rest_calm_series *t = (const void *)d_series;
+    real own_cos_of_angle[TERMS], own_sum_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
+        own_sin_of_angle_times_angle[TERMS], own_product_2[TERMS], own_sum_2[TERMS],
+        own_share_times_length[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_sum_2[k] = d->share * s->length[k] + c->share * t->length[k];
+        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
+        own_sum_times_cos_of_angle[k] = product(own_sum_2, own_cos_of_angle, k);
+        own_share_times_length[k] = c->share * s->length[k];
+        own_sin_of_angle_times_angle[k] = product(own_sin_of_angle, t->angle, k);
+        own_product_2[k] = product(own_share_times_length, own_sin_of_angle_times_angle, k);
+        dg[k] = t->com_y[k] - own_sum_times_cos_of_angle[k] + own_product_2[k];
+    }
+}
+
+/* First variation of square_of_torque. */
+static void d_observed_flight_rest_calm_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_rest_calm_constants *d = (const void *)d_constants;
+    (void)constants, (void)series, (void)d_series;
+    for (int k = 0; k < order; ++k) {
+        dg[k] = constant_of(k, d->square_of_torque);
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_flight_rest_calm_falls(const real *constants, const real *series, int order, real *g) {
     const flight_rest_calm_constants *c = (const void *)constants;
@@ -1269,12 +1448,36 @@ static void guard_flight_rest_calm_power_of_hip(const real *constants, const rea
     }
 }
 
+/* height_of_foot: Height of the foot above the ground vertically below. */
+static void guard_flight_rest_calm_height_of_foot(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_rest_calm_constants *c = (const void *)constants;
+    const flight_rest_calm_series *s = (const void *)series;
+    real own_cos_of_angle[TERMS], own_share_times_length_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
+        own_share_times_length[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_share_times_length[k] = c->share * s->length[k];
+        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
+        own_share_times_length_times_cos_of_angle[k] = product(own_share_times_length, own_cos_of_angle, k);
+        g[k] = s->com_y[k] - own_share_times_length_times_cos_of_angle[k];
+    }
+}
+
+/* square_of_torque: Square of the total hip torque. */
+static void guard_flight_rest_calm_square_of_torque(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_rest_calm_constants *c = (const void *)constants;
+    (void)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = constant_of(k, c->square_of_torque);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_flight_rest_calm(const real *constants, const real *series,
     const real *power, int order, uint64_t watched, interval *bounds) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
-    (void)watched;
     const interval span_0 = interval_of_series(s->angle, power, order);
     const interval span_1 = interval_of_series(s->com_y, power, 3);
     const interval span_2 = interval_at(c->by_1_minus_share, c->by_1_minus_share);
@@ -1306,6 +1509,13 @@ TDMF_ALSO_FOR_AVX2 static void bounds_flight_rest_calm(const real *constants, co
     const interval span_23 = interval_difference(span_19, span_22);
     const interval span_24 = interval_at(-span_23.high, -span_23.low);
     bounds[4] = span_24;
+    if (watched >> 6 & 1) {
+        bounds[6] = span_14;
+    }
+    if (watched >> 7 & 1) {
+        const interval span_25 = interval_at(c->square_of_torque, c->square_of_torque);
+        bounds[7] = span_25;
+    }
 }
 
 /* ---- flight_retract_calm */
@@ -1470,6 +1680,51 @@ static void d_observed_flight_retract_calm_power_of_hip(const real *constants, c
     }
 }
 
+/* First variation of height_of_foot. */
+static void d_observed_flight_retract_calm_height_of_foot(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_retract_calm_constants *c = (const void *)constants;
+    const flight_retract_calm_series *s = (const void *)series;
+    const flight_retract_calm_constants *d = (const void *)d_constants;
+    const flight_retract_calm_series *t = (const void *)d_series;
+    real own_cos_of_angle[TERMS], own_sum_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
+        own_sin_of_angle_times_angle[TERMS], own_product_2[TERMS], own_sum_2[TERMS],
+        own_share_times_length[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_sum_2[k] = d->share * s->length[k] + c->share * t->length[k];
+        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
+        own_sum_times_cos_of_angle[k] = product(own_sum_2, own_cos_of_angle, k);
+        own_share_times_length[k] = c->share * s->length[k];
+        own_sin_of_angle_times_angle[k] = product(own_sin_of_angle, t->angle, k);
+        own_product_2[k] = product(own_share_times_length, own_sin_of_angle_times_angle, k);
+        dg[k] = t->com_y[k] - own_sum_times_cos_of_angle[k] + own_product_2[k];
+    }
+}
+
+/* First variation of square_of_torque. */
+static void d_observed_flight_retract_calm_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_retract_calm_constants *c = (const void *)constants;
+    const flight_retract_calm_series *s = (const void *)series;
+    const flight_retract_calm_constants *d = (const void *)d_constants;
+    const flight_retract_calm_series *t = (const void *)d_series;
+    real own_length_times_length[TERMS], own_rate_times_d_square[TERMS], own_d_rate[TERMS],
+        own_swing_torque_times_d_swing_torque[TERMS], own_d_square[TERMS], own_d_swing_torque[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_length_times_length[k] = product(s->length, t->length, k);
+        own_d_square[k] = 2.0 * own_length_times_length[k];
+        own_rate_times_d_square[k] = product(s->rate, own_d_square, k);
+        own_d_rate[k] = (t->momentum[k] - own_rate_times_d_square[k] - product_so_far(own_d_rate, s->square,
+            k)) / s->square[0];
+        own_d_swing_torque[k] = with_constant(k, -(d->kp * s->angle[k]) - c->kp * t->angle[k]
+            - d->kd * s->rate[k] - c->kd * own_d_rate[k], d->external_torque
+            - (-(d->kp * c->liftoff_factor_times_liftoff_angle)
+            - c->kp * d->liftoff_factor_times_liftoff_angle));
+        own_swing_torque_times_d_swing_torque[k] = product(s->swing_torque, own_d_swing_torque, k);
+        dg[k] = 2.0 * own_swing_torque_times_d_swing_torque[k];
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_flight_retract_calm_falls(const real *constants, const real *series, int order, real *g) {
     const flight_retract_calm_constants *c = (const void *)constants;
@@ -1538,6 +1793,31 @@ static void guard_flight_retract_calm_power_of_hip(const real *constants, const 
     }
 }
 
+/* height_of_foot: Height of the foot above the ground vertically below. */
+static void guard_flight_retract_calm_height_of_foot(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_retract_calm_constants *c = (const void *)constants;
+    const flight_retract_calm_series *s = (const void *)series;
+    real own_cos_of_angle[TERMS], own_share_times_length_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
+        own_share_times_length[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_share_times_length[k] = c->share * s->length[k];
+        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
+        own_share_times_length_times_cos_of_angle[k] = product(own_share_times_length, own_cos_of_angle, k);
+        g[k] = s->com_y[k] - own_share_times_length_times_cos_of_angle[k];
+    }
+}
+
+/* square_of_torque: Square of the total hip torque. */
+static void guard_flight_retract_calm_square_of_torque(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_retract_calm_series *s = (const void *)series;
+    (void)constants;
+    for (int k = 0; k < order; ++k) {
+        g[k] = product(s->swing_torque, s->swing_torque, k);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_flight_retract_calm(const real *constants, const real *series,
     const real *power, int order, uint64_t watched, interval *bounds) {
@@ -1574,6 +1854,14 @@ TDMF_ALSO_FOR_AVX2 static void bounds_flight_retract_calm(const real *constants,
         const interval span_22 = interval_product(span_20, span_21);
         const interval span_23 = interval_difference(span_19, span_22);
         bounds[4] = span_23;
+    }
+    if (watched >> 6 & 1) {
+        bounds[6] = span_14;
+    }
+    if (watched >> 7 & 1) {
+        const interval span_15 = interval_of_series(s->swing_torque, power, order);
+        const interval span_16 = interval_product(span_15, span_15);
+        bounds[7] = span_16;
     }
 }
 
@@ -1826,6 +2114,48 @@ static void d_observed_graze_place_power_of_hip(const real *constants, const rea
     }
 }
 
+/* First variation of square_of_torque. */
+static void d_observed_graze_place_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const graze_place_constants *c = (const void *)constants;
+    const graze_place_series *s = (const void *)series;
+    const graze_place_constants *d = (const void *)d_constants;
+    const graze_place_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_product_4[TERMS], own_d_axial_times_y__plus_off_over_x_[TERMS],
+        own_product_7[TERMS], own_product_8[TERMS], own_product_3_times_d_product_3[TERMS],
+        own_d_square[TERMS], own_d_product_3[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0]) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
+            + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - own_axial_times_d_length[k], d->stiffness * c->free_length + c->stiffness * d->free_length)
+            - product_so_far(own_d_axial, s->length, k)) / s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
+        own_d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, own_d_axial_times_y_[k]
+            + own_axial_times_y__2[k] - own_product_4[k], d->off)
+            - product_so_far(own_d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
+        own_product_7[k] = product(own_d_axial_times_y__plus_off_over_x_, s->square, k);
+        own_product_8[k] = product(s->axial_times_y__plus_off_over_x_, own_d_square, k);
+        own_d_product_3[k] = own_product_7[k] + own_product_8[k];
+        own_product_3_times_d_product_3[k] = product(s->product_3, own_d_product_3, k);
+        dg[k] = 2.0 * own_product_3_times_d_product_3[k];
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_graze_place_falls(const real *constants, const real *series, int order, real *g) {
     const graze_place_series *s = (const void *)series;
@@ -1890,6 +2220,16 @@ static void guard_graze_place_power_of_hip(const real *constants, const real *se
     }
 }
 
+/* square_of_torque: Square of the total hip torque. */
+static void guard_graze_place_square_of_torque(const real *constants, const real *series, int order,
+    real *g) {
+    const graze_place_series *s = (const void *)series;
+    (void)constants;
+    for (int k = 0; k < order; ++k) {
+        g[k] = product(s->product_3, s->product_3, k);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_graze_place(const real *constants, const real *series,
     const real *power, int order, uint64_t watched, interval *bounds) {
@@ -1908,6 +2248,11 @@ TDMF_ALSO_FOR_AVX2 static void bounds_graze_place(const real *constants, const r
         const interval span_5 = interval_at(c->winding, c->winding);
         const interval span_6 = interval_sum(span_4, span_5);
         bounds[2] = span_6;
+    }
+    if (watched >> 6 & 1) {
+        const interval span_4 = interval_of_series(s->product_3, power, order);
+        const interval span_5 = interval_product(span_4, span_4);
+        bounds[6] = span_5;
     }
 }
 
@@ -2140,6 +2485,48 @@ static void d_observed_graze_rest_power_of_hip(const real *constants, const real
     }
 }
 
+/* First variation of square_of_torque. */
+static void d_observed_graze_rest_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const graze_rest_constants *c = (const void *)constants;
+    const graze_rest_series *s = (const void *)series;
+    const graze_rest_constants *d = (const void *)d_constants;
+    const graze_rest_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_product_4[TERMS], own_d_axial_times_y__plus_off_over_x_[TERMS],
+        own_product_7[TERMS], own_product_8[TERMS], own_product_3_times_d_product_3[TERMS],
+        own_d_square[TERMS], own_d_product_3[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0]) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
+            + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - own_axial_times_d_length[k], d->stiffness * c->free_length + c->stiffness * d->free_length)
+            - product_so_far(own_d_axial, s->length, k)) / s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
+        own_d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, own_d_axial_times_y_[k]
+            + own_axial_times_y__2[k] - own_product_4[k], d->off)
+            - product_so_far(own_d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
+        own_product_7[k] = product(own_d_axial_times_y__plus_off_over_x_, s->square, k);
+        own_product_8[k] = product(s->axial_times_y__plus_off_over_x_, own_d_square, k);
+        own_d_product_3[k] = own_product_7[k] + own_product_8[k];
+        own_product_3_times_d_product_3[k] = product(s->product_3, own_d_product_3, k);
+        dg[k] = 2.0 * own_product_3_times_d_product_3[k];
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_graze_rest_falls(const real *constants, const real *series, int order, real *g) {
     const graze_rest_series *s = (const void *)series;
@@ -2221,6 +2608,15 @@ static void guard_graze_rest_power_of_hip(const real *constants, const real *ser
     }
 }
 
+/* square_of_torque: Square of the total hip torque. */
+static void guard_graze_rest_square_of_torque(const real *constants, const real *series, int order, real *g) {
+    const graze_rest_series *s = (const void *)series;
+    (void)constants;
+    for (int k = 0; k < order; ++k) {
+        g[k] = product(s->product_3, s->product_3, k);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_graze_rest(const real *constants, const real *series, const real *power,
     int order, uint64_t watched, interval *bounds) {
@@ -2255,6 +2651,11 @@ TDMF_ALSO_FOR_AVX2 static void bounds_graze_rest(const real *constants, const re
     bounds[6] = unbounded();
     if (watched >> 4 & 1) {
         bounds[4] = span_10;
+    }
+    if (watched >> 8 & 1) {
+        const interval span_20 = interval_of_series(s->product_3, power, order);
+        const interval span_21 = interval_product(span_20, span_20);
+        bounds[8] = span_21;
     }
 }
 
@@ -2488,6 +2889,48 @@ static void d_observed_graze_retract_power_of_hip(const real *constants, const r
     }
 }
 
+/* First variation of square_of_torque. */
+static void d_observed_graze_retract_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const graze_retract_constants *c = (const void *)constants;
+    const graze_retract_series *s = (const void *)series;
+    const graze_retract_constants *d = (const void *)d_constants;
+    const graze_retract_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_product_4[TERMS], own_d_axial_times_y__plus_off_over_x_[TERMS],
+        own_product_7[TERMS], own_product_8[TERMS], own_product_3_times_d_product_3[TERMS],
+        own_d_square[TERMS], own_d_product_3[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0]) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
+            + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - own_axial_times_d_length[k], d->stiffness * c->free_length + c->stiffness * d->free_length)
+            - product_so_far(own_d_axial, s->length, k)) / s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
+        own_d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, own_d_axial_times_y_[k]
+            + own_axial_times_y__2[k] - own_product_4[k], d->off)
+            - product_so_far(own_d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
+        own_product_7[k] = product(own_d_axial_times_y__plus_off_over_x_, s->square, k);
+        own_product_8[k] = product(s->axial_times_y__plus_off_over_x_, own_d_square, k);
+        own_d_product_3[k] = own_product_7[k] + own_product_8[k];
+        own_product_3_times_d_product_3[k] = product(s->product_3, own_d_product_3, k);
+        dg[k] = 2.0 * own_product_3_times_d_product_3[k];
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_graze_retract_falls(const real *constants, const real *series, int order, real *g) {
     const graze_retract_series *s = (const void *)series;
@@ -2573,6 +3016,16 @@ static void guard_graze_retract_power_of_hip(const real *constants, const real *
     }
 }
 
+/* square_of_torque: Square of the total hip torque. */
+static void guard_graze_retract_square_of_torque(const real *constants, const real *series, int order,
+    real *g) {
+    const graze_retract_series *s = (const void *)series;
+    (void)constants;
+    for (int k = 0; k < order; ++k) {
+        g[k] = product(s->product_3, s->product_3, k);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_graze_retract(const real *constants, const real *series,
     const real *power, int order, uint64_t watched, interval *bounds) {
@@ -2612,6 +3065,11 @@ TDMF_ALSO_FOR_AVX2 static void bounds_graze_retract(const real *constants, const
         const interval span_9 = interval_sum(span_7, span_8);
         bounds[4] = span_9;
     }
+    if (watched >> 8 & 1) {
+        const interval span_7 = interval_of_series(s->product_3, power, order);
+        const interval span_8 = interval_product(span_7, span_7);
+        bounds[8] = span_8;
+    }
 }
 
 static const tdmf_polynomial polynomials_start_of_run[] = {guard_start_of_run_begins};
@@ -2622,76 +3080,90 @@ static const int moving_start_of_run[] = {0}, degrees_start_of_run[] = {1}, judg
 static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_falls,
     guard_slip_constant_collapses, guard_slip_constant_greatest_compression, guard_slip_constant_mid_stance,
     guard_slip_constant_lift_off, guard_slip_constant_comes_to_rest, guard_slip_constant_power_of_hip,
-    guard_slip_constant_force_on_foot};
+    guard_slip_constant_force_on_foot, guard_slip_constant_slip_velocity,
+    guard_slip_constant_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_slip_constant_power_of_hip,
-    d_observed_slip_constant_force_on_foot};
-static const int moving_slip_constant[] = {54, 55, 56, 57, 58, 59, 62, 65, 75, 0},
+    d_observed_slip_constant_force_on_foot, d_observed_slip_constant_slip_velocity,
+    d_observed_slip_constant_square_of_torque};
+static const int moving_slip_constant[] = {57, 58, 59, 60, 61, 62, 65, 68, 78, 0},
     degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99}, judged_slip_constant[] = {2, 3, 5,
     6, 7, 8, 10}, divided_slip_constant[] = {-1, -1, -1, -1, -1, -1, -1}, divisors_slip_constant[] = {14, 13},
-    integrals_slip_constant[] = {8, -1}, factors_slip_constant[] = {27, -1, -1, -1};
+    integrals_slip_constant[] = {8, -1, -1, -1}, factors_slip_constant[] = {27, -1, -1, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_stick[] = {guard_stick_falls, guard_stick_collapses,
     guard_stick_greatest_compression, guard_stick_mid_stance, guard_stick_lift_off, guard_stick_slips_forward,
-    guard_stick_slips_backward, guard_stick_power_of_hip, guard_stick_force_on_foot};
+    guard_stick_slips_backward, guard_stick_power_of_hip, guard_stick_force_on_foot,
+    guard_stick_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_power_of_hip,
-    d_observed_stick_force_on_foot};
-static const int moving_stick[] = {54, 55, 56, 57, 62, 75, 0, 58}, degrees_stick[] = {99, 99, 99, 99, 99, 99,
+    d_observed_stick_force_on_foot, d_observed_stick_square_of_torque};
+static const int moving_stick[] = {57, 58, 59, 60, 65, 78, 0, 61}, degrees_stick[] = {99, 99, 99, 99, 99, 99,
     1, 1, 99}, judged_stick[] = {2, 3, 4, 5, 8}, divided_stick[] = {-1, -1, -1, -1, -1},
-    divisors_stick[] = {12, 11}, integrals_stick[] = {5, -1}, factors_stick[] = {23, -1, -1, -1};
+    divisors_stick[] = {12, 11}, integrals_stick[] = {5, -1, -1}, factors_stick[] = {23, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_place_calm[] = {guard_flight_place_calm_falls,
     guard_flight_place_calm_collapses, guard_flight_place_calm_apex, guard_flight_place_calm_touchdown,
-    guard_flight_place_calm_power_of_hip};
+    guard_flight_place_calm_power_of_hip, guard_flight_place_calm_height_of_foot,
+    guard_flight_place_calm_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_flight_place_calm[] =
-    {d_observed_flight_place_calm_power_of_hip};
-static const int moving_flight_place_calm[] = {43, 44, 47, 50, 53, 62, 75, 0, 49, 52, 70},
+    {d_observed_flight_place_calm_power_of_hip, d_observed_flight_place_calm_height_of_foot,
+    d_observed_flight_place_calm_square_of_torque};
+static const int moving_flight_place_calm[] = {46, 47, 50, 53, 56, 65, 78, 0, 52, 55, 73},
     degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1, 1, 1}, judged_flight_place_calm[] = {1, 2,
     4, 5, 6}, divided_flight_place_calm[] = {-1, -1, 0, -1, -1}, divisors_flight_place_calm[] = {11},
-    integrals_flight_place_calm[] = {6}, factors_flight_place_calm[] = {15, 12};
+    integrals_flight_place_calm[] = {6, -1, -1}, factors_flight_place_calm[] = {15, 12, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_rest_calm[] = {guard_flight_rest_calm_falls,
     guard_flight_rest_calm_collapses, guard_flight_rest_calm_apex, guard_flight_rest_calm_touchdown,
-    guard_flight_rest_calm_release, guard_flight_rest_calm_power_of_hip};
+    guard_flight_rest_calm_release, guard_flight_rest_calm_power_of_hip,
+    guard_flight_rest_calm_height_of_foot, guard_flight_rest_calm_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_flight_rest_calm[] =
-    {d_observed_flight_rest_calm_power_of_hip};
-static const int moving_flight_rest_calm[] = {43, 44, 47, 50, 62, 75, 0, 49, 52, 53},
+    {d_observed_flight_rest_calm_power_of_hip, d_observed_flight_rest_calm_height_of_foot,
+    d_observed_flight_rest_calm_square_of_torque};
+static const int moving_flight_rest_calm[] = {46, 47, 50, 53, 65, 78, 0, 52, 55, 56},
     degrees_flight_rest_calm[] = {99, 99, 99, 2, 99, 99, 1, 1, 1, 1}, judged_flight_rest_calm[] = {1, 2, 4,
     5}, divided_flight_rest_calm[] = {-1, -1, -1, -1}, divisors_flight_rest_calm[] = {10},
-    integrals_flight_rest_calm[] = {5}, factors_flight_rest_calm[] = {11, -1};
+    integrals_flight_rest_calm[] = {5, -1, -1}, factors_flight_rest_calm[] = {11, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_retract_calm[] = {guard_flight_retract_calm_falls,
     guard_flight_retract_calm_collapses, guard_flight_retract_calm_apex, guard_flight_retract_calm_touchdown,
-    guard_flight_retract_calm_clamp, guard_flight_retract_calm_power_of_hip};
+    guard_flight_retract_calm_clamp, guard_flight_retract_calm_power_of_hip,
+    guard_flight_retract_calm_height_of_foot, guard_flight_retract_calm_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_flight_retract_calm[] =
-    {d_observed_flight_retract_calm_power_of_hip};
-static const int moving_flight_retract_calm[] = {43, 44, 47, 50, 53, 62, 75, 0, 49, 52},
+    {d_observed_flight_retract_calm_power_of_hip, d_observed_flight_retract_calm_height_of_foot,
+    d_observed_flight_retract_calm_square_of_torque};
+static const int moving_flight_retract_calm[] = {46, 47, 50, 53, 56, 65, 78, 0, 52, 55},
     degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1, 1}, judged_flight_retract_calm[] = {1,
     2, 4, 5, 6}, divided_flight_retract_calm[] = {-1, -1, 0, -1, -1}, divisors_flight_retract_calm[] = {10},
-    integrals_flight_retract_calm[] = {6}, factors_flight_retract_calm[] = {14, 11};
+    integrals_flight_retract_calm[] = {6, -1, -1}, factors_flight_retract_calm[] = {14, 11, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_fallen[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0}, degrees_fallen[] = {0}, judged_fallen[] = {0}, divided_fallen[] = {0},
     divisors_fallen[] = {0}, integrals_fallen[] = {0}, factors_fallen[] = {0};
 static const tdmf_polynomial polynomials_graze_place[] = {guard_graze_place_falls,
     guard_graze_place_collapses, guard_graze_place_mid_stance, guard_graze_place_graze_to_contact,
-    guard_graze_place_graze_to_flight, guard_graze_place_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_graze_place[] = {d_observed_graze_place_power_of_hip};
-static const int moving_graze_place[] = {54, 55, 56, 58, 59, 62, 75, 0, 57, 70}, degrees_graze_place[] = {99,
+    guard_graze_place_graze_to_flight, guard_graze_place_power_of_hip, guard_graze_place_square_of_torque};
+static const tdmf_vary_polynomial vary_observed_graze_place[] = {d_observed_graze_place_power_of_hip,
+    d_observed_graze_place_square_of_torque};
+static const int moving_graze_place[] = {57, 58, 59, 61, 62, 65, 78, 0, 60, 73}, degrees_graze_place[] = {99,
     2, 99, 99, 99, 99, 99, 1, 1, 1, 99}, judged_graze_place[] = {2, 4, 5, 6, 10}, divided_graze_place[] = {-1,
-    -1, -1, -1, -1}, divisors_graze_place[] = {14, 0, 13}, integrals_graze_place[] = {6},
-    factors_graze_place[] = {22, 25};
+    -1, -1, -1, -1}, divisors_graze_place[] = {14, 0, 13}, integrals_graze_place[] = {6, -1},
+    factors_graze_place[] = {22, 25, -1, -1};
 static const tdmf_polynomial polynomials_graze_rest[] = {guard_graze_rest_falls, guard_graze_rest_collapses,
     guard_graze_rest_apex_in_graze, guard_graze_rest_release, guard_graze_rest_mid_stance,
-    guard_graze_rest_graze_to_contact, guard_graze_rest_graze_to_flight, guard_graze_rest_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_graze_rest[] = {d_observed_graze_rest_power_of_hip};
-static const int moving_graze_rest[] = {54, 55, 56, 58, 59, 62, 75, 0, 57}, degrees_graze_rest[] = {99, 2, 99,
+    guard_graze_rest_graze_to_contact, guard_graze_rest_graze_to_flight, guard_graze_rest_power_of_hip,
+    guard_graze_rest_square_of_torque};
+static const tdmf_vary_polynomial vary_observed_graze_rest[] = {d_observed_graze_rest_power_of_hip,
+    d_observed_graze_rest_square_of_torque};
+static const int moving_graze_rest[] = {57, 58, 59, 61, 62, 65, 78, 0, 60}, degrees_graze_rest[] = {99, 2, 99,
     99, 99, 99, 99, 1, 1, 99}, judged_graze_rest[] = {2, 4, 5, 6, 9}, divided_graze_rest[] = {-1, -1, -1, -1,
-    -1}, divisors_graze_rest[] = {13, 0, 12}, integrals_graze_rest[] = {6}, factors_graze_rest[] = {21, 24};
+    -1}, divisors_graze_rest[] = {13, 0, 12}, integrals_graze_rest[] = {6, -1}, factors_graze_rest[] = {21,
+    24, -1, -1};
 static const tdmf_polynomial polynomials_graze_retract[] = {guard_graze_retract_falls,
     guard_graze_retract_collapses, guard_graze_retract_apex_in_graze, guard_graze_retract_clamp,
     guard_graze_retract_mid_stance, guard_graze_retract_graze_to_contact, guard_graze_retract_graze_to_flight,
-    guard_graze_retract_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_graze_retract[] = {d_observed_graze_retract_power_of_hip};
-static const int moving_graze_retract[] = {54, 55, 56, 58, 59, 62, 75, 0, 57}, degrees_graze_retract[] = {99,
+    guard_graze_retract_power_of_hip, guard_graze_retract_square_of_torque};
+static const tdmf_vary_polynomial vary_observed_graze_retract[] = {d_observed_graze_retract_power_of_hip,
+    d_observed_graze_retract_square_of_torque};
+static const int moving_graze_retract[] = {57, 58, 59, 61, 62, 65, 78, 0, 60}, degrees_graze_retract[] = {99,
     2, 99, 99, 99, 99, 99, 1, 1, 99}, judged_graze_retract[] = {2, 4, 5, 6, 9}, divided_graze_retract[] = {-1,
-    -1, -1, -1, -1}, divisors_graze_retract[] = {13, 0, 12}, integrals_graze_retract[] = {6},
-    factors_graze_retract[] = {21, 24};
+    -1, -1, -1, -1}, divisors_graze_retract[] = {13, 0, 12}, integrals_graze_retract[] = {6, -1},
+    factors_graze_retract[] = {21, 24, -1, -1};
 
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
     {.moving_count = 1, .extra_count = 0, .series_count = 1, .constant_count = 0, .judged_count = 0,
@@ -2700,13 +3172,13 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
         .integrals = integrals_start_of_run, .factors = factors_start_of_run,
         .polynomials = polynomials_start_of_run, .vary_observed = vary_observed_start_of_run,
         .expand = expand_start_of_run, .vary = vary_start_of_run, .bounds = bounds_start_of_run},
-    {.moving_count = 10, .extra_count = 1, .series_count = 28, .constant_count = 12, .judged_count = 7,
+    {.moving_count = 10, .extra_count = 1, .series_count = 28, .constant_count = 13, .judged_count = 7,
         .divisor_count = 2, .moving = moving_slip_constant, .degrees = degrees_slip_constant,
         .judged = judged_slip_constant, .divided = divided_slip_constant, .divisors = divisors_slip_constant,
         .integrals = integrals_slip_constant, .factors = factors_slip_constant,
         .polynomials = polynomials_slip_constant, .vary_observed = vary_observed_slip_constant,
         .expand = expand_slip_constant, .vary = vary_slip_constant, .bounds = bounds_slip_constant},
-    {.moving_count = 8, .extra_count = 1, .series_count = 24, .constant_count = 11, .judged_count = 5,
+    {.moving_count = 8, .extra_count = 1, .series_count = 24, .constant_count = 12, .judged_count = 5,
         .divisor_count = 2, .moving = moving_stick, .degrees = degrees_stick, .judged = judged_stick,
         .divided = divided_stick, .divisors = divisors_stick, .integrals = integrals_stick,
         .factors = factors_stick, .polynomials = polynomials_stick, .vary_observed = vary_observed_stick,
@@ -2718,7 +3190,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
         .factors = factors_flight_place_calm, .polynomials = polynomials_flight_place_calm,
         .vary_observed = vary_observed_flight_place_calm, .expand = expand_flight_place_calm,
         .vary = vary_flight_place_calm, .bounds = bounds_flight_place_calm},
-    {.moving_count = 10, .extra_count = 0, .series_count = 15, .constant_count = 14, .judged_count = 4,
+    {.moving_count = 10, .extra_count = 0, .series_count = 15, .constant_count = 15, .judged_count = 4,
         .divisor_count = 1, .moving = moving_flight_rest_calm, .degrees = degrees_flight_rest_calm,
         .judged = judged_flight_rest_calm, .divided = divided_flight_rest_calm,
         .divisors = divisors_flight_rest_calm, .integrals = integrals_flight_rest_calm,

@@ -1253,10 +1253,11 @@ static int react_slip_constant_greatest_compression(const real *parameters, cons
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real middle = sum_2 + 0.5 * jump - length;
+    const real work = p->stiffness * jump * middle;
     y->events = x->events + is_new;
     y->last_event = x->time;
     y->thrusting = 1.0;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    y->leg_work = x->leg_work + work;
     return next[0]; /* slip */
 }
 
@@ -1288,11 +1289,12 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_middle = free_length_plus_extension_plus_sum + 0.5 * d_jump - d_length;
+    const real d_work = (dp->stiffness * jump + p->stiffness * d_jump) * middle
+        + p->stiffness * jump * d_middle;
     y->events = dx->events;
     y->last_event = dx->time;
     y->thrusting = 0.0;
-    y->leg_work = dx->leg_work + ((dp->stiffness * jump + p->stiffness * d_jump) * middle
-        + p->stiffness * jump * d_middle);
+    y->leg_work = dx->leg_work + d_work;
 }
 
 /* Whether greatest_compression is watched. */
@@ -1407,13 +1409,14 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     const real sum_2 = rest_length + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real jump = rest_length - sum_2;
     const real middle = sum_2 + 0.5 * jump - length;
+    const real work = p->stiffness * jump * middle;
     y->com_x = x_2 + share * (x->x_ * cosine - x->y_ * sine);
     y->com_y = height_plus_y + share * (x->x_ * sine + x->y_ * cosine);
     y->com_vx = vx + share * (x->vx * cosine - x->vy * sine);
     y->com_vy = vy + share * (x->vx * sine + x->vy * cosine);
     y->momentum = moment;
     y->thrusting = 0.0;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    y->leg_work = x->leg_work + work;
     y->liftoff_angle = angle;
     y->placing = 0.0;
     return next[2]; /* flight */
@@ -1478,6 +1481,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real d_jump = d_rest_length - d_rest_length_plus_sum;
     const real middle = sum_2 + 0.5 * jump - length;
     const real d_middle = d_rest_length_plus_sum + 0.5 * d_jump - d_length;
+    const real d_work = (dp->stiffness * jump + p->stiffness * d_jump) * middle
+        + p->stiffness * jump * d_middle;
     y->com_x = d_x + (d_share * (x->x_ * cosine - x->y_ * sine) + share * (dx->x_ * cosine
         - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine)));
     y->com_y = height_plus_d_y + (d_share * (x->x_ * sine + x->y_ * cosine) + share * (dx->x_ * sine
@@ -1488,8 +1493,7 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         + (dx->vy * cosine - x->vy * sine_times_slope)));
     y->momentum = d_moment;
     y->thrusting = 0.0;
-    y->leg_work = dx->leg_work + ((dp->stiffness * jump + p->stiffness * d_jump) * middle
-        + p->stiffness * jump * d_middle);
+    y->leg_work = dx->leg_work + d_work;
     y->liftoff_angle = d_angle;
     y->placing = 0.0;
 }
@@ -2134,10 +2138,11 @@ static int react_stick_greatest_compression(const real *parameters, const real *
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real middle = sum_2 + 0.5 * jump - length;
+    const real work = p->stiffness * jump * middle;
     y->events = x->events + is_new;
     y->last_event = x->time;
     y->thrusting = 1.0;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    y->leg_work = x->leg_work + work;
     return next[0]; /* stick */
 }
 
@@ -3119,7 +3124,8 @@ static void set_extension_start_of_run(const real *parameters, const real *state
     const real sum_2 = p->free_length + x->extension + longer_or_by_0_times_thrusting;
     const real jump = rest_length - sum_2;
     const real middle = sum_2 + 0.5 * jump - x->length;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    const real work = p->stiffness * jump * middle;
+    y->leg_work = x->leg_work + work;
 }
 
 /* extension is set: Work that a jump of the rest length does on the spring. */
@@ -3135,7 +3141,8 @@ static void set_extension_slip_constant(const real *parameters, const real *stat
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real middle = sum_2 + 0.5 * jump - length;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    const real work = p->stiffness * jump * middle;
+    y->leg_work = x->leg_work + work;
 }
 
 /* thrust is set: Work that a jump of the rest length does on the spring. */
@@ -3151,7 +3158,8 @@ static void set_thrust_start_of_run(const real *parameters, const real *states, 
         + select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real middle = free_length_plus_extension_plus_product + 0.5 * jump - x->length;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    const real work = p->stiffness * jump * middle;
+    y->leg_work = x->leg_work + work;
 }
 
 /* thrust is set: Work that a jump of the rest length does on the spring. */
@@ -3169,7 +3177,8 @@ static void set_thrust_slip_constant(const real *parameters, const real *states,
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real middle = free_length_plus_extension_plus_product + 0.5 * jump - length;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    const real work = p->stiffness * jump * middle;
+    y->leg_work = x->leg_work + work;
 }
 
 /* more_thrust is set: Work that a jump of the rest length does on the spring. */
@@ -3186,7 +3195,8 @@ static void set_more_thrust_start_of_run(const real *parameters, const real *sta
         + select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real middle = free_length_plus_extension_plus_product + 0.5 * jump - x->length;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    const real work = p->stiffness * jump * middle;
+    y->leg_work = x->leg_work + work;
 }
 
 /* more_thrust is set: Work that a jump of the rest length does on the spring. */
@@ -3205,7 +3215,8 @@ static void set_more_thrust_slip_constant(const real *parameters, const real *st
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real middle = free_length_plus_extension_plus_product + 0.5 * jump - length;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    const real work = p->stiffness * jump * middle;
+    y->leg_work = x->leg_work + work;
 }
 
 /* at_apex: A start at an apex, with the centre of mass at x = 0 and the leg at rest. */
@@ -3532,58 +3543,59 @@ static const int coordinates_at_apex[] = {38, 39};
 static const tdmf_mode_kind modes[] = {
     {.motion = &tdmf_reduced_runner_motions[MODE_start_of_run], .open = open_start_of_run,
         .vary_open = vary_open_start_of_run, .guard_count = 1, .guards = guards_start_of_run,
-        .watch_count = 0, .watches = watches_start_of_run, .outputs = outputs_start_of_run,
+        .watch_count = 0, .usual_count = 0, .watches = watches_start_of_run, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run},
     {.motion = &tdmf_reduced_runner_motions[MODE_no_start], .ends = true, .open = open_start_of_run,
         .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_no_start, .watch_count = 0,
-        .watches = watches_no_start, .outputs = outputs_start_of_run,
+        .usual_count = 0, .watches = watches_no_start, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run},
     {.motion = &tdmf_reduced_runner_motions[MODE_flight_place], .open = open_flight_place,
         .vary_open = vary_open_flight_place, .guard_count = 2, .guards = guards_flight_place,
-        .watch_count = 1, .watches = watches_flight_place, .outputs = outputs_flight_place,
+        .watch_count = 1, .usual_count = 1, .watches = watches_flight_place, .outputs = outputs_flight_place,
         .vary_outputs = vary_outputs_flight_place, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place,
         .vary_from_world = vary_from_world_flight_place, .to_world = to_world_flight_place,
         .vary_to_world = vary_to_world_flight_place},
     {.motion = &tdmf_reduced_runner_motions[MODE_fallen], .ends = true, .open = open_start_of_run,
         .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_fallen, .watch_count = 0,
-        .watches = watches_fallen, .outputs = outputs_fallen, .vary_outputs = vary_outputs_start_of_run,
-        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run},
+        .usual_count = 0, .watches = watches_fallen, .outputs = outputs_fallen,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run},
     {.motion = &tdmf_reduced_runner_motions[MODE_slip_constant], .open = open_slip_constant,
         .vary_open = vary_open_slip_constant, .guard_count = 7, .guards = guards_slip_constant,
-        .watch_count = 3, .watches = watches_slip_constant, .outputs = outputs_slip_constant,
-        .vary_outputs = vary_outputs_slip_constant, .leave = leave_slip_constant,
-        .vary_leave = vary_leave_slip_constant, .from_world = from_world_slip_constant,
-        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
-        .vary_to_world = vary_to_world_slip_constant},
+        .watch_count = 3, .usual_count = 3, .watches = watches_slip_constant,
+        .outputs = outputs_slip_constant, .vary_outputs = vary_outputs_slip_constant,
+        .leave = leave_slip_constant, .vary_leave = vary_leave_slip_constant,
+        .from_world = from_world_slip_constant, .vary_from_world = vary_from_world_slip_constant,
+        .to_world = to_world_slip_constant, .vary_to_world = vary_to_world_slip_constant},
     {.motion = &tdmf_reduced_runner_motions[MODE_stick], .open = open_stick, .vary_open = vary_open_stick,
-        .guard_count = 7, .guards = guards_stick, .watch_count = 3, .watches = watches_stick,
-        .outputs = outputs_stick, .vary_outputs = vary_outputs_stick, .leave = leave_stick,
-        .vary_leave = vary_leave_stick, .from_world = from_world_slip_constant,
+        .guard_count = 7, .guards = guards_stick, .watch_count = 3, .usual_count = 3,
+        .watches = watches_stick, .outputs = outputs_stick, .vary_outputs = vary_outputs_stick,
+        .leave = leave_stick, .vary_leave = vary_leave_stick, .from_world = from_world_slip_constant,
         .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
         .vary_to_world = vary_to_world_slip_constant},
     {.motion = &tdmf_reduced_runner_motions[MODE_no_stance], .ends = true, .open = open_start_of_run,
         .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_no_stance, .watch_count = 0,
-        .watches = watches_no_stance, .outputs = outputs_start_of_run,
+        .usual_count = 0, .watches = watches_no_stance, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run},
     {.motion = &tdmf_reduced_runner_motions[MODE_no_apex], .ends = true, .open = open_start_of_run,
         .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_no_apex, .watch_count = 0,
-        .watches = watches_no_apex, .outputs = outputs_start_of_run,
+        .usual_count = 0, .watches = watches_no_apex, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run},
     {.motion = &tdmf_reduced_runner_motions[MODE_flight_retract], .open = open_flight_retract,
         .vary_open = vary_open_flight_retract, .guard_count = 1, .guards = guards_flight_retract,
-        .watch_count = 1, .watches = watches_flight_retract, .outputs = outputs_flight_retract,
-        .vary_outputs = vary_outputs_flight_place, .leave = leave_start_of_run,
-        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place,
-        .vary_from_world = vary_from_world_flight_place, .to_world = to_world_flight_place,
-        .vary_to_world = vary_to_world_flight_place},
+        .watch_count = 1, .usual_count = 1, .watches = watches_flight_retract,
+        .outputs = outputs_flight_retract, .vary_outputs = vary_outputs_flight_place,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
+        .from_world = from_world_flight_place, .vary_from_world = vary_from_world_flight_place,
+        .to_world = to_world_flight_place, .vary_to_world = vary_to_world_flight_place},
     {.motion = &tdmf_reduced_runner_motions[MODE_slip_falling], .open = open_slip_falling,
         .vary_open = vary_open_slip_falling, .guard_count = 7, .guards = guards_slip_falling,
-        .watch_count = 3, .watches = watches_slip_falling, .outputs = outputs_slip_falling,
+        .watch_count = 3, .usual_count = 3, .watches = watches_slip_falling, .outputs = outputs_slip_falling,
         .vary_outputs = vary_outputs_slip_falling, .time_scale = time_scale_slip_falling,
         .leave = leave_slip_constant, .vary_leave = vary_leave_slip_constant,
         .from_world = from_world_slip_constant, .vary_from_world = vary_from_world_slip_constant,

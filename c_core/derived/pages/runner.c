@@ -1019,10 +1019,13 @@ static int react_slip_constant_greatest_compression(const real *parameters, cons
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real middle = sum_2 + 0.5 * jump - length;
+    const real work = p->stiffness * jump * middle;
+    const real begins = select(x->thrusting < 1.0, select(work >= 0.0, work, 0.0), 0.0);
     y->events = x->events + is_new;
     y->last_event = select(by_1_or_by_0 > 0.0, x->time, x->last_event);
     y->thrusting = 1.0;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    y->leg_work = x->leg_work + work;
+    y->positive_leg_work = x->positive_leg_work + select(work > 0.0, work, begins);
     return next[0]; /* slip */
 }
 
@@ -1051,14 +1054,19 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real middle = sum_2 + 0.5 * jump - length;
+    const real stiffness_times_jump = p->stiffness * jump;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_middle = free_length_plus_extension_plus_sum + 0.5 * d_jump - d_length;
+    const real d_work = (dp->stiffness * jump + p->stiffness * d_jump) * middle
+        + stiffness_times_jump * d_middle;
+    const real work = stiffness_times_jump * middle;
+    const real d_begins = select(x->thrusting < 1.0, select(work >= 0.0, d_work, 0.0), 0.0);
     y->events = dx->events;
     y->last_event = select(select(longer > 0.0, 1.0, 0.0) > 0.0, dx->time, dx->last_event);
     y->thrusting = 0.0;
-    y->leg_work = dx->leg_work + ((dp->stiffness * jump + p->stiffness * d_jump) * middle
-        + p->stiffness * jump * d_middle);
+    y->leg_work = dx->leg_work + d_work;
+    y->positive_leg_work = dx->positive_leg_work + select(work > 0.0, d_work, d_begins);
 }
 
 /* Whether greatest_compression is watched. */
@@ -1163,7 +1171,11 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     const real vy_plus_product = vy + share * (x->vx * sine + x->vy * cosine);
     const real jump = free_length_plus_extension - rest_length;
     const real middle = rest_length + 0.5 * jump - length;
-    const real sum_2 = x->leg_work + p->stiffness * jump * middle;
+    const real work = p->stiffness * jump * middle;
+    const real leg_work_plus_work = x->leg_work + work;
+    const real begins = select(x->thrusting < 0.0, select(work >= 0.0, work, 0.0), 0.0);
+    const real positive_leg_work_plus_work_or_begins = x->positive_leg_work + select(work > 0.0, work,
+        begins);
     y->liftoff_angle = angle;
     y->placing = goes_on_times_placed_for;
     y->rises_again = goes_on;
@@ -1187,7 +1199,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         y->com_vy = vy_plus_product;
         y->momentum = moment;
         y->thrusting = 0.0;
-        y->leg_work = sum_2;
+        y->leg_work = leg_work_plus_work;
+        y->positive_leg_work = positive_leg_work_plus_work_or_begins;
         return next[1]; /* flight */
     }
     const real retracting_torque = -(p->kp * (angle - p->liftoff_factor * angle)) - p->kd * angle_rate;
@@ -1206,7 +1219,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         y->com_vy = vy_plus_product;
         y->momentum = moment;
         y->thrusting = 0.0;
-        y->leg_work = sum_2;
+        y->leg_work = leg_work_plus_work;
+        y->positive_leg_work = positive_leg_work_plus_work_or_begins;
         return next[3]; /* flight */
     }
     if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
@@ -1222,7 +1236,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     y->com_vy = vy_plus_product;
     y->momentum = moment;
     y->thrusting = 0.0;
-    y->leg_work = sum_2;
+    y->leg_work = leg_work_plus_work;
+    y->positive_leg_work = positive_leg_work_plus_work_or_begins;
     return next[5]; /* flight */
 }
 
@@ -1287,9 +1302,14 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_jump = free_length_plus_extension_2 - d_rest_length;
     const real middle = rest_length + 0.5 * jump - length;
+    const real stiffness_times_jump = p->stiffness * jump;
     const real d_middle = d_rest_length + 0.5 * d_jump - d_length;
-    const real leg_work_plus_sum = dx->leg_work + ((dp->stiffness * jump + p->stiffness * d_jump) * middle
-        + p->stiffness * jump * d_middle);
+    const real d_work = (dp->stiffness * jump + p->stiffness * d_jump) * middle
+        + stiffness_times_jump * d_middle;
+    const real leg_work_plus_d_work = dx->leg_work + d_work;
+    const real work = stiffness_times_jump * middle;
+    const real d_begins = select(x->thrusting < 0.0, select(work >= 0.0, d_work, 0.0), 0.0);
+    const real sum_4 = dx->positive_leg_work + select(work > 0.0, d_work, d_begins);
     y->liftoff_angle = d_angle;
     y->placing = sum_2;
     y->rises_again = d_goes_on;
@@ -1313,7 +1333,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         y->com_vy = d_vy_plus_product_plus_share_times_sum;
         y->momentum = d_moment;
         y->thrusting = 0.0;
-        y->leg_work = leg_work_plus_sum;
+        y->leg_work = leg_work_plus_d_work;
+        y->positive_leg_work = sum_4;
         return;
     }
     const real retracting_torque = -(p->kp * (angle - p->liftoff_factor * angle)) - p->kd * angle_rate;
@@ -1332,7 +1353,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         y->com_vy = d_vy_plus_product_plus_share_times_sum;
         y->momentum = d_moment;
         y->thrusting = 0.0;
-        y->leg_work = leg_work_plus_sum;
+        y->leg_work = leg_work_plus_d_work;
+        y->positive_leg_work = sum_4;
         return;
     }
     if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
@@ -1348,7 +1370,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     y->com_vy = d_vy_plus_product_plus_share_times_sum;
     y->momentum = d_moment;
     y->thrusting = 0.0;
-    y->leg_work = leg_work_plus_sum;
+    y->leg_work = leg_work_plus_d_work;
+    y->positive_leg_work = sum_4;
 }
 
 /* First variation of the guard of lift_off. */
@@ -2339,10 +2362,13 @@ static int react_stick_greatest_compression(const real *parameters, const real *
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real middle = sum_2 + 0.5 * jump - length;
+    const real work = p->stiffness * jump * middle;
+    const real begins = select(x->thrusting < 1.0, select(work >= 0.0, work, 0.0), 0.0);
     y->events = x->events + is_new;
     y->last_event = select(by_1_or_by_0 > 0.0, x->time, x->last_event);
     y->thrusting = 1.0;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    y->leg_work = x->leg_work + work;
+    y->positive_leg_work = x->positive_leg_work + select(work > 0.0, work, begins);
     return next[0]; /* stick */
 }
 
@@ -2968,6 +2994,7 @@ static void open_flight_place_calm(const real *parameters, const real *states, r
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
     const real by_1_minus_share = 1.0 - share;
+    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
     c->mobility = mobility;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
@@ -2998,6 +3025,7 @@ static void open_flight_place_calm(const real *parameters, const real *states, r
     c->sin_of_slope = sin_of_slope;
     c->by_1_minus_share = by_1_minus_share;
     c->least_length = p->least_length;
+    c->inverse_cos_of_slope = inverse_cos_of_slope;
 }
 
 /* First variation of open_flight_place_calm. */
@@ -3029,10 +3057,13 @@ static void vary_open_flight_place_calm(const real *parameters, const real *stat
     const real cos_of_set_slope = real_cos(set_slope);
     const real d_sin_of_set_slope = cos_of_set_slope * d_set_slope;
     const real sin_of_slope = real_sin(x->slope);
-    const real d_cos_of_slope = -(sin_of_slope * dx->slope);
+    const real sin_of_slope_times_slope = sin_of_slope * dx->slope;
+    const real d_cos_of_slope = -sin_of_slope_times_slope;
     const real cos_of_slope = real_cos(x->slope);
     const real d_sin_of_slope = cos_of_slope * dx->slope;
     const real d_by_1_minus_share = -d_share;
+    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
+    const real d_inverse_cos_of_slope = inverse_cos_of_slope * sin_of_slope_times_slope / cos_of_slope;
     c->mobility = d_mobility;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
@@ -3063,6 +3094,7 @@ static void vary_open_flight_place_calm(const real *parameters, const real *stat
     c->sin_of_slope = d_sin_of_slope;
     c->by_1_minus_share = d_by_1_minus_share;
     c->least_length = dp->least_length;
+    c->inverse_cos_of_slope = d_inverse_cos_of_slope;
 }
 
 /* passes_end: The foot is above the next segment. */
@@ -4287,6 +4319,7 @@ static void open_flight_rest_calm(const real *parameters, const real *states, re
     const real sin_of_slope = real_sin(x->slope);
     const real by_1_minus_share = 1.0 - share;
     const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
+    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
     c->mobility = mobility;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
@@ -4316,6 +4349,7 @@ static void open_flight_rest_calm(const real *parameters, const real *states, re
     c->kp = p->kp;
     c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
     c->kd = p->kd;
+    c->inverse_cos_of_slope = inverse_cos_of_slope;
 }
 
 /* First variation of open_flight_rest_calm. */
@@ -4346,12 +4380,15 @@ static void vary_open_flight_rest_calm(const real *parameters, const real *state
     const real cos_of_set_slope = real_cos(set_slope);
     const real d_sin_of_set_slope = cos_of_set_slope * d_set_slope;
     const real sin_of_slope = real_sin(x->slope);
-    const real d_cos_of_slope = -(sin_of_slope * dx->slope);
+    const real sin_of_slope_times_slope = sin_of_slope * dx->slope;
+    const real d_cos_of_slope = -sin_of_slope_times_slope;
     const real cos_of_slope = real_cos(x->slope);
     const real d_sin_of_slope = cos_of_slope * dx->slope;
     const real d_by_1_minus_share = -d_share;
     const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
         + p->liftoff_factor * dx->liftoff_angle;
+    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
+    const real d_inverse_cos_of_slope = inverse_cos_of_slope * sin_of_slope_times_slope / cos_of_slope;
     c->mobility = d_mobility;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
@@ -4381,6 +4418,7 @@ static void vary_open_flight_rest_calm(const real *parameters, const real *state
     c->kp = dp->kp;
     c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
     c->kd = dp->kd;
+    c->inverse_cos_of_slope = d_inverse_cos_of_slope;
 }
 
 /* touchdown: The foot reaches the ground. */
@@ -4804,6 +4842,7 @@ static void open_flight_retract_calm(const real *parameters, const real *states,
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
     const real by_1_minus_share = 1.0 - share;
+    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
     c->mobility = mobility;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
@@ -4833,6 +4872,7 @@ static void open_flight_retract_calm(const real *parameters, const real *states,
     c->sin_of_slope = sin_of_slope;
     c->by_1_minus_share = by_1_minus_share;
     c->least_length = p->least_length;
+    c->inverse_cos_of_slope = inverse_cos_of_slope;
 }
 
 /* First variation of open_flight_retract_calm. */
@@ -4865,10 +4905,13 @@ static void vary_open_flight_retract_calm(const real *parameters, const real *st
     const real cos_of_set_slope = real_cos(set_slope);
     const real d_sin_of_set_slope = cos_of_set_slope * d_set_slope;
     const real sin_of_slope = real_sin(x->slope);
-    const real d_cos_of_slope = -(sin_of_slope * dx->slope);
+    const real sin_of_slope_times_slope = sin_of_slope * dx->slope;
+    const real d_cos_of_slope = -sin_of_slope_times_slope;
     const real cos_of_slope = real_cos(x->slope);
     const real d_sin_of_slope = cos_of_slope * dx->slope;
     const real d_by_1_minus_share = -d_share;
+    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
+    const real d_inverse_cos_of_slope = inverse_cos_of_slope * sin_of_slope_times_slope / cos_of_slope;
     c->mobility = d_mobility;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
@@ -4898,6 +4941,7 @@ static void vary_open_flight_retract_calm(const real *parameters, const real *st
     c->sin_of_slope = d_sin_of_slope;
     c->by_1_minus_share = d_by_1_minus_share;
     c->least_length = dp->least_length;
+    c->inverse_cos_of_slope = d_inverse_cos_of_slope;
 }
 
 /* Whether clamp is watched. */
@@ -5717,6 +5761,8 @@ static int react_graze_place_graze_to_flight(const real *parameters, const real 
     const real sum_2 = rest_length + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real jump = rest_length - sum_2;
     const real middle = sum_2 + 0.5 * jump - length;
+    const real work = p->stiffness * jump * middle;
+    const real begins = select(x->thrusting < 0.0, select(work >= 0.0, work, 0.0), 0.0);
     y->length = length;
     y->angle = angle;
     y->length_rate = length_rate;
@@ -5726,7 +5772,8 @@ static int react_graze_place_graze_to_flight(const real *parameters, const real 
     y->com_vy = vy + share * (x->vx * sine + x->vy * cosine);
     y->momentum = moment;
     y->thrusting = 0.0;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    y->leg_work = x->leg_work + work;
+    y->positive_leg_work = x->positive_leg_work + select(work > 0.0, work, begins);
     return next[0]; /* flight */
 }
 
@@ -5770,7 +5817,12 @@ static void vary_react_graze_place_graze_to_flight(const real *parameters, const
         + longer_or_by_0 * dx->thrusting);
     const real d_jump = d_rest_length - d_rest_length_plus_sum;
     const real middle = sum_2 + 0.5 * jump - length;
+    const real stiffness_times_jump = p->stiffness * jump;
     const real d_middle = d_rest_length_plus_sum + 0.5 * d_jump - d_length;
+    const real d_work = (dp->stiffness * jump + p->stiffness * d_jump) * middle
+        + stiffness_times_jump * d_middle;
+    const real work = stiffness_times_jump * middle;
+    const real d_begins = select(x->thrusting < 0.0, select(work >= 0.0, d_work, 0.0), 0.0);
     y->length = d_length;
     y->angle = d_angle;
     y->length_rate = d_length_rate;
@@ -5784,8 +5836,8 @@ static void vary_react_graze_place_graze_to_flight(const real *parameters, const
         + (dx->vy * cosine - x->vy * sine_times_slope)));
     y->momentum = d_moment;
     y->thrusting = 0.0;
-    y->leg_work = dx->leg_work + ((dp->stiffness * jump + p->stiffness * d_jump) * middle
-        + p->stiffness * jump * d_middle);
+    y->leg_work = dx->leg_work + d_work;
+    y->positive_leg_work = dx->positive_leg_work + select(work > 0.0, d_work, d_begins);
 }
 
 /* First variation of the guard of graze_to_flight. */
@@ -7189,6 +7241,7 @@ static void open_flight_place_pushed(const real *parameters, const real *states,
     const real sin_of_set_slope = real_sin(set_slope);
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
+    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
     c->inverse_body_mass = inverse_body_mass;
     c->mobility = mobility;
     c->stiffness = p->stiffness;
@@ -7220,6 +7273,7 @@ static void open_flight_place_pushed(const real *parameters, const real *states,
     c->height = x->height;
     c->sin_of_slope = sin_of_slope;
     c->least_length = p->least_length;
+    c->inverse_cos_of_slope = inverse_cos_of_slope;
 }
 
 /* First variation of open_flight_place_pushed. */
@@ -7255,9 +7309,12 @@ static void vary_open_flight_place_pushed(const real *parameters, const real *st
     const real cos_of_set_slope = real_cos(set_slope);
     const real d_sin_of_set_slope = cos_of_set_slope * d_set_slope;
     const real sin_of_slope = real_sin(x->slope);
-    const real d_cos_of_slope = -(sin_of_slope * dx->slope);
+    const real sin_of_slope_times_slope = sin_of_slope * dx->slope;
+    const real d_cos_of_slope = -sin_of_slope_times_slope;
     const real cos_of_slope = real_cos(x->slope);
     const real d_sin_of_slope = cos_of_slope * dx->slope;
+    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
+    const real d_inverse_cos_of_slope = inverse_cos_of_slope * sin_of_slope_times_slope / cos_of_slope;
     c->inverse_body_mass = d_inverse_body_mass;
     c->mobility = d_mobility;
     c->stiffness = dp->stiffness;
@@ -7289,6 +7346,7 @@ static void vary_open_flight_place_pushed(const real *parameters, const real *st
     c->height = dx->height;
     c->sin_of_slope = d_sin_of_slope;
     c->least_length = dp->least_length;
+    c->inverse_cos_of_slope = d_inverse_cos_of_slope;
 }
 
 /* Rates of the world's states in flight. */
@@ -7451,6 +7509,7 @@ static void open_flight_rest_pushed(const real *parameters, const real *states, 
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
     const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
+    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
     c->inverse_body_mass = inverse_body_mass;
     c->mobility = mobility;
     c->stiffness = p->stiffness;
@@ -7481,6 +7540,7 @@ static void open_flight_rest_pushed(const real *parameters, const real *states, 
     c->kp = p->kp;
     c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
     c->kd = p->kd;
+    c->inverse_cos_of_slope = inverse_cos_of_slope;
 }
 
 /* First variation of open_flight_rest_pushed. */
@@ -7515,11 +7575,14 @@ static void vary_open_flight_rest_pushed(const real *parameters, const real *sta
     const real cos_of_set_slope = real_cos(set_slope);
     const real d_sin_of_set_slope = cos_of_set_slope * d_set_slope;
     const real sin_of_slope = real_sin(x->slope);
-    const real d_cos_of_slope = -(sin_of_slope * dx->slope);
+    const real sin_of_slope_times_slope = sin_of_slope * dx->slope;
+    const real d_cos_of_slope = -sin_of_slope_times_slope;
     const real cos_of_slope = real_cos(x->slope);
     const real d_sin_of_slope = cos_of_slope * dx->slope;
     const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
         + p->liftoff_factor * dx->liftoff_angle;
+    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
+    const real d_inverse_cos_of_slope = inverse_cos_of_slope * sin_of_slope_times_slope / cos_of_slope;
     c->inverse_body_mass = d_inverse_body_mass;
     c->mobility = d_mobility;
     c->stiffness = dp->stiffness;
@@ -7550,6 +7613,7 @@ static void vary_open_flight_rest_pushed(const real *parameters, const real *sta
     c->kp = dp->kp;
     c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
     c->kd = dp->kd;
+    c->inverse_cos_of_slope = d_inverse_cos_of_slope;
 }
 
 /* Rates of the world's states in flight. */
@@ -7699,6 +7763,7 @@ static void open_flight_retract_pushed(const real *parameters, const real *state
     const real sin_of_set_slope = real_sin(set_slope);
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
+    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
     c->inverse_body_mass = inverse_body_mass;
     c->mobility = mobility;
     c->stiffness = p->stiffness;
@@ -7729,6 +7794,7 @@ static void open_flight_retract_pushed(const real *parameters, const real *state
     c->height = x->height;
     c->sin_of_slope = sin_of_slope;
     c->least_length = p->least_length;
+    c->inverse_cos_of_slope = inverse_cos_of_slope;
 }
 
 /* First variation of open_flight_retract_pushed. */
@@ -7765,9 +7831,12 @@ static void vary_open_flight_retract_pushed(const real *parameters, const real *
     const real cos_of_set_slope = real_cos(set_slope);
     const real d_sin_of_set_slope = cos_of_set_slope * d_set_slope;
     const real sin_of_slope = real_sin(x->slope);
-    const real d_cos_of_slope = -(sin_of_slope * dx->slope);
+    const real sin_of_slope_times_slope = sin_of_slope * dx->slope;
+    const real d_cos_of_slope = -sin_of_slope_times_slope;
     const real cos_of_slope = real_cos(x->slope);
     const real d_sin_of_slope = cos_of_slope * dx->slope;
+    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
+    const real d_inverse_cos_of_slope = inverse_cos_of_slope * sin_of_slope_times_slope / cos_of_slope;
     c->inverse_body_mass = d_inverse_body_mass;
     c->mobility = d_mobility;
     c->stiffness = dp->stiffness;
@@ -7798,6 +7867,7 @@ static void vary_open_flight_retract_pushed(const real *parameters, const real *
     c->height = dx->height;
     c->sin_of_slope = d_sin_of_slope;
     c->least_length = dp->least_length;
+    c->inverse_cos_of_slope = d_inverse_cos_of_slope;
 }
 
 /* Rates of the world's states in flight. */
@@ -7945,7 +8015,10 @@ static void set_extension_start_of_run(const real *parameters, const real *state
     const real sum_2 = p->free_length + x->extension + longer_or_by_0_times_thrusting;
     const real jump = rest_length - sum_2;
     const real middle = sum_2 + 0.5 * jump - x->length;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    const real work = p->stiffness * jump * middle;
+    const real begins = select(x->thrusting > x->thrusting, select(work >= 0.0, work, 0.0), 0.0);
+    y->leg_work = x->leg_work + work;
+    y->positive_leg_work = x->positive_leg_work + select(work > 0.0, work, begins);
 }
 
 /* extension is set: Work that a jump of the rest length does on the spring. */
@@ -7961,7 +8034,10 @@ static void set_extension_slip_constant(const real *parameters, const real *stat
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real middle = sum_2 + 0.5 * jump - length;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    const real work = p->stiffness * jump * middle;
+    const real begins = select(x->thrusting > x->thrusting, select(work >= 0.0, work, 0.0), 0.0);
+    y->leg_work = x->leg_work + work;
+    y->positive_leg_work = x->positive_leg_work + select(work > 0.0, work, begins);
 }
 
 /* thrust is set: Work that a jump of the rest length does on the spring. */
@@ -7977,7 +8053,10 @@ static void set_thrust_start_of_run(const real *parameters, const real *states, 
         + select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real middle = free_length_plus_extension_plus_product + 0.5 * jump - x->length;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    const real work = p->stiffness * jump * middle;
+    const real begins = select(x->thrusting > x->thrusting, select(work >= 0.0, work, 0.0), 0.0);
+    y->leg_work = x->leg_work + work;
+    y->positive_leg_work = x->positive_leg_work + select(work > 0.0, work, begins);
 }
 
 /* thrust is set: Work that a jump of the rest length does on the spring. */
@@ -7995,7 +8074,10 @@ static void set_thrust_slip_constant(const real *parameters, const real *states,
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real middle = free_length_plus_extension_plus_product + 0.5 * jump - length;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    const real work = p->stiffness * jump * middle;
+    const real begins = select(x->thrusting > x->thrusting, select(work >= 0.0, work, 0.0), 0.0);
+    y->leg_work = x->leg_work + work;
+    y->positive_leg_work = x->positive_leg_work + select(work > 0.0, work, begins);
 }
 
 /* more_thrust is set: Work that a jump of the rest length does on the spring. */
@@ -8012,7 +8094,10 @@ static void set_more_thrust_start_of_run(const real *parameters, const real *sta
         + select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real middle = free_length_plus_extension_plus_product + 0.5 * jump - x->length;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    const real work = p->stiffness * jump * middle;
+    const real begins = select(x->thrusting > x->thrusting, select(work >= 0.0, work, 0.0), 0.0);
+    y->leg_work = x->leg_work + work;
+    y->positive_leg_work = x->positive_leg_work + select(work > 0.0, work, begins);
 }
 
 /* more_thrust is set: Work that a jump of the rest length does on the spring. */
@@ -8031,7 +8116,10 @@ static void set_more_thrust_slip_constant(const real *parameters, const real *st
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real middle = free_length_plus_extension_plus_product + 0.5 * jump - length;
-    y->leg_work = x->leg_work + p->stiffness * jump * middle;
+    const real work = p->stiffness * jump * middle;
+    const real begins = select(x->thrusting > x->thrusting, select(work >= 0.0, work, 0.0), 0.0);
+    y->leg_work = x->leg_work + work;
+    y->positive_leg_work = x->positive_leg_work + select(work > 0.0, work, begins);
 }
 
 /* at_apex: A start at an apex, with the centre of mass at x = 0. */
@@ -8114,104 +8202,109 @@ static void vary_enter_at_apex(const real *parameters, const real *states, const
 static void scales(const real *parameters, real *of_states, real *of_events) {
     const runner_parameters *p = (const void *)parameters;
     const real sqrt_of_stiffness_over_body_mass = real_sqrt(p->stiffness / p->body_mass);
+    const real product_2 = p->stiffness * p->free_length * p->free_length;
     of_states[0] = real_sqrt(p->body_mass / p->stiffness);
     of_states[1] = 1.0;
     of_states[2] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[3] = 1.0;
-    of_states[4] = p->stiffness * p->free_length * p->free_length;
-    of_states[5] = p->stiffness * p->free_length * p->free_length;
-    of_states[6] = p->stiffness * p->free_length * p->free_length;
-    of_states[7] = p->stiffness * p->free_length * p->free_length;
-    of_states[8] = p->stiffness * p->free_length;
-    of_states[9] = p->stiffness * p->free_length;
-    of_states[10] = 1.0;
-    of_states[11] = p->free_length;
-    of_states[12] = p->free_length;
-    of_states[13] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[14] = 1.0;
-    of_states[15] = 1.0;
-    of_states[16] = 1.0;
-    of_states[17] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[18] = p->free_length;
-    of_states[19] = p->free_length;
-    of_states[20] = 1.0;
-    of_states[21] = 1.0;
-    of_states[22] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[23] = p->free_length;
-    of_states[24] = p->free_length;
-    of_states[25] = p->stiffness * p->free_length * p->free_length;
-    of_states[26] = p->stiffness * p->free_length * p->free_length;
-    of_states[27] = p->stiffness * p->free_length * p->free_length;
-    of_states[28] = p->stiffness * p->free_length * p->free_length;
-    of_states[29] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[30] = 1.0;
-    of_states[31] = 1.0;
-    of_states[32] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[3] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[4] = p->free_length;
+    of_states[5] = product_2 * product_2 * real_sqrt(p->body_mass / p->stiffness);
+    of_states[6] = 1.0;
+    of_states[7] = product_2;
+    of_states[8] = product_2;
+    of_states[9] = product_2;
+    of_states[10] = product_2;
+    of_states[11] = p->stiffness * p->free_length;
+    of_states[12] = p->stiffness * p->free_length;
+    of_states[13] = 1.0;
+    of_states[14] = p->free_length;
+    of_states[15] = p->free_length;
+    of_states[16] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[17] = 1.0;
+    of_states[18] = 1.0;
+    of_states[19] = 1.0;
+    of_states[20] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[21] = p->free_length;
+    of_states[22] = p->free_length;
+    of_states[23] = 1.0;
+    of_states[24] = 1.0;
+    of_states[25] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[26] = p->free_length;
+    of_states[27] = p->free_length;
+    of_states[28] = product_2;
+    of_states[29] = product_2;
+    of_states[30] = product_2;
+    of_states[31] = product_2;
+    of_states[32] = p->free_length * sqrt_of_stiffness_over_body_mass;
     of_states[33] = 1.0;
-    of_states[34] = p->free_length;
-    of_states[35] = p->stiffness * p->free_length;
-    of_states[36] = p->stiffness * p->free_length;
-    of_states[37] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[38] = p->free_length;
-    of_states[39] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[40] = p->free_length;
-    of_states[41] = 1.0;
+    of_states[34] = 1.0;
+    of_states[35] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[36] = 1.0;
+    of_states[37] = p->free_length;
+    of_states[38] = p->stiffness * p->free_length;
+    of_states[39] = p->stiffness * p->free_length;
+    of_states[40] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[41] = p->free_length;
     of_states[42] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[43] = sqrt_of_stiffness_over_body_mass;
-    of_states[44] = p->free_length;
-    of_states[45] = 1.0;
-    of_states[46] = 1.0;
+    of_states[43] = p->free_length;
+    of_states[44] = 1.0;
+    of_states[45] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[46] = sqrt_of_stiffness_over_body_mass;
     of_states[47] = p->free_length;
-    of_states[48] = p->free_length;
-    of_states[49] = p->free_length;
-    of_states[50] = 1.0;
-    of_states[51] = 1.0;
-    of_states[52] = 1.0;
-    of_states[53] = p->free_length;
-    of_states[54] = p->stiffness * p->free_length;
-    of_states[55] = p->stiffness * p->free_length;
+    of_states[48] = 1.0;
+    of_states[49] = 1.0;
+    of_states[50] = p->free_length;
+    of_states[51] = p->free_length;
+    of_states[52] = p->free_length;
+    of_states[53] = 1.0;
+    of_states[54] = 1.0;
+    of_states[55] = 1.0;
     of_states[56] = p->free_length;
-    of_states[57] = p->free_length;
-    of_states[58] = p->free_length;
-    of_states[59] = 1.0;
-    of_states[60] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[61] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[62] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[63] = sqrt_of_stiffness_over_body_mass;
-    of_states[64] = p->free_length;
-    of_states[65] = p->free_length;
-    of_states[66] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[67] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[68] = p->free_length * p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[69] = p->free_length;
-    of_states[70] = p->free_length;
-    of_states[71] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[72] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[57] = p->stiffness * p->free_length;
+    of_states[58] = p->stiffness * p->free_length;
+    of_states[59] = p->free_length;
+    of_states[60] = p->free_length;
+    of_states[61] = p->free_length;
+    of_states[62] = 1.0;
+    of_states[63] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[64] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[65] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[66] = sqrt_of_stiffness_over_body_mass;
+    of_states[67] = p->free_length;
+    of_states[68] = p->free_length;
+    of_states[69] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[70] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[71] = p->free_length * p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[72] = p->free_length;
     of_states[73] = p->free_length;
     of_states[74] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[75] = 1.0;
-    of_states[76] = 1.0;
-    of_states[77] = p->stiffness * p->free_length * p->free_length;
-    of_states[78] = p->stiffness * p->free_length * p->free_length;
-    of_states[79] = p->stiffness * p->free_length * p->free_length;
-    of_states[80] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_states[81] = 1.0;
-    of_states[82] = 1.0;
-    of_states[83] = 1.0;
-    of_states[84] = 1.0;
-    of_states[85] = p->stiffness * p->free_length * p->free_length;
-    of_states[86] = p->stiffness * p->free_length * p->free_length;
+    of_states[75] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[76] = p->free_length;
+    of_states[77] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[78] = 1.0;
+    of_states[79] = 1.0;
+    of_states[80] = product_2;
+    of_states[81] = product_2;
+    of_states[82] = product_2;
+    of_states[83] = product_2;
+    of_states[84] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[85] = 1.0;
+    of_states[86] = 1.0;
     of_states[87] = 1.0;
-    of_states[88] = p->stiffness * p->free_length * p->free_length;
-    of_states[89] = 1.0;
-    of_states[90] = 1.0;
-    of_states[91] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[92] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[88] = 1.0;
+    of_states[89] = product_2;
+    of_states[90] = product_2;
+    of_states[91] = 1.0;
+    of_states[92] = product_2;
     of_states[93] = 1.0;
-    of_states[94] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[95] = 1.0;
-    of_states[96] = p->stiffness * p->free_length * p->free_length;
+    of_states[94] = 1.0;
+    of_states[95] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[96] = real_sqrt(p->body_mass / p->stiffness);
     of_states[97] = 1.0;
+    of_states[98] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[99] = 1.0;
+    of_states[100] = product_2;
+    of_states[101] = 1.0;
     of_events[EVENT_passes_end] = p->free_length;
     of_events[EVENT_passes_begin] = p->free_length;
     of_events[EVENT_next_segment_comes] = 1.0;
@@ -8224,8 +8317,8 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_events[EVENT_apex] = p->free_length * sqrt_of_stiffness_over_body_mass;
     of_events[EVENT_apex_in_graze] = p->free_length * sqrt_of_stiffness_over_body_mass;
     of_events[EVENT_touchdown] = p->free_length;
-    of_events[EVENT_clamp] = p->stiffness * p->free_length * p->free_length;
-    of_events[EVENT_release] = p->stiffness * p->free_length * p->free_length;
+    of_events[EVENT_clamp] = product_2;
+    of_events[EVENT_release] = product_2;
     of_events[EVENT_greatest_compression] = p->free_length * sqrt_of_stiffness_over_body_mass;
     of_events[EVENT_mid_stance] = 1.0;
     of_events[EVENT_lift_off] = p->stiffness * p->free_length;
@@ -8287,9 +8380,11 @@ static const tdmf_guard_kind guards_slip_constant[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_slip_constant[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 6},
-    {.part = TDMF_LARGEST, .into = 9},
-    {.part = TDMF_LARGEST, .into = 8},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
+    {.part = TDMF_LARGEST, .into = 12},
+    {.part = TDMF_LARGEST, .into = 11},
+    {.part = TDMF_LARGEST, .into = 3},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
 static const tdmf_guard_kind guards_stick[] = {
@@ -8321,9 +8416,10 @@ static const tdmf_guard_kind guards_stick[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_stick[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 6},
-    {.part = TDMF_LARGEST, .into = 9},
-    {.part = TDMF_LARGEST, .into = 8},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
+    {.part = TDMF_LARGEST, .into = 12},
+    {.part = TDMF_LARGEST, .into = 11},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_place_calm[] = {
@@ -8365,7 +8461,9 @@ static const tdmf_guard_kind guards_flight_place_calm[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_place_calm[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 6},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
+    {.part = TDMF_LARGEST, .into = 4},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_rest_calm[] = {
@@ -8409,7 +8507,9 @@ static const tdmf_guard_kind guards_flight_rest_calm[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_rest_calm[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 6},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
+    {.part = TDMF_LARGEST, .into = 4},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_retract_calm[] = {
@@ -8453,7 +8553,9 @@ static const tdmf_guard_kind guards_flight_retract_calm[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_retract_calm[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 6},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
+    {.part = TDMF_LARGEST, .into = 4},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
 static const tdmf_guard_kind guards_fallen[] = {
@@ -8490,7 +8592,8 @@ static const tdmf_guard_kind guards_graze_place[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_graze_place[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 6},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
 static const tdmf_guard_kind guards_graze_rest[] = {
@@ -8527,7 +8630,8 @@ static const tdmf_guard_kind guards_graze_rest[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_graze_rest[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 6},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
 static const tdmf_guard_kind guards_graze_retract[] = {
@@ -8564,7 +8668,8 @@ static const tdmf_guard_kind guards_graze_retract[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_graze_retract[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 6},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
 static const tdmf_guard_kind guards_slip_falling[] = {
@@ -8600,9 +8705,11 @@ static const tdmf_guard_kind guards_slip_falling[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_slip_falling[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 6},
-    {.part = TDMF_LARGEST, .into = 9},
-    {.part = TDMF_LARGEST, .into = 8},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
+    {.part = TDMF_LARGEST, .into = 12},
+    {.part = TDMF_LARGEST, .into = 11},
+    {.part = TDMF_LARGEST, .into = 3},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_place_pushed[] = {
@@ -8639,7 +8746,9 @@ static const tdmf_guard_kind guards_flight_place_pushed[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_place_pushed[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 6},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
+    {.part = TDMF_LARGEST, .into = 4},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_rest_pushed[] = {
@@ -8679,7 +8788,9 @@ static const tdmf_guard_kind guards_flight_rest_pushed[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_rest_pushed[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 6},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
+    {.part = TDMF_LARGEST, .into = 4},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_retract_pushed[] = {
@@ -8719,7 +8830,9 @@ static const tdmf_guard_kind guards_flight_retract_pushed[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_retract_pushed[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 6},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
+    {.part = TDMF_LARGEST, .into = 4},
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
 static const tdmf_set set_extension[] = {set_extension_start_of_run, set_extension_slip_constant,
@@ -8736,68 +8849,70 @@ static const tdmf_set set_more_thrust[] = {set_more_thrust_start_of_run, set_mor
     set_more_thrust_start_of_run, set_more_thrust_start_of_run, set_more_thrust_slip_constant,
     set_more_thrust_slip_constant, set_more_thrust_slip_constant, set_more_thrust_slip_constant,
     set_more_thrust_start_of_run, set_more_thrust_start_of_run, set_more_thrust_start_of_run};
-static const int coordinates_at_apex[] = {38, 39, 40, 41, 42, 43};
+static const int coordinates_at_apex[] = {41, 42, 43, 44, 45, 46};
 
 static const tdmf_mode_kind modes[] = {
     {.motion = &tdmf_runner_motions[MODE_start_of_run], .open = open_start_of_run,
         .vary_open = vary_open_start_of_run, .guard_count = 3, .guards = guards_start_of_run,
-        .watch_count = 0, .watches = watches_start_of_run, .outputs = outputs_start_of_run,
+        .watch_count = 0, .usual_count = 0, .watches = watches_start_of_run, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run},
     {.motion = &tdmf_runner_motions[MODE_slip_constant], .open = open_slip_constant,
         .vary_open = vary_open_slip_constant, .guard_count = 9, .guards = guards_slip_constant,
-        .watch_count = 3, .watches = watches_slip_constant, .outputs = outputs_slip_constant,
-        .vary_outputs = vary_outputs_slip_constant, .leave = leave_slip_constant,
-        .vary_leave = vary_leave_slip_constant, .from_world = from_world_slip_constant,
-        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
-        .vary_to_world = vary_to_world_slip_constant, .world_rates = world_rates_slip_constant,
-        .vary_world_rates = vary_world_rates_slip_constant},
+        .watch_count = 5, .usual_count = 3, .watches = watches_slip_constant,
+        .outputs = outputs_slip_constant, .vary_outputs = vary_outputs_slip_constant,
+        .leave = leave_slip_constant, .vary_leave = vary_leave_slip_constant,
+        .from_world = from_world_slip_constant, .vary_from_world = vary_from_world_slip_constant,
+        .to_world = to_world_slip_constant, .vary_to_world = vary_to_world_slip_constant,
+        .world_rates = world_rates_slip_constant, .vary_world_rates = vary_world_rates_slip_constant},
     {.motion = &tdmf_runner_motions[MODE_stick], .open = open_stick, .vary_open = vary_open_stick,
-        .guard_count = 8, .guards = guards_stick, .watch_count = 3, .watches = watches_stick,
-        .outputs = outputs_stick, .vary_outputs = vary_outputs_stick, .leave = leave_stick,
-        .vary_leave = vary_leave_stick, .from_world = from_world_slip_constant,
+        .guard_count = 8, .guards = guards_stick, .watch_count = 4, .usual_count = 3,
+        .watches = watches_stick, .outputs = outputs_stick, .vary_outputs = vary_outputs_stick,
+        .leave = leave_stick, .vary_leave = vary_leave_stick, .from_world = from_world_slip_constant,
         .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
         .vary_to_world = vary_to_world_slip_constant, .world_rates = world_rates_stick,
         .vary_world_rates = vary_world_rates_stick},
     {.motion = &tdmf_runner_motions[MODE_flight_place_calm], .open = open_flight_place_calm,
         .vary_open = vary_open_flight_place_calm, .guard_count = 10, .guards = guards_flight_place_calm,
-        .watch_count = 1, .watches = watches_flight_place_calm, .outputs = outputs_flight_place_calm,
-        .vary_outputs = vary_outputs_flight_place_calm, .leave = leave_start_of_run,
-        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
-        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
-        .vary_to_world = vary_to_world_flight_place_calm, .world_rates = world_rates_flight_place_calm,
-        .vary_world_rates = vary_world_rates_flight_place_calm},
+        .watch_count = 3, .usual_count = 1, .watches = watches_flight_place_calm,
+        .outputs = outputs_flight_place_calm, .vary_outputs = vary_outputs_flight_place_calm,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
+        .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
+        .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm,
+        .world_rates = world_rates_flight_place_calm, .vary_world_rates = vary_world_rates_flight_place_calm},
     {.motion = &tdmf_runner_motions[MODE_flight_rest_calm], .open = open_flight_rest_calm,
         .vary_open = vary_open_flight_rest_calm, .guard_count = 11, .guards = guards_flight_rest_calm,
-        .watch_count = 1, .watches = watches_flight_rest_calm, .outputs = outputs_flight_rest_calm,
-        .vary_outputs = vary_outputs_flight_rest_calm, .leave = leave_start_of_run,
-        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
-        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
-        .vary_to_world = vary_to_world_flight_place_calm, .world_rates = world_rates_flight_rest_calm,
-        .vary_world_rates = vary_world_rates_flight_rest_calm},
+        .watch_count = 3, .usual_count = 1, .watches = watches_flight_rest_calm,
+        .outputs = outputs_flight_rest_calm, .vary_outputs = vary_outputs_flight_rest_calm,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
+        .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
+        .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm,
+        .world_rates = world_rates_flight_rest_calm, .vary_world_rates = vary_world_rates_flight_rest_calm},
     {.motion = &tdmf_runner_motions[MODE_flight_retract_calm], .open = open_flight_retract_calm,
         .vary_open = vary_open_flight_retract_calm, .guard_count = 11, .guards = guards_flight_retract_calm,
-        .watch_count = 1, .watches = watches_flight_retract_calm, .outputs = outputs_flight_retract_calm,
-        .vary_outputs = vary_outputs_flight_retract_calm, .leave = leave_start_of_run,
-        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
-        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
-        .vary_to_world = vary_to_world_flight_place_calm, .world_rates = world_rates_flight_retract_calm,
+        .watch_count = 3, .usual_count = 1, .watches = watches_flight_retract_calm,
+        .outputs = outputs_flight_retract_calm, .vary_outputs = vary_outputs_flight_retract_calm,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
+        .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
+        .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm,
+        .world_rates = world_rates_flight_retract_calm,
         .vary_world_rates = vary_world_rates_flight_retract_calm},
     {.motion = &tdmf_runner_motions[MODE_fallen], .ends = true, .open = open_fallen,
         .vary_open = vary_open_fallen, .guard_count = 0, .guards = guards_fallen, .watch_count = 0,
-        .watches = watches_fallen, .outputs = outputs_fallen, .vary_outputs = vary_outputs_start_of_run,
-        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run},
+        .usual_count = 0, .watches = watches_fallen, .outputs = outputs_fallen,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run},
     {.motion = &tdmf_runner_motions[MODE_graze_place], .open = open_graze_place,
-        .vary_open = vary_open_graze_place, .guard_count = 8, .guards = guards_graze_place, .watch_count = 1,
-        .watches = watches_graze_place, .outputs = outputs_graze_place,
+        .vary_open = vary_open_graze_place, .guard_count = 8, .guards = guards_graze_place, .watch_count = 2,
+        .usual_count = 1, .watches = watches_graze_place, .outputs = outputs_graze_place,
         .vary_outputs = vary_outputs_graze_place, .leave = leave_graze_place,
         .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
         .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
         .vary_to_world = vary_to_world_slip_constant, .world_rates = world_rates_graze_place,
         .vary_world_rates = vary_world_rates_graze_place},
     {.motion = &tdmf_runner_motions[MODE_graze_rest], .open = open_graze_rest,
-        .vary_open = vary_open_graze_rest, .guard_count = 10, .guards = guards_graze_rest, .watch_count = 1,
-        .watches = watches_graze_rest, .outputs = outputs_graze_rest,
+        .vary_open = vary_open_graze_rest, .guard_count = 10, .guards = guards_graze_rest, .watch_count = 2,
+        .usual_count = 1, .watches = watches_graze_rest, .outputs = outputs_graze_rest,
         .vary_outputs = vary_outputs_graze_place, .leave = leave_graze_place,
         .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
         .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
@@ -8805,7 +8920,7 @@ static const tdmf_mode_kind modes[] = {
         .vary_world_rates = vary_world_rates_graze_place},
     {.motion = &tdmf_runner_motions[MODE_graze_retract], .open = open_graze_retract,
         .vary_open = vary_open_graze_retract, .guard_count = 10, .guards = guards_graze_retract,
-        .watch_count = 1, .watches = watches_graze_retract, .outputs = outputs_graze_rest,
+        .watch_count = 2, .usual_count = 1, .watches = watches_graze_retract, .outputs = outputs_graze_rest,
         .vary_outputs = vary_outputs_graze_place, .leave = leave_graze_place,
         .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
         .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
@@ -8813,7 +8928,7 @@ static const tdmf_mode_kind modes[] = {
         .vary_world_rates = vary_world_rates_graze_place},
     {.motion = &tdmf_runner_motions[MODE_slip_falling], .open = open_slip_falling,
         .vary_open = vary_open_slip_falling, .guard_count = 9, .guards = guards_slip_falling,
-        .watch_count = 3, .watches = watches_slip_falling, .outputs = outputs_slip_falling,
+        .watch_count = 5, .usual_count = 3, .watches = watches_slip_falling, .outputs = outputs_slip_falling,
         .vary_outputs = vary_outputs_slip_falling, .time_scale = time_scale_slip_falling,
         .leave = leave_slip_constant, .vary_leave = vary_leave_slip_constant,
         .from_world = from_world_slip_constant, .vary_from_world = vary_from_world_slip_constant,
@@ -8821,33 +8936,35 @@ static const tdmf_mode_kind modes[] = {
         .world_rates = world_rates_slip_falling, .vary_world_rates = vary_world_rates_slip_falling},
     {.motion = &tdmf_runner_motions[MODE_flight_place_pushed], .open = open_flight_place_pushed,
         .vary_open = vary_open_flight_place_pushed, .guard_count = 9, .guards = guards_flight_place_pushed,
-        .watch_count = 1, .watches = watches_flight_place_pushed, .outputs = outputs_flight_place_calm,
-        .vary_outputs = vary_outputs_flight_place_calm, .leave = leave_start_of_run,
-        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
-        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
-        .vary_to_world = vary_to_world_flight_place_calm, .world_rates = world_rates_flight_place_pushed,
-        .vary_world_rates = vary_world_rates_flight_place_pushed},
-    {.motion = &tdmf_runner_motions[MODE_flight_rest_pushed], .open = open_flight_rest_pushed,
-        .vary_open = vary_open_flight_rest_pushed, .guard_count = 10, .guards = guards_flight_rest_pushed,
-        .watch_count = 1, .watches = watches_flight_rest_pushed, .outputs = outputs_flight_rest_calm,
-        .vary_outputs = vary_outputs_flight_rest_calm, .leave = leave_start_of_run,
-        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
-        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
-        .vary_to_world = vary_to_world_flight_place_calm, .world_rates = world_rates_flight_rest_pushed,
-        .vary_world_rates = vary_world_rates_flight_rest_pushed},
-    {.motion = &tdmf_runner_motions[MODE_flight_retract_pushed], .open = open_flight_retract_pushed,
-        .vary_open = vary_open_flight_retract_pushed, .guard_count = 10,
-        .guards = guards_flight_retract_pushed, .watch_count = 1, .watches = watches_flight_retract_pushed,
-        .outputs = outputs_flight_retract_calm, .vary_outputs = vary_outputs_flight_retract_calm,
+        .watch_count = 3, .usual_count = 1, .watches = watches_flight_place_pushed,
+        .outputs = outputs_flight_place_calm, .vary_outputs = vary_outputs_flight_place_calm,
         .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
         .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
         .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm,
-        .world_rates = world_rates_flight_retract_pushed,
+        .world_rates = world_rates_flight_place_pushed,
+        .vary_world_rates = vary_world_rates_flight_place_pushed},
+    {.motion = &tdmf_runner_motions[MODE_flight_rest_pushed], .open = open_flight_rest_pushed,
+        .vary_open = vary_open_flight_rest_pushed, .guard_count = 10, .guards = guards_flight_rest_pushed,
+        .watch_count = 3, .usual_count = 1, .watches = watches_flight_rest_pushed,
+        .outputs = outputs_flight_rest_calm, .vary_outputs = vary_outputs_flight_rest_calm,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
+        .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
+        .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm,
+        .world_rates = world_rates_flight_rest_pushed,
+        .vary_world_rates = vary_world_rates_flight_rest_pushed},
+    {.motion = &tdmf_runner_motions[MODE_flight_retract_pushed], .open = open_flight_retract_pushed,
+        .vary_open = vary_open_flight_retract_pushed, .guard_count = 10,
+        .guards = guards_flight_retract_pushed, .watch_count = 3, .usual_count = 1,
+        .watches = watches_flight_retract_pushed, .outputs = outputs_flight_retract_calm,
+        .vary_outputs = vary_outputs_flight_retract_calm, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
+        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
+        .vary_to_world = vary_to_world_flight_place_calm, .world_rates = world_rates_flight_retract_pushed,
         .vary_world_rates = vary_world_rates_flight_retract_pushed},
 };
 
 static const tdmf_set_kind sets[] = {
-    {.is_state = true, .index = 53, .set = set_extension},
+    {.is_state = true, .index = 56, .set = set_extension},
     {.is_state = false, .index = 13, .set = set_thrust},
     {.is_state = false, .index = 15, .set = set_more_thrust},
     {.index = -1},
@@ -8861,21 +8978,21 @@ static const tdmf_section_kind sections[] = {
 static const char *const mode_names[] = {"start_of_run", "slip_constant", "stick", "flight_place_calm",
     "flight_rest_calm", "flight_retract_calm", "fallen", "graze_place", "graze_rest", "graze_retract",
     "slip_falling", "flight_place_pushed", "flight_rest_pushed", "flight_retract_pushed"};
-static const char *const state_names[] = {"time", "events", "last_event", "is_open", "work_then",
-    "leg_work_then", "positive_work_so_far", "positive_work_then", "peak_force_so_far", "vertical_so_far",
-    "touchdowns_so_far", "slip_so_far", "slid_from", "stance_so_far", "word_so_far", "last_letter",
-    "bar_is_due", "mode_began", "x_then", "y_then", "count", "word_code", "period", "distance",
-    "rise_of_stride", "work_of_stride", "hip_work", "leg_work_of_stride", "positive_work", "speed",
-    "cost_of_transport", "touchdowns", "stance_time", "duty_factor", "slip_distance", "peak_force",
-    "peak_vertical_force", "apex_time", "apex_com_height", "apex_com_speed", "apex_length", "apex_angle",
-    "apex_length_rate", "apex_angle_rate", "height", "slope", "segment", "segment_begin", "segment_end",
-    "segment_height", "segment_slope", "friction_ahead", "friction_behind", "extension", "external_fx",
-    "external_fy", "seen_x", "seen_y", "length", "angle", "seen_vx", "seen_vy", "length_rate", "angle_rate",
-    "com_x", "com_y", "com_vx", "com_vy", "momentum", "x", "y", "vx", "vy", "foot_x", "foot_vx", "winding",
-    "thrusting", "leg_work", "external_work", "damper_loss", "extension_rate", "external_fx_rate",
-    "external_fy_rate", "friction", "way", "friction_loss", "impact_loss", "friction_rate", "external_torque",
-    "liftoff_angle", "driving", "placing", "touchdown_time", "was_placed", "placed_for", "rises_again",
-    "work", "external_torque_rate"};
+static const char *const state_names[] = {"time", "events", "last_event", "greatest_slip_velocity",
+    "greatest_foot_height", "squared_torque", "is_open", "work_then", "leg_work_then", "positive_work_so_far",
+    "positive_work_then", "peak_force_so_far", "vertical_so_far", "touchdowns_so_far", "slip_so_far",
+    "slid_from", "stance_so_far", "word_so_far", "last_letter", "bar_is_due", "mode_began", "x_then",
+    "y_then", "count", "word_code", "period", "distance", "rise_of_stride", "work_of_stride", "hip_work",
+    "leg_work_of_stride", "positive_work", "speed", "cost_of_transport", "touchdowns", "stance_time",
+    "duty_factor", "slip_distance", "peak_force", "peak_vertical_force", "apex_time", "apex_com_height",
+    "apex_com_speed", "apex_length", "apex_angle", "apex_length_rate", "apex_angle_rate", "height", "slope",
+    "segment", "segment_begin", "segment_end", "segment_height", "segment_slope", "friction_ahead",
+    "friction_behind", "extension", "external_fx", "external_fy", "seen_x", "seen_y", "length", "angle",
+    "seen_vx", "seen_vy", "length_rate", "angle_rate", "com_x", "com_y", "com_vx", "com_vy", "momentum", "x",
+    "y", "vx", "vy", "foot_x", "foot_vx", "winding", "thrusting", "leg_work", "positive_leg_work",
+    "external_work", "damper_loss", "extension_rate", "external_fx_rate", "external_fy_rate", "friction",
+    "way", "friction_loss", "impact_loss", "friction_rate", "external_torque", "liftoff_angle", "driving",
+    "placing", "touchdown_time", "was_placed", "placed_for", "rises_again", "work", "external_torque_rate"};
 static const char *const parameter_names[] = {"ground_height", "ground_slope", "patch_begin", "patch_end",
     "patch_friction", "by_stride", "body_mass", "foot_mass", "stiffness", "damping", "free_length",
     "least_length", "gravity", "thrust", "notes_compression", "more_thrust", "static_ratio",
@@ -8894,11 +9011,12 @@ static const char *const table_names[] = {"ground_segment"};
 static const char *const section_names[] = {"at_apex"};
 static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, -1000000000000.0, -1000000000000.0, 0.0, 0.0,
-    -1.0, -1.0, 0.0, 0.0, 0.0, -0.4722627765193387, 0.6417114468531165, 0.9999993776846997,
-    -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05, 1.1268102275039307e-06,
-    4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 0.0, 0.6, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, -1000000000000.0,
+    -1000000000000.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0, 0.0, -0.4722627765193387, 0.6417114468531165,
+    0.9999993776846997, -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05,
+    1.1268102275039307e-06, 4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0};
 static const double parameter_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01,
     0.0, 1.0, 0.0, 1.0, 0.0, 0.2, 0.1, 0.1, 0.6981317007977318, 1.2, 0.0, 0.0, 0.0, 0.0};
 static const double parameter_least[] = {-1000000000.0, -1.0, -1000000000.0, -1000000000.0, 0.0,
@@ -8917,13 +9035,13 @@ const tdmf_model_kind tdmf_runner_model = {
     .sections = sections,
     .scales = scales,
     .series_count = 45,
-    .constant_count = 31,
+    .constant_count = 32,
     .lanes = {TDMF_TWO_LANES(tdmf_runner_motions_of_2), TDMF_FOUR_LANES(tdmf_runner_motions_of_4),
         TDMF_EIGHT_LANES(tdmf_runner_motions_of_8)},
     .seeds = TDMF_FOR_SEEDS(tdmf_runner_seeds),
     .mode_count = 14,
     .mode_names = mode_names,
-    .state_count = 98,
+    .state_count = 102,
     .state_names = state_names,
     .parameter_count = 27,
     .parameter_names = parameter_names,

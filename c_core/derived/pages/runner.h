@@ -59,6 +59,10 @@ typedef struct {
     real time; /* s: Time */
     real events; /* 1: Changes of contact and phase since the start */
     real last_event; /* s: Time of the last change of contact or phase */
+    real greatest_slip_velocity; /* m/s: Largest slip velocity since the start */
+    real greatest_foot_height; /* m: Largest height of the foot above the ground, in flight,
+        since the start */
+    real squared_torque; /* N2.m2.s: Integral of the squared hip torque since the start */
     real is_open; /* 1: 1 if the open stride began at an apex, else 0 */
     real work_then; /* J: Work of the hip at the start of the stride */
     real leg_work_then; /* J: Work of the leg at the start of the stride */
@@ -135,6 +139,7 @@ typedef struct {
     real winding; /* rad: Leg angle less its principal value: a multiple of 2 pi */
     real thrusting; /* 1: 1 from greatest compression to lift-off, else 0 */
     real leg_work; /* J: Work of thrust and leg extension since the start */
+    real positive_leg_work; /* J: Positive works of jumps of the rest length since the start */
     real external_work; /* J: Work of external forces on the body since the start */
     real damper_loss; /* J: Energy lost in the damper since the start */
     real extension_rate; /* m/s: Rate at which `extension` is ramped */
@@ -185,7 +190,7 @@ typedef struct {
         touchdown_angle_plus_more_angle, retraction_rate, kd, extension_rate, stiffness_times_extension_rate,
         external_fx_rate, external_fy_rate, friction_rate, external_torque_rate, com_vx, minus_gravity,
         segment_end, share, segment_begin, set_slope, cos_of_set_slope, set_height, sin_of_set_slope, slope,
-        cos_of_slope, height, sin_of_slope, by_1_minus_share, least_length;
+        cos_of_slope, height, sin_of_slope, by_1_minus_share, least_length, inverse_cos_of_slope;
 } flight_place_calm_constants;
 
 typedef struct {
@@ -193,7 +198,7 @@ typedef struct {
         stiffness_times_extension_rate, external_fx_rate, external_fy_rate, friction_rate,
         external_torque_rate, com_vx, minus_gravity, segment_end, share, segment_begin, set_slope,
         cos_of_set_slope, set_height, sin_of_set_slope, slope, cos_of_slope, height, sin_of_slope,
-        by_1_minus_share, least_length, kp, liftoff_factor_times_liftoff_angle, kd;
+        by_1_minus_share, least_length, kp, liftoff_factor_times_liftoff_angle, kd, inverse_cos_of_slope;
 } flight_rest_calm_constants;
 
 typedef struct {
@@ -201,7 +206,7 @@ typedef struct {
         liftoff_factor_times_liftoff_angle, kd, extension_rate, stiffness_times_extension_rate,
         external_fx_rate, external_fy_rate, friction_rate, external_torque_rate, com_vx, minus_gravity,
         segment_end, share, segment_begin, set_slope, cos_of_set_slope, set_height, sin_of_set_slope, slope,
-        cos_of_slope, height, sin_of_slope, by_1_minus_share, least_length;
+        cos_of_slope, height, sin_of_slope, by_1_minus_share, least_length, inverse_cos_of_slope;
 } flight_retract_calm_constants;
 
 typedef struct {
@@ -247,7 +252,8 @@ typedef struct {
         inverse_total_mass, gravity, kp, touchdown_angle_plus_more_angle, retraction_rate, kd, extension_rate,
         stiffness_times_extension_rate, share, by_1_minus_share, external_fx_rate, external_fy_rate,
         friction_rate, external_torque_rate, segment_end, segment_begin, set_slope, cos_of_set_slope,
-        set_height, sin_of_set_slope, slope, cos_of_slope, height, sin_of_slope, least_length;
+        set_height, sin_of_set_slope, slope, cos_of_slope, height, sin_of_slope, least_length,
+        inverse_cos_of_slope;
 } flight_place_pushed_constants;
 
 typedef struct {
@@ -255,7 +261,7 @@ typedef struct {
         inverse_total_mass, gravity, extension_rate, stiffness_times_extension_rate, share, by_1_minus_share,
         external_fx_rate, external_fy_rate, friction_rate, external_torque_rate, segment_end, segment_begin,
         set_slope, cos_of_set_slope, set_height, sin_of_set_slope, slope, cos_of_slope, height, sin_of_slope,
-        least_length, kp, liftoff_factor_times_liftoff_angle, kd;
+        least_length, kp, liftoff_factor_times_liftoff_angle, kd, inverse_cos_of_slope;
 } flight_rest_pushed_constants;
 
 typedef struct {
@@ -263,7 +269,8 @@ typedef struct {
         inverse_total_mass, gravity, kp, liftoff_factor_times_liftoff_angle, kd, extension_rate,
         stiffness_times_extension_rate, share, by_1_minus_share, external_fx_rate, external_fy_rate,
         friction_rate, external_torque_rate, segment_end, segment_begin, set_slope, cos_of_set_slope,
-        set_height, sin_of_set_slope, slope, cos_of_slope, height, sin_of_slope, least_length;
+        set_height, sin_of_set_slope, slope, cos_of_slope, height, sin_of_slope, least_length,
+        inverse_cos_of_slope;
 } flight_retract_pushed_constants;
 
 extern const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[];

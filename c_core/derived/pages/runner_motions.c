@@ -505,6 +505,34 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
     }
 }
 
+/* First variation of slip_velocity. */
+static void d_observed_slip_constant_slip_velocity(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const slip_constant_constants *c = (const void *)constants;
+    const slip_constant_series *s = (const void *)series;
+    const slip_constant_constants *d = (const void *)d_constants;
+    const slip_constant_series *t = (const void *)d_series;
+    for (int k = 0; k < order; ++k) {
+        dg[k] = d->way * s->foot_vx[k] + c->way * t->foot_vx[k];
+    }
+}
+
+/* First variation of square_of_torque. */
+static void d_observed_slip_constant_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const slip_constant_constants *c = (const void *)constants;
+    const slip_constant_series *s = (const void *)series;
+    const slip_constant_constants *d = (const void *)d_constants;
+    const slip_constant_series *t = (const void *)d_series;
+    real own_stance_torque_times_d_stance_torque[TERMS], own_d_stance_torque[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_d_stance_torque[k] = with_constant(k, t->external_torque[k], -d->product_2);
+        own_stance_torque_times_d_stance_torque[k] = drift_times(k, with_constant(0, s->external_torque[0],
+            -c->product_2), with_constant(1, s->external_torque[1], -c->product_2), own_d_stance_torque);
+        dg[k] = 2.0 * own_stance_torque_times_d_stance_torque[k];
+    }
+}
+
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_slip_constant_ramp_ends(const real *constants, const real *series, int order, real *g) {
     const slip_constant_series *s = (const void *)series;
@@ -618,6 +646,27 @@ static void guard_slip_constant_force_on_foot(const real *constants, const real 
     }
 }
 
+/* slip_velocity: Speed at which the foot slips. */
+static void guard_slip_constant_slip_velocity(const real *constants, const real *series, int order, real *g) {
+    const slip_constant_constants *c = (const void *)constants;
+    const slip_constant_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = c->way * s->foot_vx[k];
+    }
+}
+
+/* square_of_torque: Square of the total hip torque. */
+static void guard_slip_constant_square_of_torque(const real *constants, const real *series, int order,
+    real *g) {
+    const slip_constant_constants *c = (const void *)constants;
+    const slip_constant_series *s = (const void *)series;
+    real own_stance_torque[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_stance_torque[k] = with_constant(k, s->external_torque[k], -c->product_2);
+        g[k] = drift_times(k, own_stance_torque[0], own_stance_torque[1], own_stance_torque);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_slip_constant(const real *constants, const real *series,
     const real *power, int order, uint64_t watched, interval *bounds) {
@@ -676,6 +725,16 @@ TDMF_ALSO_FOR_AVX2 static void bounds_slip_constant(const real *constants, const
     }
     if (watched >> 11 & 1) {
         bounds[11] = span_4;
+    }
+    if (watched >> 12 & 1) {
+        bounds[12] = span_7;
+    }
+    if (watched >> 13 & 1) {
+        const interval span_8 = interval_of_series(s->external_torque, power, 2);
+        const interval span_9 = interval_at(c->product_2, c->product_2);
+        const interval span_10 = interval_difference(span_8, span_9);
+        const interval span_11 = interval_product(span_10, span_10);
+        bounds[13] = span_11;
     }
 }
 
@@ -1057,6 +1116,22 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
     }
 }
 
+/* First variation of square_of_torque. */
+static void d_observed_stick_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const stick_constants *c = (const void *)constants;
+    const stick_series *s = (const void *)series;
+    const stick_constants *d = (const void *)d_constants;
+    const stick_series *t = (const void *)d_series;
+    real own_stance_torque_times_d_stance_torque[TERMS], own_d_stance_torque[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_d_stance_torque[k] = with_constant(k, t->external_torque[k], -d->product_2);
+        own_stance_torque_times_d_stance_torque[k] = drift_times(k, with_constant(0, s->external_torque[0],
+            -c->product_2), with_constant(1, s->external_torque[1], -c->product_2), own_d_stance_torque);
+        dg[k] = 2.0 * own_stance_torque_times_d_stance_torque[k];
+    }
+}
+
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_stick_ramp_ends(const real *constants, const real *series, int order, real *g) {
     const stick_series *s = (const void *)series;
@@ -1180,6 +1255,17 @@ static void guard_stick_force_on_foot(const real *constants, const real *series,
     }
 }
 
+/* square_of_torque: Square of the total hip torque. */
+static void guard_stick_square_of_torque(const real *constants, const real *series, int order, real *g) {
+    const stick_constants *c = (const void *)constants;
+    const stick_series *s = (const void *)series;
+    real own_stance_torque[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_stance_torque[k] = with_constant(k, s->external_torque[k], -c->product_2);
+        g[k] = drift_times(k, own_stance_torque[0], own_stance_torque[1], own_stance_torque);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_stick(const real *constants, const real *series, const real *power,
     int order, uint64_t watched, interval *bounds) {
@@ -1247,6 +1333,13 @@ TDMF_ALSO_FOR_AVX2 static void bounds_stick(const real *constants, const real *s
     }
     if (watched >> 10 & 1) {
         bounds[10] = span_8;
+    }
+    if (watched >> 11 & 1) {
+        const interval span_30 = interval_of_series(s->external_torque, power, 2);
+        const interval span_31 = interval_at(c->product_2, c->product_2);
+        const interval span_32 = interval_difference(span_30, span_31);
+        const interval span_33 = interval_product(span_32, span_32);
+        bounds[11] = span_33;
     }
 }
 
@@ -1442,6 +1535,68 @@ static void d_observed_flight_place_calm_power_of_hip(const real *constants, con
     }
 }
 
+/* First variation of height_of_foot. */
+static void d_observed_flight_place_calm_height_of_foot(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_place_calm_constants *c = (const void *)constants;
+    const flight_place_calm_series *s = (const void *)series;
+    const flight_place_calm_constants *d = (const void *)d_constants;
+    const flight_place_calm_series *t = (const void *)d_series;
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS],
+        own_sum_times_cos_of_angle_minus_slope[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_product_3[TERMS], own_share_times_length_times_product_3[TERMS], own_angle_minus_slope[TERMS],
+        own_share_times_length[TERMS], own_sum_2[TERMS], own_angle_minus_slope_2[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_share_times_length[k] = c->share * s->length[k];
+        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
+        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
+            own_cos_of_angle_minus_slope);
+        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
+        own_sum_2[k] = d->share * s->length[k] + c->share * t->length[k];
+        own_sum_times_cos_of_angle_minus_slope[k] = product(own_sum_2, own_cos_of_angle_minus_slope, k);
+        own_angle_minus_slope_2[k] = with_constant(k, t->angle[k], -d->slope);
+        own_product_3[k] = product(own_sin_of_angle_minus_slope, own_angle_minus_slope_2, k);
+        own_share_times_length_times_product_3[k] = product(own_share_times_length, own_product_3, k);
+        dg[k] = with_constant(k, (d->inverse_cos_of_slope * c->cos_of_slope
+            + c->inverse_cos_of_slope * d->cos_of_slope) * s->com_y[k]
+            + (-(d->inverse_cos_of_slope * c->sin_of_slope)
+            - c->inverse_cos_of_slope * d->sin_of_slope) * s->com_x[k]
+            - d->inverse_cos_of_slope * own_product_2[k]
+            + c->inverse_cos_of_slope * c->cos_of_slope * t->com_y[k]
+            - c->inverse_cos_of_slope * c->sin_of_slope * t->com_x[k]
+            - c->inverse_cos_of_slope * own_sum_times_cos_of_angle_minus_slope[k]
+            + c->inverse_cos_of_slope * own_share_times_length_times_product_3[k],
+            c->inverse_cos_of_slope * (-(d->cos_of_slope * c->height) - c->cos_of_slope * d->height)
+            - d->inverse_cos_of_slope * (c->cos_of_slope * c->height));
+    }
+}
+
+/* First variation of square_of_torque. */
+static void d_observed_flight_place_calm_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_place_calm_constants *c = (const void *)constants;
+    const flight_place_calm_series *s = (const void *)series;
+    const flight_place_calm_constants *d = (const void *)d_constants;
+    const flight_place_calm_series *t = (const void *)d_series;
+    real own_length_times_length[TERMS], own_rate_times_d_square[TERMS], own_d_rate[TERMS],
+        own_swing_torque_times_d_swing_torque[TERMS], own_d_square[TERMS], own_d_swing_torque[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_length_times_length[k] = product(s->length, t->length, k);
+        own_d_square[k] = 2.0 * own_length_times_length[k];
+        own_rate_times_d_square[k] = product(s->rate, own_d_square, k);
+        own_d_rate[k] = (t->momentum[k] - own_rate_times_d_square[k] - product_so_far(own_d_rate, s->square,
+            k)) / s->square[0];
+        own_d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->kp * s->angle[k]
+            - (d->kp * c->retraction_rate + c->kp * d->retraction_rate) * s->placing[k]
+            - c->kp * t->angle[k] - c->kp * c->retraction_rate * t->placing[k] - d->kd * s->rate[k]
+            - c->kd * own_d_rate[k], -(-(d->kp * c->touchdown_angle_plus_more_angle)
+            - c->kp * d->touchdown_angle_plus_more_angle) - (d->kd * c->retraction_rate
+            + c->kd * d->retraction_rate));
+        own_swing_torque_times_d_swing_torque[k] = product(s->swing_torque, own_d_swing_torque, k);
+        dg[k] = 2.0 * own_swing_torque_times_d_swing_torque[k];
+    }
+}
+
 /* passes_end: The foot is above the next segment. */
 static void guard_flight_place_calm_passes_end(const real *constants, const real *series, int order,
     real *g) {
@@ -1576,6 +1731,36 @@ static void guard_flight_place_calm_power_of_hip(const real *constants, const re
     }
 }
 
+/* height_of_foot: Height of the foot above the ground vertically below. */
+static void guard_flight_place_calm_height_of_foot(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_place_calm_constants *c = (const void *)constants;
+    const flight_place_calm_series *s = (const void *)series;
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_share_times_length[k] = c->share * s->length[k];
+        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
+        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
+            own_cos_of_angle_minus_slope);
+        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
+        g[k] = with_constant(k, c->inverse_cos_of_slope * c->cos_of_slope * s->com_y[k]
+            - c->inverse_cos_of_slope * c->sin_of_slope * s->com_x[k]
+            - c->inverse_cos_of_slope * own_product_2[k],
+            -(c->inverse_cos_of_slope * (c->cos_of_slope * c->height)));
+    }
+}
+
+/* square_of_torque: Square of the total hip torque. */
+static void guard_flight_place_calm_square_of_torque(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_place_calm_series *s = (const void *)series;
+    (void)constants;
+    for (int k = 0; k < order; ++k) {
+        g[k] = product(s->swing_torque, s->swing_torque, k);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_flight_place_calm(const real *constants, const real *series,
     const real *power, int order, uint64_t watched, interval *bounds) {
@@ -1654,6 +1839,16 @@ TDMF_ALSO_FOR_AVX2 static void bounds_flight_place_calm(const real *constants, c
     if (watched >> 8 & 1) {
         const interval span_21 = interval_of_rate(s->com_y, power, 2);
         bounds[8] = span_21;
+    }
+    if (watched >> 11 & 1) {
+        const interval span_21 = interval_at(c->inverse_cos_of_slope, c->inverse_cos_of_slope);
+        const interval span_22 = interval_product(span_21, span_20);
+        bounds[11] = span_22;
+    }
+    if (watched >> 12 & 1) {
+        const interval span_21 = interval_of_series(s->swing_torque, power, order);
+        const interval span_22 = interval_product(span_21, span_21);
+        bounds[12] = span_22;
     }
 }
 
@@ -1833,6 +2028,56 @@ static void d_observed_flight_rest_calm_power_of_hip(const real *constants, cons
     }
 }
 
+/* First variation of height_of_foot. */
+static void d_observed_flight_rest_calm_height_of_foot(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_rest_calm_constants *c = (const void *)constants;
+    const flight_rest_calm_series *s = (const void *)series;
+    const flight_rest_calm_constants *d = (const void *)d_constants;
+    const flight_rest_calm_series *t = (const void *)d_series;
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS],
+        own_sum_times_cos_of_angle_minus_slope[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_product_3[TERMS], own_share_times_length_times_product_3[TERMS], own_angle_minus_slope[TERMS],
+        own_share_times_length[TERMS], own_sum_2[TERMS], own_angle_minus_slope_2[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_share_times_length[k] = c->share * s->length[k];
+        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
+        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
+            own_cos_of_angle_minus_slope);
+        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
+        own_sum_2[k] = d->share * s->length[k] + c->share * t->length[k];
+        own_sum_times_cos_of_angle_minus_slope[k] = product(own_sum_2, own_cos_of_angle_minus_slope, k);
+        own_angle_minus_slope_2[k] = with_constant(k, t->angle[k], -d->slope);
+        own_product_3[k] = product(own_sin_of_angle_minus_slope, own_angle_minus_slope_2, k);
+        own_share_times_length_times_product_3[k] = product(own_share_times_length, own_product_3, k);
+        dg[k] = with_constant(k, (d->inverse_cos_of_slope * c->cos_of_slope
+            + c->inverse_cos_of_slope * d->cos_of_slope) * s->com_y[k]
+            + (-(d->inverse_cos_of_slope * c->sin_of_slope)
+            - c->inverse_cos_of_slope * d->sin_of_slope) * s->com_x[k]
+            - d->inverse_cos_of_slope * own_product_2[k]
+            + c->inverse_cos_of_slope * c->cos_of_slope * t->com_y[k]
+            - c->inverse_cos_of_slope * c->sin_of_slope * t->com_x[k]
+            - c->inverse_cos_of_slope * own_sum_times_cos_of_angle_minus_slope[k]
+            + c->inverse_cos_of_slope * own_share_times_length_times_product_3[k],
+            c->inverse_cos_of_slope * (-(d->cos_of_slope * c->height) - c->cos_of_slope * d->height)
+            - d->inverse_cos_of_slope * (c->cos_of_slope * c->height));
+    }
+}
+
+/* First variation of square_of_torque. */
+static void d_observed_flight_rest_calm_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_rest_calm_series *s = (const void *)series;
+    const flight_rest_calm_series *t = (const void *)d_series;
+    (void)constants, (void)d_constants;
+    real own_external_torque_times_external_torque[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_external_torque_times_external_torque[k] = drift_times(k, s->external_torque[0],
+            s->external_torque[1], t->external_torque);
+        dg[k] = 2.0 * own_external_torque_times_external_torque[k];
+    }
+}
+
 /* passes_end: The foot is above the next segment. */
 static void guard_flight_rest_calm_passes_end(const real *constants, const real *series, int order, real *g) {
     const flight_rest_calm_constants *c = (const void *)constants;
@@ -1974,6 +2219,36 @@ static void guard_flight_rest_calm_power_of_hip(const real *constants, const rea
     }
 }
 
+/* height_of_foot: Height of the foot above the ground vertically below. */
+static void guard_flight_rest_calm_height_of_foot(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_rest_calm_constants *c = (const void *)constants;
+    const flight_rest_calm_series *s = (const void *)series;
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_share_times_length[k] = c->share * s->length[k];
+        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
+        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
+            own_cos_of_angle_minus_slope);
+        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
+        g[k] = with_constant(k, c->inverse_cos_of_slope * c->cos_of_slope * s->com_y[k]
+            - c->inverse_cos_of_slope * c->sin_of_slope * s->com_x[k]
+            - c->inverse_cos_of_slope * own_product_2[k],
+            -(c->inverse_cos_of_slope * (c->cos_of_slope * c->height)));
+    }
+}
+
+/* square_of_torque: Square of the total hip torque. */
+static void guard_flight_rest_calm_square_of_torque(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_rest_calm_series *s = (const void *)series;
+    (void)constants;
+    for (int k = 0; k < order; ++k) {
+        g[k] = drift_times(k, s->external_torque[0], s->external_torque[1], s->external_torque);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_flight_rest_calm(const real *constants, const real *series,
     const real *power, int order, uint64_t watched, interval *bounds) {
@@ -2061,6 +2336,16 @@ TDMF_ALSO_FOR_AVX2 static void bounds_flight_rest_calm(const real *constants, co
         const interval span_42 = interval_difference(span_39, span_41);
         const interval span_43 = interval_at(-span_42.high, -span_42.low);
         bounds[5] = span_43;
+    }
+    if (watched >> 12 & 1) {
+        const interval span_33 = interval_at(c->inverse_cos_of_slope, c->inverse_cos_of_slope);
+        const interval span_34 = interval_product(span_33, span_21);
+        bounds[12] = span_34;
+    }
+    if (watched >> 13 & 1) {
+        const interval span_33 = interval_of_series(s->external_torque, power, 2);
+        const interval span_34 = interval_product(span_33, span_33);
+        bounds[13] = span_34;
     }
 }
 
@@ -2252,6 +2537,66 @@ static void d_observed_flight_retract_calm_power_of_hip(const real *constants, c
     }
 }
 
+/* First variation of height_of_foot. */
+static void d_observed_flight_retract_calm_height_of_foot(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_retract_calm_constants *c = (const void *)constants;
+    const flight_retract_calm_series *s = (const void *)series;
+    const flight_retract_calm_constants *d = (const void *)d_constants;
+    const flight_retract_calm_series *t = (const void *)d_series;
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS],
+        own_sum_times_cos_of_angle_minus_slope[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_product_3[TERMS], own_share_times_length_times_product_3[TERMS], own_angle_minus_slope[TERMS],
+        own_share_times_length[TERMS], own_sum_2[TERMS], own_angle_minus_slope_2[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_share_times_length[k] = c->share * s->length[k];
+        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
+        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
+            own_cos_of_angle_minus_slope);
+        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
+        own_sum_2[k] = d->share * s->length[k] + c->share * t->length[k];
+        own_sum_times_cos_of_angle_minus_slope[k] = product(own_sum_2, own_cos_of_angle_minus_slope, k);
+        own_angle_minus_slope_2[k] = with_constant(k, t->angle[k], -d->slope);
+        own_product_3[k] = product(own_sin_of_angle_minus_slope, own_angle_minus_slope_2, k);
+        own_share_times_length_times_product_3[k] = product(own_share_times_length, own_product_3, k);
+        dg[k] = with_constant(k, (d->inverse_cos_of_slope * c->cos_of_slope
+            + c->inverse_cos_of_slope * d->cos_of_slope) * s->com_y[k]
+            + (-(d->inverse_cos_of_slope * c->sin_of_slope)
+            - c->inverse_cos_of_slope * d->sin_of_slope) * s->com_x[k]
+            - d->inverse_cos_of_slope * own_product_2[k]
+            + c->inverse_cos_of_slope * c->cos_of_slope * t->com_y[k]
+            - c->inverse_cos_of_slope * c->sin_of_slope * t->com_x[k]
+            - c->inverse_cos_of_slope * own_sum_times_cos_of_angle_minus_slope[k]
+            + c->inverse_cos_of_slope * own_share_times_length_times_product_3[k],
+            c->inverse_cos_of_slope * (-(d->cos_of_slope * c->height) - c->cos_of_slope * d->height)
+            - d->inverse_cos_of_slope * (c->cos_of_slope * c->height));
+    }
+}
+
+/* First variation of square_of_torque. */
+static void d_observed_flight_retract_calm_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_retract_calm_constants *c = (const void *)constants;
+    const flight_retract_calm_series *s = (const void *)series;
+    const flight_retract_calm_constants *d = (const void *)d_constants;
+    const flight_retract_calm_series *t = (const void *)d_series;
+    real own_length_times_length[TERMS], own_rate_times_d_square[TERMS], own_d_rate[TERMS],
+        own_swing_torque_times_d_swing_torque[TERMS], own_d_square[TERMS], own_d_swing_torque[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_length_times_length[k] = product(s->length, t->length, k);
+        own_d_square[k] = 2.0 * own_length_times_length[k];
+        own_rate_times_d_square[k] = product(s->rate, own_d_square, k);
+        own_d_rate[k] = (t->momentum[k] - own_rate_times_d_square[k] - product_so_far(own_d_rate, s->square,
+            k)) / s->square[0];
+        own_d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->kp * s->angle[k]
+            - c->kp * t->angle[k] - d->kd * s->rate[k] - c->kd * own_d_rate[k],
+            -(-(d->kp * c->liftoff_factor_times_liftoff_angle)
+            - c->kp * d->liftoff_factor_times_liftoff_angle));
+        own_swing_torque_times_d_swing_torque[k] = product(s->swing_torque, own_d_swing_torque, k);
+        dg[k] = 2.0 * own_swing_torque_times_d_swing_torque[k];
+    }
+}
+
 /* passes_end: The foot is above the next segment. */
 static void guard_flight_retract_calm_passes_end(const real *constants, const real *series, int order,
     real *g) {
@@ -2399,6 +2744,36 @@ static void guard_flight_retract_calm_power_of_hip(const real *constants, const 
     }
 }
 
+/* height_of_foot: Height of the foot above the ground vertically below. */
+static void guard_flight_retract_calm_height_of_foot(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_retract_calm_constants *c = (const void *)constants;
+    const flight_retract_calm_series *s = (const void *)series;
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_share_times_length[k] = c->share * s->length[k];
+        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
+        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
+            own_cos_of_angle_minus_slope);
+        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
+        g[k] = with_constant(k, c->inverse_cos_of_slope * c->cos_of_slope * s->com_y[k]
+            - c->inverse_cos_of_slope * c->sin_of_slope * s->com_x[k]
+            - c->inverse_cos_of_slope * own_product_2[k],
+            -(c->inverse_cos_of_slope * (c->cos_of_slope * c->height)));
+    }
+}
+
+/* square_of_torque: Square of the total hip torque. */
+static void guard_flight_retract_calm_square_of_torque(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_retract_calm_series *s = (const void *)series;
+    (void)constants;
+    for (int k = 0; k < order; ++k) {
+        g[k] = product(s->swing_torque, s->swing_torque, k);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_flight_retract_calm(const real *constants, const real *series,
     const real *power, int order, uint64_t watched, interval *bounds) {
@@ -2489,6 +2864,16 @@ TDMF_ALSO_FOR_AVX2 static void bounds_flight_retract_calm(const real *constants,
         const interval span_30 = interval_product(span_28, span_29);
         const interval span_31 = interval_difference(span_27, span_30);
         bounds[10] = span_31;
+    }
+    if (watched >> 12 & 1) {
+        const interval span_22 = interval_at(c->inverse_cos_of_slope, c->inverse_cos_of_slope);
+        const interval span_23 = interval_product(span_22, span_21);
+        bounds[12] = span_23;
+    }
+    if (watched >> 13 & 1) {
+        const interval span_22 = interval_of_series(s->swing_torque, power, order);
+        const interval span_23 = interval_product(span_22, span_22);
+        bounds[13] = span_23;
     }
 }
 
@@ -2808,6 +3193,50 @@ static void d_observed_graze_place_power_of_hip(const real *constants, const rea
     }
 }
 
+/* First variation of square_of_torque. */
+static void d_observed_graze_place_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const graze_place_constants *c = (const void *)constants;
+    const graze_place_series *s = (const void *)series;
+    const graze_place_constants *d = (const void *)d_constants;
+    const graze_place_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_product_4[TERMS], own_d_axial_times_y__plus_off_over_x_[TERMS],
+        own_product_7[TERMS], own_product_8[TERMS], own_product_3_times_d_product_3[TERMS],
+        own_d_square[TERMS], own_d_product_3[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0]) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
+            + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
+            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - own_axial_times_d_length[k], d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
+        own_d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, own_d_axial_times_y_[k]
+            + own_axial_times_y__2[k] - own_product_4[k], d->off)
+            - product_so_far(own_d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
+        own_product_7[k] = product(own_d_axial_times_y__plus_off_over_x_, s->square, k);
+        own_product_8[k] = product(s->axial_times_y__plus_off_over_x_, own_d_square, k);
+        own_d_product_3[k] = own_product_7[k] + own_product_8[k];
+        own_product_3_times_d_product_3[k] = product(s->product_3, own_d_product_3, k);
+        dg[k] = 2.0 * own_product_3_times_d_product_3[k];
+    }
+}
+
 /* passes_end: The foot is above the next segment. */
 static void guard_graze_place_passes_end(const real *constants, const real *series, int order, real *g) {
     const graze_place_constants *c = (const void *)constants;
@@ -2900,6 +3329,16 @@ static void guard_graze_place_power_of_hip(const real *constants, const real *se
     }
 }
 
+/* square_of_torque: Square of the total hip torque. */
+static void guard_graze_place_square_of_torque(const real *constants, const real *series, int order,
+    real *g) {
+    const graze_place_series *s = (const void *)series;
+    (void)constants;
+    for (int k = 0; k < order; ++k) {
+        g[k] = product(s->product_3, s->product_3, k);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_graze_place(const real *constants, const real *series,
     const real *power, int order, uint64_t watched, interval *bounds) {
@@ -2938,6 +3377,11 @@ TDMF_ALSO_FOR_AVX2 static void bounds_graze_place(const real *constants, const r
         const interval span_5 = interval_at(c->winding, c->winding);
         const interval span_6 = interval_sum(span_4, span_5);
         bounds[5] = span_6;
+    }
+    if (watched >> 9 & 1) {
+        const interval span_4 = interval_of_series(s->product_3, power, order);
+        const interval span_5 = interval_product(span_4, span_4);
+        bounds[9] = span_5;
     }
 }
 
@@ -3236,6 +3680,50 @@ static void d_observed_graze_rest_power_of_hip(const real *constants, const real
     }
 }
 
+/* First variation of square_of_torque. */
+static void d_observed_graze_rest_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const graze_rest_constants *c = (const void *)constants;
+    const graze_rest_series *s = (const void *)series;
+    const graze_rest_constants *d = (const void *)d_constants;
+    const graze_rest_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_product_4[TERMS], own_d_axial_times_y__plus_off_over_x_[TERMS],
+        own_product_7[TERMS], own_product_8[TERMS], own_product_3_times_d_product_3[TERMS],
+        own_d_square[TERMS], own_d_product_3[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0]) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
+            + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
+            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - own_axial_times_d_length[k], d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
+        own_d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, own_d_axial_times_y_[k]
+            + own_axial_times_y__2[k] - own_product_4[k], d->off)
+            - product_so_far(own_d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
+        own_product_7[k] = product(own_d_axial_times_y__plus_off_over_x_, s->square, k);
+        own_product_8[k] = product(s->axial_times_y__plus_off_over_x_, own_d_square, k);
+        own_d_product_3[k] = own_product_7[k] + own_product_8[k];
+        own_product_3_times_d_product_3[k] = product(s->product_3, own_d_product_3, k);
+        dg[k] = 2.0 * own_product_3_times_d_product_3[k];
+    }
+}
+
 /* passes_end: The foot is above the next segment. */
 static void guard_graze_rest_passes_end(const real *constants, const real *series, int order, real *g) {
     const graze_rest_constants *c = (const void *)constants;
@@ -3344,6 +3832,15 @@ static void guard_graze_rest_power_of_hip(const real *constants, const real *ser
     }
 }
 
+/* square_of_torque: Square of the total hip torque. */
+static void guard_graze_rest_square_of_torque(const real *constants, const real *series, int order, real *g) {
+    const graze_rest_series *s = (const void *)series;
+    (void)constants;
+    for (int k = 0; k < order; ++k) {
+        g[k] = product(s->product_3, s->product_3, k);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_graze_rest(const real *constants, const real *series, const real *power,
     int order, uint64_t watched, interval *bounds) {
@@ -3405,6 +3902,11 @@ TDMF_ALSO_FOR_AVX2 static void bounds_graze_rest(const real *constants, const re
     }
     if (watched >> 7 & 1) {
         bounds[7] = span_19;
+    }
+    if (watched >> 11 & 1) {
+        const interval span_29 = interval_of_series(s->product_3, power, order);
+        const interval span_30 = interval_product(span_29, span_29);
+        bounds[11] = span_30;
     }
 }
 
@@ -3704,6 +4206,50 @@ static void d_observed_graze_retract_power_of_hip(const real *constants, const r
     }
 }
 
+/* First variation of square_of_torque. */
+static void d_observed_graze_retract_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const graze_retract_constants *c = (const void *)constants;
+    const graze_retract_series *s = (const void *)series;
+    const graze_retract_constants *d = (const void *)d_constants;
+    const graze_retract_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
+        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
+        own_axial_times_y__2[TERMS], own_product_4[TERMS], own_d_axial_times_y__plus_off_over_x_[TERMS],
+        own_product_7[TERMS], own_product_8[TERMS], own_product_3_times_d_product_3[TERMS],
+        own_d_square[TERMS], own_d_product_3[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0]) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
+            + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
+            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
+            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - own_axial_times_d_length[k], d->stiffness * (c->free_length
+            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
+            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
+        own_d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, own_d_axial_times_y_[k]
+            + own_axial_times_y__2[k] - own_product_4[k], d->off)
+            - product_so_far(own_d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
+        own_product_7[k] = product(own_d_axial_times_y__plus_off_over_x_, s->square, k);
+        own_product_8[k] = product(s->axial_times_y__plus_off_over_x_, own_d_square, k);
+        own_d_product_3[k] = own_product_7[k] + own_product_8[k];
+        own_product_3_times_d_product_3[k] = product(s->product_3, own_d_product_3, k);
+        dg[k] = 2.0 * own_product_3_times_d_product_3[k];
+    }
+}
+
 /* passes_end: The foot is above the next segment. */
 static void guard_graze_retract_passes_end(const real *constants, const real *series, int order, real *g) {
     const graze_retract_constants *c = (const void *)constants;
@@ -3815,6 +4361,16 @@ static void guard_graze_retract_power_of_hip(const real *constants, const real *
     }
 }
 
+/* square_of_torque: Square of the total hip torque. */
+static void guard_graze_retract_square_of_torque(const real *constants, const real *series, int order,
+    real *g) {
+    const graze_retract_series *s = (const void *)series;
+    (void)constants;
+    for (int k = 0; k < order; ++k) {
+        g[k] = product(s->product_3, s->product_3, k);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_graze_retract(const real *constants, const real *series,
     const real *power, int order, uint64_t watched, interval *bounds) {
@@ -3880,6 +4436,11 @@ TDMF_ALSO_FOR_AVX2 static void bounds_graze_retract(const real *constants, const
         const interval span_17 = interval_at(c->winding, c->winding);
         const interval span_18 = interval_sum(span_16, span_17);
         bounds[7] = span_18;
+    }
+    if (watched >> 11 & 1) {
+        const interval span_16 = interval_of_series(s->product_3, power, order);
+        const interval span_17 = interval_product(span_16, span_16);
+        bounds[11] = span_17;
     }
 }
 
@@ -4091,17 +4652,19 @@ static void vary_slip_falling(const real *constants, const real *series, const r
     real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
         axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
         turning_times_d_square[TERMS], d_turning[TERMS], d_turning_times_y_[TERMS], turning_times_y__2[TERMS],
-        d_friction_along_times_sum_2[TERMS], fading_times_sum[TERMS], friction_along_times_d_sum_2[TERMS],
-        d_way_times_slip_friction_times_normal[TERMS], d_axial_times_y_[TERMS], axial_times_y__2[TERMS],
-        d_turning_times_x_[TERMS], turning_times_x__2[TERMS], way_times_slip_friction_times_d_normal[TERMS],
+        d_friction_along_times_sum_2[TERMS], fading_times_product_plus_product[TERMS],
+        friction_along_times_d_sum_2[TERMS], d_way_times_slip_friction_times_normal[TERMS],
+        d_axial_times_y_[TERMS], axial_times_y__2[TERMS], d_turning_times_x_[TERMS],
+        turning_times_x__2[TERMS], way_times_slip_friction_times_d_normal[TERMS],
         sum_plus_sum_times_foot_vx_plus_vx[TERMS], sum_times_d_foot_vx_plus_vx[TERMS],
         sum_minus_sum_times_vy[TERMS], sum_times_vy_2[TERMS], length_rate_times_d_length_rate[TERMS],
         d_friction_force_times_foot_vx[TERMS], friction_force_times_foot_vx_2[TERMS],
         d_stance_torque_times_angle_rate[TERMS], x__times_vy_2[TERMS], x__times_vy_3[TERMS],
         y__times_vx_2[TERMS], y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS], d_angle_rate[TERMS],
-        stance_torque_times_d_angle_rate[TERMS], d_square[TERMS], d_friction_along[TERMS], sum_3[TERMS],
-        d_sum_2[TERMS], d_way_times_slip_friction[TERMS], d_normal[TERMS], sum_plus_sum[TERMS],
-        d_foot_vx_plus_vx[TERMS], sum_minus_sum[TERMS], d_friction_force[TERMS], d_stance_torque[TERMS];
+        stance_torque_times_d_angle_rate[TERMS], d_square[TERMS], d_friction_along[TERMS],
+        product_plus_product[TERMS], d_sum_2[TERMS], d_way_times_slip_friction[TERMS], d_normal[TERMS],
+        sum_plus_sum[TERMS], d_foot_vx_plus_vx[TERMS], sum_minus_sum[TERMS], d_friction_force[TERMS],
+        d_stance_torque[TERMS];
     t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
@@ -4135,12 +4698,12 @@ static void vary_slip_falling(const real *constants, const real *series, const r
         d_friction_along[k] = with_constant(k, d->by_1_minus_is_own * s->friction[k]
             + c->by_1_minus_is_own * t->friction[k], d->is_own_times_own);
         d_friction_along_times_sum_2[k] = product(d_friction_along, s->sum_2, k);
-        sum_3[k] = (d->inverse_stribeck_velocity * c->way
+        product_plus_product[k] = (d->inverse_stribeck_velocity * c->way
             + c->inverse_stribeck_velocity * d->way) * s->foot_vx[k]
             + c->inverse_stribeck_velocity * c->way * t->foot_vx[k];
-        fading_times_sum[k] = product(s->fading, sum_3, k);
+        fading_times_product_plus_product[k] = product(s->fading, product_plus_product, k);
         d_sum_2[k] = d->static_ratio_minus_by_1 * s->fading[k]
-            - c->static_ratio_minus_by_1 * fading_times_sum[k];
+            - c->static_ratio_minus_by_1 * fading_times_product_plus_product[k];
         friction_along_times_d_sum_2[k] = drift_times(k, with_constant(0,
             c->by_1_minus_is_own * s->friction[0], c->is_own_times_own), with_constant(1,
             c->by_1_minus_is_own * s->friction[1], c->is_own_times_own), d_sum_2);
@@ -4251,9 +4814,9 @@ static void d_observed_slip_falling_vertical_force_on_foot(const real *constants
         own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
         own_axial_times_y__2[TERMS], own_turning_times_d_square[TERMS], own_d_turning[TERMS],
         own_d_turning_times_x_[TERMS], own_turning_times_x__2[TERMS], own_d_friction_along_times_sum_2[TERMS],
-        own_fading_times_sum[TERMS], own_friction_along_times_d_sum_2[TERMS],
+        own_fading_times_product_plus_product[TERMS], own_friction_along_times_d_sum_2[TERMS],
         own_d_way_times_slip_friction_times_normal[TERMS], own_way_times_slip_friction_times_d_normal[TERMS],
-        own_d_square[TERMS], own_d_friction_along[TERMS], own_sum_3[TERMS], own_d_sum_2[TERMS],
+        own_d_square[TERMS], own_d_friction_along[TERMS], own_product_plus_product[TERMS], own_d_sum_2[TERMS],
         own_d_way_times_slip_friction[TERMS], own_d_normal[TERMS];
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
@@ -4285,12 +4848,12 @@ static void d_observed_slip_falling_vertical_force_on_foot(const real *constants
         own_d_friction_along[k] = with_constant(k, d->by_1_minus_is_own * s->friction[k]
             + c->by_1_minus_is_own * t->friction[k], d->is_own_times_own);
         own_d_friction_along_times_sum_2[k] = product(own_d_friction_along, s->sum_2, k);
-        own_sum_3[k] = (d->inverse_stribeck_velocity * c->way
+        own_product_plus_product[k] = (d->inverse_stribeck_velocity * c->way
             + c->inverse_stribeck_velocity * d->way) * s->foot_vx[k]
             + c->inverse_stribeck_velocity * c->way * t->foot_vx[k];
-        own_fading_times_sum[k] = product(s->fading, own_sum_3, k);
+        own_fading_times_product_plus_product[k] = product(s->fading, own_product_plus_product, k);
         own_d_sum_2[k] = d->static_ratio_minus_by_1 * s->fading[k]
-            - c->static_ratio_minus_by_1 * own_fading_times_sum[k];
+            - c->static_ratio_minus_by_1 * own_fading_times_product_plus_product[k];
         own_friction_along_times_d_sum_2[k] = drift_times(k, with_constant(0,
             c->by_1_minus_is_own * s->friction[0], c->is_own_times_own), with_constant(1,
             c->by_1_minus_is_own * s->friction[1], c->is_own_times_own), own_d_sum_2);
@@ -4342,6 +4905,34 @@ static void d_observed_slip_falling_force_on_foot(const real *constants, const r
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
         dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
             + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
+    }
+}
+
+/* First variation of slip_velocity. */
+static void d_observed_slip_falling_slip_velocity(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const slip_falling_constants *c = (const void *)constants;
+    const slip_falling_series *s = (const void *)series;
+    const slip_falling_constants *d = (const void *)d_constants;
+    const slip_falling_series *t = (const void *)d_series;
+    for (int k = 0; k < order; ++k) {
+        dg[k] = d->way * s->foot_vx[k] + c->way * t->foot_vx[k];
+    }
+}
+
+/* First variation of square_of_torque. */
+static void d_observed_slip_falling_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const slip_falling_constants *c = (const void *)constants;
+    const slip_falling_series *s = (const void *)series;
+    const slip_falling_constants *d = (const void *)d_constants;
+    const slip_falling_series *t = (const void *)d_series;
+    real own_stance_torque_times_d_stance_torque[TERMS], own_d_stance_torque[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_d_stance_torque[k] = with_constant(k, t->external_torque[k], -d->product_2);
+        own_stance_torque_times_d_stance_torque[k] = drift_times(k, with_constant(0, s->external_torque[0],
+            -c->product_2), with_constant(1, s->external_torque[1], -c->product_2), own_d_stance_torque);
+        dg[k] = 2.0 * own_stance_torque_times_d_stance_torque[k];
     }
 }
 
@@ -4457,6 +5048,27 @@ static void guard_slip_falling_force_on_foot(const real *constants, const real *
     }
 }
 
+/* slip_velocity: Speed at which the foot slips. */
+static void guard_slip_falling_slip_velocity(const real *constants, const real *series, int order, real *g) {
+    const slip_falling_constants *c = (const void *)constants;
+    const slip_falling_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = c->way * s->foot_vx[k];
+    }
+}
+
+/* square_of_torque: Square of the total hip torque. */
+static void guard_slip_falling_square_of_torque(const real *constants, const real *series, int order,
+    real *g) {
+    const slip_falling_constants *c = (const void *)constants;
+    const slip_falling_series *s = (const void *)series;
+    real own_stance_torque[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_stance_torque[k] = with_constant(k, s->external_torque[k], -c->product_2);
+        g[k] = drift_times(k, own_stance_torque[0], own_stance_torque[1], own_stance_torque);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_slip_falling(const real *constants, const real *series,
     const real *power, int order, uint64_t watched, interval *bounds) {
@@ -4513,6 +5125,16 @@ TDMF_ALSO_FOR_AVX2 static void bounds_slip_falling(const real *constants, const 
     }
     if (watched >> 11 & 1) {
         bounds[11] = span_4;
+    }
+    if (watched >> 12 & 1) {
+        bounds[12] = span_8;
+    }
+    if (watched >> 13 & 1) {
+        const interval span_10 = interval_of_series(s->external_torque, power, 2);
+        const interval span_11 = interval_at(c->product_2, c->product_2);
+        const interval span_12 = interval_difference(span_10, span_11);
+        const interval span_13 = interval_product(span_12, span_12);
+        bounds[13] = span_13;
     }
 }
 
@@ -4800,6 +5422,68 @@ static void d_observed_flight_place_pushed_power_of_hip(const real *constants, c
     }
 }
 
+/* First variation of height_of_foot. */
+static void d_observed_flight_place_pushed_height_of_foot(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_place_pushed_constants *c = (const void *)constants;
+    const flight_place_pushed_series *s = (const void *)series;
+    const flight_place_pushed_constants *d = (const void *)d_constants;
+    const flight_place_pushed_series *t = (const void *)d_series;
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS],
+        own_sum_times_cos_of_angle_minus_slope[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_product_3[TERMS], own_share_times_length_times_product_3[TERMS], own_angle_minus_slope[TERMS],
+        own_share_times_length[TERMS], own_sum_3[TERMS], own_angle_minus_slope_2[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_share_times_length[k] = c->share * s->length[k];
+        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
+        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
+            own_cos_of_angle_minus_slope);
+        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
+        own_sum_3[k] = d->share * s->length[k] + c->share * t->length[k];
+        own_sum_times_cos_of_angle_minus_slope[k] = product(own_sum_3, own_cos_of_angle_minus_slope, k);
+        own_angle_minus_slope_2[k] = with_constant(k, t->angle[k], -d->slope);
+        own_product_3[k] = product(own_sin_of_angle_minus_slope, own_angle_minus_slope_2, k);
+        own_share_times_length_times_product_3[k] = product(own_share_times_length, own_product_3, k);
+        dg[k] = with_constant(k, (d->inverse_cos_of_slope * c->cos_of_slope
+            + c->inverse_cos_of_slope * d->cos_of_slope) * s->com_y[k]
+            + (-(d->inverse_cos_of_slope * c->sin_of_slope)
+            - c->inverse_cos_of_slope * d->sin_of_slope) * s->com_x[k]
+            - d->inverse_cos_of_slope * own_product_2[k]
+            + c->inverse_cos_of_slope * c->cos_of_slope * t->com_y[k]
+            - c->inverse_cos_of_slope * c->sin_of_slope * t->com_x[k]
+            - c->inverse_cos_of_slope * own_sum_times_cos_of_angle_minus_slope[k]
+            + c->inverse_cos_of_slope * own_share_times_length_times_product_3[k],
+            c->inverse_cos_of_slope * (-(d->cos_of_slope * c->height) - c->cos_of_slope * d->height)
+            - d->inverse_cos_of_slope * (c->cos_of_slope * c->height));
+    }
+}
+
+/* First variation of square_of_torque. */
+static void d_observed_flight_place_pushed_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_place_pushed_constants *c = (const void *)constants;
+    const flight_place_pushed_series *s = (const void *)series;
+    const flight_place_pushed_constants *d = (const void *)d_constants;
+    const flight_place_pushed_series *t = (const void *)d_series;
+    real own_length_times_length[TERMS], own_rate_times_d_square[TERMS], own_d_rate[TERMS],
+        own_swing_torque_times_d_swing_torque[TERMS], own_d_square[TERMS], own_d_swing_torque[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_length_times_length[k] = product(s->length, t->length, k);
+        own_d_square[k] = 2.0 * own_length_times_length[k];
+        own_rate_times_d_square[k] = product(s->rate, own_d_square, k);
+        own_d_rate[k] = (t->momentum[k] - own_rate_times_d_square[k] - product_so_far(own_d_rate, s->square,
+            k)) / s->square[0];
+        own_d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->kp * s->angle[k]
+            - (d->kp * c->retraction_rate + c->kp * d->retraction_rate) * s->placing[k]
+            - c->kp * t->angle[k] - c->kp * c->retraction_rate * t->placing[k] - d->kd * s->rate[k]
+            - c->kd * own_d_rate[k], -(-(d->kp * c->touchdown_angle_plus_more_angle)
+            - c->kp * d->touchdown_angle_plus_more_angle) - (d->kd * c->retraction_rate
+            + c->kd * d->retraction_rate));
+        own_swing_torque_times_d_swing_torque[k] = product(s->swing_torque, own_d_swing_torque, k);
+        dg[k] = 2.0 * own_swing_torque_times_d_swing_torque[k];
+    }
+}
+
 /* passes_end: The foot is above the next segment. */
 static void guard_flight_place_pushed_passes_end(const real *constants, const real *series, int order,
     real *g) {
@@ -4926,6 +5610,36 @@ static void guard_flight_place_pushed_power_of_hip(const real *constants, const 
     }
 }
 
+/* height_of_foot: Height of the foot above the ground vertically below. */
+static void guard_flight_place_pushed_height_of_foot(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_place_pushed_constants *c = (const void *)constants;
+    const flight_place_pushed_series *s = (const void *)series;
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_share_times_length[k] = c->share * s->length[k];
+        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
+        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
+            own_cos_of_angle_minus_slope);
+        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
+        g[k] = with_constant(k, c->inverse_cos_of_slope * c->cos_of_slope * s->com_y[k]
+            - c->inverse_cos_of_slope * c->sin_of_slope * s->com_x[k]
+            - c->inverse_cos_of_slope * own_product_2[k],
+            -(c->inverse_cos_of_slope * (c->cos_of_slope * c->height)));
+    }
+}
+
+/* square_of_torque: Square of the total hip torque. */
+static void guard_flight_place_pushed_square_of_torque(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_place_pushed_series *s = (const void *)series;
+    (void)constants;
+    for (int k = 0; k < order; ++k) {
+        g[k] = product(s->swing_torque, s->swing_torque, k);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_flight_place_pushed(const real *constants, const real *series,
     const real *power, int order, uint64_t watched, interval *bounds) {
@@ -4996,6 +5710,16 @@ TDMF_ALSO_FOR_AVX2 static void bounds_flight_place_pushed(const real *constants,
         const interval span_31 = interval_difference(span_28, span_30);
         const interval span_32 = interval_at(-span_31.high, -span_31.low);
         bounds[4] = span_32;
+    }
+    if (watched >> 10 & 1) {
+        const interval span_22 = interval_at(c->inverse_cos_of_slope, c->inverse_cos_of_slope);
+        const interval span_23 = interval_product(span_22, span_21);
+        bounds[10] = span_23;
+    }
+    if (watched >> 11 & 1) {
+        const interval span_22 = interval_of_series(s->swing_torque, power, order);
+        const interval span_23 = interval_product(span_22, span_22);
+        bounds[11] = span_23;
     }
 }
 
@@ -5268,6 +5992,56 @@ static void d_observed_flight_rest_pushed_power_of_hip(const real *constants, co
     }
 }
 
+/* First variation of height_of_foot. */
+static void d_observed_flight_rest_pushed_height_of_foot(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_rest_pushed_constants *c = (const void *)constants;
+    const flight_rest_pushed_series *s = (const void *)series;
+    const flight_rest_pushed_constants *d = (const void *)d_constants;
+    const flight_rest_pushed_series *t = (const void *)d_series;
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS],
+        own_sum_times_cos_of_angle_minus_slope[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_product_3[TERMS], own_share_times_length_times_product_3[TERMS], own_angle_minus_slope[TERMS],
+        own_share_times_length[TERMS], own_sum_3[TERMS], own_angle_minus_slope_2[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_share_times_length[k] = c->share * s->length[k];
+        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
+        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
+            own_cos_of_angle_minus_slope);
+        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
+        own_sum_3[k] = d->share * s->length[k] + c->share * t->length[k];
+        own_sum_times_cos_of_angle_minus_slope[k] = product(own_sum_3, own_cos_of_angle_minus_slope, k);
+        own_angle_minus_slope_2[k] = with_constant(k, t->angle[k], -d->slope);
+        own_product_3[k] = product(own_sin_of_angle_minus_slope, own_angle_minus_slope_2, k);
+        own_share_times_length_times_product_3[k] = product(own_share_times_length, own_product_3, k);
+        dg[k] = with_constant(k, (d->inverse_cos_of_slope * c->cos_of_slope
+            + c->inverse_cos_of_slope * d->cos_of_slope) * s->com_y[k]
+            + (-(d->inverse_cos_of_slope * c->sin_of_slope)
+            - c->inverse_cos_of_slope * d->sin_of_slope) * s->com_x[k]
+            - d->inverse_cos_of_slope * own_product_2[k]
+            + c->inverse_cos_of_slope * c->cos_of_slope * t->com_y[k]
+            - c->inverse_cos_of_slope * c->sin_of_slope * t->com_x[k]
+            - c->inverse_cos_of_slope * own_sum_times_cos_of_angle_minus_slope[k]
+            + c->inverse_cos_of_slope * own_share_times_length_times_product_3[k],
+            c->inverse_cos_of_slope * (-(d->cos_of_slope * c->height) - c->cos_of_slope * d->height)
+            - d->inverse_cos_of_slope * (c->cos_of_slope * c->height));
+    }
+}
+
+/* First variation of square_of_torque. */
+static void d_observed_flight_rest_pushed_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_rest_pushed_series *s = (const void *)series;
+    const flight_rest_pushed_series *t = (const void *)d_series;
+    (void)constants, (void)d_constants;
+    real own_external_torque_times_external_torque[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_external_torque_times_external_torque[k] = drift_times(k, s->external_torque[0],
+            s->external_torque[1], t->external_torque);
+        dg[k] = 2.0 * own_external_torque_times_external_torque[k];
+    }
+}
+
 /* passes_end: The foot is above the next segment. */
 static void guard_flight_rest_pushed_passes_end(const real *constants, const real *series, int order,
     real *g) {
@@ -5404,6 +6178,36 @@ static void guard_flight_rest_pushed_power_of_hip(const real *constants, const r
     }
 }
 
+/* height_of_foot: Height of the foot above the ground vertically below. */
+static void guard_flight_rest_pushed_height_of_foot(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_rest_pushed_constants *c = (const void *)constants;
+    const flight_rest_pushed_series *s = (const void *)series;
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_share_times_length[k] = c->share * s->length[k];
+        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
+        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
+            own_cos_of_angle_minus_slope);
+        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
+        g[k] = with_constant(k, c->inverse_cos_of_slope * c->cos_of_slope * s->com_y[k]
+            - c->inverse_cos_of_slope * c->sin_of_slope * s->com_x[k]
+            - c->inverse_cos_of_slope * own_product_2[k],
+            -(c->inverse_cos_of_slope * (c->cos_of_slope * c->height)));
+    }
+}
+
+/* square_of_torque: Square of the total hip torque. */
+static void guard_flight_rest_pushed_square_of_torque(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_rest_pushed_series *s = (const void *)series;
+    (void)constants;
+    for (int k = 0; k < order; ++k) {
+        g[k] = drift_times(k, s->external_torque[0], s->external_torque[1], s->external_torque);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_flight_rest_pushed(const real *constants, const real *series,
     const real *power, int order, uint64_t watched, interval *bounds) {
@@ -5487,6 +6291,16 @@ TDMF_ALSO_FOR_AVX2 static void bounds_flight_rest_pushed(const real *constants, 
         const interval span_42 = interval_difference(span_39, span_41);
         const interval span_43 = interval_at(-span_42.high, -span_42.low);
         bounds[4] = span_43;
+    }
+    if (watched >> 11 & 1) {
+        const interval span_33 = interval_at(c->inverse_cos_of_slope, c->inverse_cos_of_slope);
+        const interval span_34 = interval_product(span_33, span_21);
+        bounds[11] = span_34;
+    }
+    if (watched >> 12 & 1) {
+        const interval span_33 = interval_of_series(s->external_torque, power, 2);
+        const interval span_34 = interval_product(span_33, span_33);
+        bounds[12] = span_34;
     }
 }
 
@@ -5768,6 +6582,66 @@ static void d_observed_flight_retract_pushed_power_of_hip(const real *constants,
     }
 }
 
+/* First variation of height_of_foot. */
+static void d_observed_flight_retract_pushed_height_of_foot(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_retract_pushed_constants *c = (const void *)constants;
+    const flight_retract_pushed_series *s = (const void *)series;
+    const flight_retract_pushed_constants *d = (const void *)d_constants;
+    const flight_retract_pushed_series *t = (const void *)d_series;
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS],
+        own_sum_times_cos_of_angle_minus_slope[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_product_3[TERMS], own_share_times_length_times_product_3[TERMS], own_angle_minus_slope[TERMS],
+        own_share_times_length[TERMS], own_sum_3[TERMS], own_angle_minus_slope_2[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_share_times_length[k] = c->share * s->length[k];
+        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
+        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
+            own_cos_of_angle_minus_slope);
+        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
+        own_sum_3[k] = d->share * s->length[k] + c->share * t->length[k];
+        own_sum_times_cos_of_angle_minus_slope[k] = product(own_sum_3, own_cos_of_angle_minus_slope, k);
+        own_angle_minus_slope_2[k] = with_constant(k, t->angle[k], -d->slope);
+        own_product_3[k] = product(own_sin_of_angle_minus_slope, own_angle_minus_slope_2, k);
+        own_share_times_length_times_product_3[k] = product(own_share_times_length, own_product_3, k);
+        dg[k] = with_constant(k, (d->inverse_cos_of_slope * c->cos_of_slope
+            + c->inverse_cos_of_slope * d->cos_of_slope) * s->com_y[k]
+            + (-(d->inverse_cos_of_slope * c->sin_of_slope)
+            - c->inverse_cos_of_slope * d->sin_of_slope) * s->com_x[k]
+            - d->inverse_cos_of_slope * own_product_2[k]
+            + c->inverse_cos_of_slope * c->cos_of_slope * t->com_y[k]
+            - c->inverse_cos_of_slope * c->sin_of_slope * t->com_x[k]
+            - c->inverse_cos_of_slope * own_sum_times_cos_of_angle_minus_slope[k]
+            + c->inverse_cos_of_slope * own_share_times_length_times_product_3[k],
+            c->inverse_cos_of_slope * (-(d->cos_of_slope * c->height) - c->cos_of_slope * d->height)
+            - d->inverse_cos_of_slope * (c->cos_of_slope * c->height));
+    }
+}
+
+/* First variation of square_of_torque. */
+static void d_observed_flight_retract_pushed_square_of_torque(const real *constants, const real *series,
+    const real *d_constants, const real *d_series, int order, real *dg) {
+    const flight_retract_pushed_constants *c = (const void *)constants;
+    const flight_retract_pushed_series *s = (const void *)series;
+    const flight_retract_pushed_constants *d = (const void *)d_constants;
+    const flight_retract_pushed_series *t = (const void *)d_series;
+    real own_length_times_length[TERMS], own_rate_times_d_square[TERMS], own_d_rate[TERMS],
+        own_swing_torque_times_d_swing_torque[TERMS], own_d_square[TERMS], own_d_swing_torque[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_length_times_length[k] = product(s->length, t->length, k);
+        own_d_square[k] = 2.0 * own_length_times_length[k];
+        own_rate_times_d_square[k] = product(s->rate, own_d_square, k);
+        own_d_rate[k] = (t->momentum[k] - own_rate_times_d_square[k] - product_so_far(own_d_rate, s->square,
+            k)) / s->square[0];
+        own_d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->kp * s->angle[k]
+            - c->kp * t->angle[k] - d->kd * s->rate[k] - c->kd * own_d_rate[k],
+            -(-(d->kp * c->liftoff_factor_times_liftoff_angle)
+            - c->kp * d->liftoff_factor_times_liftoff_angle));
+        own_swing_torque_times_d_swing_torque[k] = product(s->swing_torque, own_d_swing_torque, k);
+        dg[k] = 2.0 * own_swing_torque_times_d_swing_torque[k];
+    }
+}
+
 /* passes_end: The foot is above the next segment. */
 static void guard_flight_retract_pushed_passes_end(const real *constants, const real *series, int order,
     real *g) {
@@ -5904,6 +6778,36 @@ static void guard_flight_retract_pushed_power_of_hip(const real *constants, cons
     }
 }
 
+/* height_of_foot: Height of the foot above the ground vertically below. */
+static void guard_flight_retract_pushed_height_of_foot(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_retract_pushed_constants *c = (const void *)constants;
+    const flight_retract_pushed_series *s = (const void *)series;
+    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
+        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_share_times_length[k] = c->share * s->length[k];
+        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
+        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
+            own_cos_of_angle_minus_slope);
+        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
+        g[k] = with_constant(k, c->inverse_cos_of_slope * c->cos_of_slope * s->com_y[k]
+            - c->inverse_cos_of_slope * c->sin_of_slope * s->com_x[k]
+            - c->inverse_cos_of_slope * own_product_2[k],
+            -(c->inverse_cos_of_slope * (c->cos_of_slope * c->height)));
+    }
+}
+
+/* square_of_torque: Square of the total hip torque. */
+static void guard_flight_retract_pushed_square_of_torque(const real *constants, const real *series, int order,
+    real *g) {
+    const flight_retract_pushed_series *s = (const void *)series;
+    (void)constants;
+    for (int k = 0; k < order; ++k) {
+        g[k] = product(s->swing_torque, s->swing_torque, k);
+    }
+}
+
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
 TDMF_ALSO_FOR_AVX2 static void bounds_flight_retract_pushed(const real *constants, const real *series,
     const real *power, int order, uint64_t watched, interval *bounds) {
@@ -5989,73 +6893,92 @@ TDMF_ALSO_FOR_AVX2 static void bounds_flight_retract_pushed(const real *constant
         const interval span_31 = interval_difference(span_27, span_30);
         bounds[9] = span_31;
     }
+    if (watched >> 11 & 1) {
+        const interval span_22 = interval_at(c->inverse_cos_of_slope, c->inverse_cos_of_slope);
+        const interval span_23 = interval_product(span_22, span_21);
+        bounds[11] = span_23;
+    }
+    if (watched >> 12 & 1) {
+        const interval span_22 = interval_of_series(s->swing_torque, power, order);
+        const interval span_23 = interval_product(span_22, span_22);
+        bounds[12] = span_23;
+    }
 }
 
 static const tdmf_polynomial polynomials_start_of_run[] = {guard_start_of_run_passes_end,
     guard_start_of_run_passes_begin, guard_start_of_run_begins};
 static const tdmf_vary_polynomial vary_observed_start_of_run[] = {NULL};
-static const int moving_start_of_run[] = {53, 54, 55, 83, 88, 0}, degrees_start_of_run[] = {1, 1, 1, 1, 1, 1},
+static const int moving_start_of_run[] = {56, 57, 58, 87, 92, 0}, degrees_start_of_run[] = {1, 1, 1, 1, 1, 1},
     judged_start_of_run[] = {0}, divided_start_of_run[] = {0}, divisors_start_of_run[] = {0},
     integrals_start_of_run[] = {0}, factors_start_of_run[] = {0};
 static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_ramp_ends,
     guard_slip_constant_falls, guard_slip_constant_collapses, guard_slip_constant_greatest_compression,
     guard_slip_constant_mid_stance, guard_slip_constant_lift_off, guard_slip_constant_enters_layer,
     guard_slip_constant_comes_to_rest, guard_slip_constant_crosses_border, guard_slip_constant_power_of_hip,
-    guard_slip_constant_vertical_force_on_foot, guard_slip_constant_force_on_foot};
+    guard_slip_constant_vertical_force_on_foot, guard_slip_constant_force_on_foot,
+    guard_slip_constant_slip_velocity, guard_slip_constant_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_slip_constant_power_of_hip,
-    d_observed_slip_constant_vertical_force_on_foot, d_observed_slip_constant_force_on_foot};
-static const int moving_slip_constant[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 85, 96, 53, 54, 55, 83, 88, 0},
-    degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99},
+    d_observed_slip_constant_vertical_force_on_foot, d_observed_slip_constant_force_on_foot,
+    d_observed_slip_constant_slip_velocity, d_observed_slip_constant_square_of_torque};
+static const int moving_slip_constant[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 89, 100, 56, 57, 58, 87, 92,
+    0}, degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99},
     judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 9, 10, 17}, divided_slip_constant[] = {-1, -1, -1, -1, -1, -1,
-    -1, -1, -1}, divisors_slip_constant[] = {21, 20}, integrals_slip_constant[] = {10, -1, -1},
-    factors_slip_constant[] = {39, -1, -1, -1, -1, -1};
+    -1, -1, -1}, divisors_slip_constant[] = {21, 20}, integrals_slip_constant[] = {10, -1, -1, -1, -1},
+    factors_slip_constant[] = {39, -1, -1, -1, -1, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_stick[] = {guard_stick_ramp_ends, guard_stick_falls,
     guard_stick_collapses, guard_stick_greatest_compression, guard_stick_mid_stance, guard_stick_lift_off,
     guard_stick_slips_forward, guard_stick_slips_backward, guard_stick_power_of_hip,
-    guard_stick_vertical_force_on_foot, guard_stick_force_on_foot};
+    guard_stick_vertical_force_on_foot, guard_stick_force_on_foot, guard_stick_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_power_of_hip,
-    d_observed_stick_vertical_force_on_foot, d_observed_stick_force_on_foot};
-static const int moving_stick[] = {69, 70, 71, 72, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0, 73},
+    d_observed_stick_vertical_force_on_foot, d_observed_stick_force_on_foot,
+    d_observed_stick_square_of_torque};
+static const int moving_stick[] = {72, 73, 74, 75, 80, 82, 83, 100, 56, 57, 58, 87, 92, 0, 76},
     degrees_stick[] = {99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99}, judged_stick[] = {2, 3, 4, 5,
     6, 7, 15}, divided_stick[] = {-1, -1, -1, -1, -1, -1, -1}, divisors_stick[] = {19, 18},
-    integrals_stick[] = {7, -1, -1}, factors_stick[] = {34, -1, -1, -1, -1, -1};
+    integrals_stick[] = {7, -1, -1, -1}, factors_stick[] = {34, -1, -1, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_place_calm[] = {guard_flight_place_calm_passes_end,
     guard_flight_place_calm_passes_begin, guard_flight_place_calm_next_segment_comes,
     guard_flight_place_calm_ramp_ends, guard_flight_place_calm_wind_rises, guard_flight_place_calm_new_ground,
     guard_flight_place_calm_falls, guard_flight_place_calm_collapses, guard_flight_place_calm_apex,
-    guard_flight_place_calm_touchdown, guard_flight_place_calm_power_of_hip};
+    guard_flight_place_calm_touchdown, guard_flight_place_calm_power_of_hip,
+    guard_flight_place_calm_height_of_foot, guard_flight_place_calm_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_flight_place_calm[] =
-    {d_observed_flight_place_calm_power_of_hip};
-static const int moving_flight_place_calm[] = {58, 59, 62, 65, 68, 77, 79, 96, 53, 54, 55, 83, 88, 0, 64, 67,
-    91}, degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1, 1},
+    {d_observed_flight_place_calm_power_of_hip, d_observed_flight_place_calm_height_of_foot,
+    d_observed_flight_place_calm_square_of_torque};
+static const int moving_flight_place_calm[] = {61, 62, 65, 68, 71, 80, 83, 100, 56, 57, 58, 87, 92, 0, 67, 70,
+    95}, degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1, 1},
     judged_flight_place_calm[] = {1, 2, 4, 5, 6, 7}, divided_flight_place_calm[] = {-1, -1, 0, -1, -1, -1},
-    divisors_flight_place_calm[] = {17}, integrals_flight_place_calm[] = {7},
-    factors_flight_place_calm[] = {21, 18};
+    divisors_flight_place_calm[] = {17}, integrals_flight_place_calm[] = {7, -1, -1},
+    factors_flight_place_calm[] = {21, 18, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_rest_calm[] = {guard_flight_rest_calm_passes_end,
     guard_flight_rest_calm_passes_begin, guard_flight_rest_calm_next_segment_comes,
     guard_flight_rest_calm_ramp_ends, guard_flight_rest_calm_wind_rises, guard_flight_rest_calm_new_ground,
     guard_flight_rest_calm_falls, guard_flight_rest_calm_collapses, guard_flight_rest_calm_apex,
-    guard_flight_rest_calm_touchdown, guard_flight_rest_calm_release, guard_flight_rest_calm_power_of_hip};
+    guard_flight_rest_calm_touchdown, guard_flight_rest_calm_release, guard_flight_rest_calm_power_of_hip,
+    guard_flight_rest_calm_height_of_foot, guard_flight_rest_calm_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_flight_rest_calm[] =
-    {d_observed_flight_rest_calm_power_of_hip};
-static const int moving_flight_rest_calm[] = {58, 59, 62, 65, 68, 77, 79, 96, 53, 54, 55, 83, 88, 0, 64, 67},
+    {d_observed_flight_rest_calm_power_of_hip, d_observed_flight_rest_calm_height_of_foot,
+    d_observed_flight_rest_calm_square_of_torque};
+static const int moving_flight_rest_calm[] = {61, 62, 65, 68, 71, 80, 83, 100, 56, 57, 58, 87, 92, 0, 67, 70},
     degrees_flight_rest_calm[] = {99, 99, 99, 2, 2, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1},
     judged_flight_rest_calm[] = {1, 2, 5, 6, 7}, divided_flight_rest_calm[] = {-1, -1, -1, -1, -1},
-    divisors_flight_rest_calm[] = {16}, integrals_flight_rest_calm[] = {7}, factors_flight_rest_calm[] = {21,
-    -1};
+    divisors_flight_rest_calm[] = {16}, integrals_flight_rest_calm[] = {7, -1, -1},
+    factors_flight_rest_calm[] = {21, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_retract_calm[] = {guard_flight_retract_calm_passes_end,
     guard_flight_retract_calm_passes_begin, guard_flight_retract_calm_next_segment_comes,
     guard_flight_retract_calm_ramp_ends, guard_flight_retract_calm_wind_rises,
     guard_flight_retract_calm_new_ground, guard_flight_retract_calm_falls,
     guard_flight_retract_calm_collapses, guard_flight_retract_calm_apex, guard_flight_retract_calm_touchdown,
-    guard_flight_retract_calm_clamp, guard_flight_retract_calm_power_of_hip};
+    guard_flight_retract_calm_clamp, guard_flight_retract_calm_power_of_hip,
+    guard_flight_retract_calm_height_of_foot, guard_flight_retract_calm_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_flight_retract_calm[] =
-    {d_observed_flight_retract_calm_power_of_hip};
-static const int moving_flight_retract_calm[] = {58, 59, 62, 65, 68, 77, 79, 96, 53, 54, 55, 83, 88, 0, 64,
-    67}, degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1},
+    {d_observed_flight_retract_calm_power_of_hip, d_observed_flight_retract_calm_height_of_foot,
+    d_observed_flight_retract_calm_square_of_torque};
+static const int moving_flight_retract_calm[] = {61, 62, 65, 68, 71, 80, 83, 100, 56, 57, 58, 87, 92, 0, 67,
+    70}, degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1},
     judged_flight_retract_calm[] = {1, 2, 4, 5, 6, 7}, divided_flight_retract_calm[] = {-1, -1, 0, -1, -1,
-    -1}, divisors_flight_retract_calm[] = {16}, integrals_flight_retract_calm[] = {7},
-    factors_flight_retract_calm[] = {20, 17};
+    -1}, divisors_flight_retract_calm[] = {16}, integrals_flight_retract_calm[] = {7, -1, -1},
+    factors_flight_retract_calm[] = {20, 17, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_fallen[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0}, degrees_fallen[] = {0}, judged_fallen[] = {0}, divided_fallen[] = {0},
@@ -6063,82 +6986,95 @@ static const int moving_fallen[] = {0}, degrees_fallen[] = {0}, judged_fallen[] 
 static const tdmf_polynomial polynomials_graze_place[] = {guard_graze_place_passes_end,
     guard_graze_place_passes_begin, guard_graze_place_ramp_ends, guard_graze_place_falls,
     guard_graze_place_collapses, guard_graze_place_mid_stance, guard_graze_place_graze_to_contact,
-    guard_graze_place_graze_to_flight, guard_graze_place_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_graze_place[] = {d_observed_graze_place_power_of_hip};
-static const int moving_graze_place[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0, 91},
+    guard_graze_place_graze_to_flight, guard_graze_place_power_of_hip, guard_graze_place_square_of_torque};
+static const tdmf_vary_polynomial vary_observed_graze_place[] = {d_observed_graze_place_power_of_hip,
+    d_observed_graze_place_square_of_torque};
+static const int moving_graze_place[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 100, 56, 57, 58, 87, 92, 0, 95},
     degrees_graze_place[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99},
     judged_graze_place[] = {2, 5, 6, 7, 8, 9, 17}, divided_graze_place[] = {-1, -1, -1, -1, -1, -1, -1},
-    divisors_graze_place[] = {21, 0, 20}, integrals_graze_place[] = {9}, factors_graze_place[] = {32, 35};
+    divisors_graze_place[] = {21, 0, 20}, integrals_graze_place[] = {9, -1}, factors_graze_place[] = {32, 35,
+    -1, -1};
 static const tdmf_polynomial polynomials_graze_rest[] = {guard_graze_rest_passes_end,
     guard_graze_rest_passes_begin, guard_graze_rest_ramp_ends, guard_graze_rest_falls,
     guard_graze_rest_collapses, guard_graze_rest_apex_in_graze, guard_graze_rest_release,
     guard_graze_rest_mid_stance, guard_graze_rest_graze_to_contact, guard_graze_rest_graze_to_flight,
-    guard_graze_rest_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_graze_rest[] = {d_observed_graze_rest_power_of_hip};
-static const int moving_graze_rest[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0},
+    guard_graze_rest_power_of_hip, guard_graze_rest_square_of_torque};
+static const tdmf_vary_polynomial vary_observed_graze_rest[] = {d_observed_graze_rest_power_of_hip,
+    d_observed_graze_rest_square_of_torque};
+static const int moving_graze_rest[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 100, 56, 57, 58, 87, 92, 0},
     degrees_graze_rest[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99},
     judged_graze_rest[] = {2, 5, 6, 7, 8, 9, 16}, divided_graze_rest[] = {-1, -1, -1, -1, -1, -1, -1},
-    divisors_graze_rest[] = {20, 0, 19}, integrals_graze_rest[] = {9}, factors_graze_rest[] = {31, 34};
+    divisors_graze_rest[] = {20, 0, 19}, integrals_graze_rest[] = {9, -1}, factors_graze_rest[] = {31, 34, -1,
+    -1};
 static const tdmf_polynomial polynomials_graze_retract[] = {guard_graze_retract_passes_end,
     guard_graze_retract_passes_begin, guard_graze_retract_ramp_ends, guard_graze_retract_falls,
     guard_graze_retract_collapses, guard_graze_retract_apex_in_graze, guard_graze_retract_clamp,
     guard_graze_retract_mid_stance, guard_graze_retract_graze_to_contact, guard_graze_retract_graze_to_flight,
-    guard_graze_retract_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_graze_retract[] = {d_observed_graze_retract_power_of_hip};
-static const int moving_graze_retract[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0},
+    guard_graze_retract_power_of_hip, guard_graze_retract_square_of_torque};
+static const tdmf_vary_polynomial vary_observed_graze_retract[] = {d_observed_graze_retract_power_of_hip,
+    d_observed_graze_retract_square_of_torque};
+static const int moving_graze_retract[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 100, 56, 57, 58, 87, 92, 0},
     degrees_graze_retract[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99},
     judged_graze_retract[] = {2, 5, 6, 7, 8, 9, 16}, divided_graze_retract[] = {-1, -1, -1, -1, -1, -1, -1},
-    divisors_graze_retract[] = {20, 0, 19}, integrals_graze_retract[] = {9}, factors_graze_retract[] = {31,
-    34};
+    divisors_graze_retract[] = {20, 0, 19}, integrals_graze_retract[] = {9, -1},
+    factors_graze_retract[] = {31, 34, -1, -1};
 static const tdmf_polynomial polynomials_slip_falling[] = {guard_slip_falling_ramp_ends,
     guard_slip_falling_falls, guard_slip_falling_collapses, guard_slip_falling_greatest_compression,
     guard_slip_falling_mid_stance, guard_slip_falling_lift_off, guard_slip_falling_leaves_layer,
     guard_slip_falling_comes_to_rest, guard_slip_falling_crosses_border, guard_slip_falling_power_of_hip,
-    guard_slip_falling_vertical_force_on_foot, guard_slip_falling_force_on_foot};
+    guard_slip_falling_vertical_force_on_foot, guard_slip_falling_force_on_foot,
+    guard_slip_falling_slip_velocity, guard_slip_falling_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_slip_falling[] = {d_observed_slip_falling_power_of_hip,
-    d_observed_slip_falling_vertical_force_on_foot, d_observed_slip_falling_force_on_foot};
-static const int moving_slip_falling[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 85, 96, 53, 54, 55, 83, 88, 0},
+    d_observed_slip_falling_vertical_force_on_foot, d_observed_slip_falling_force_on_foot,
+    d_observed_slip_falling_slip_velocity, d_observed_slip_falling_square_of_torque};
+static const int moving_slip_falling[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 89, 100, 56, 57, 58, 87, 92, 0},
     degrees_slip_falling[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99},
     judged_slip_falling[] = {2, 3, 5, 6, 7, 8, 9, 10, 17}, divided_slip_falling[] = {-1, -1, -1, -1, -1, -1,
-    -1, -1, -1}, divisors_slip_falling[] = {21, 20}, integrals_slip_falling[] = {10, -1, -1},
-    factors_slip_falling[] = {44, -1, -1, -1, -1, -1};
+    -1, -1, -1}, divisors_slip_falling[] = {21, 20}, integrals_slip_falling[] = {10, -1, -1, -1, -1},
+    factors_slip_falling[] = {44, -1, -1, -1, -1, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_place_pushed[] = {guard_flight_place_pushed_passes_end,
     guard_flight_place_pushed_passes_begin, guard_flight_place_pushed_next_segment_comes,
     guard_flight_place_pushed_ramp_ends, guard_flight_place_pushed_new_ground,
     guard_flight_place_pushed_falls, guard_flight_place_pushed_collapses, guard_flight_place_pushed_apex,
-    guard_flight_place_pushed_touchdown, guard_flight_place_pushed_power_of_hip};
+    guard_flight_place_pushed_touchdown, guard_flight_place_pushed_power_of_hip,
+    guard_flight_place_pushed_height_of_foot, guard_flight_place_pushed_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_flight_place_pushed[] =
-    {d_observed_flight_place_pushed_power_of_hip};
-static const int moving_flight_place_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68, 77, 78, 79, 96, 53, 54, 55,
-    83, 88, 0, 91}, degrees_flight_place_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1,
+    {d_observed_flight_place_pushed_power_of_hip, d_observed_flight_place_pushed_height_of_foot,
+    d_observed_flight_place_pushed_square_of_torque};
+static const int moving_flight_place_pushed[] = {61, 62, 65, 67, 68, 69, 70, 71, 80, 82, 83, 100, 56, 57, 58,
+    87, 92, 0, 95}, degrees_flight_place_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1,
     1, 1, 1}, judged_flight_place_pushed[] = {1, 2, 7, 8, 9, 10, 11}, divided_flight_place_pushed[] = {-1, -1,
-    0, -1, -1, -1, -1}, divisors_flight_place_pushed[] = {19}, integrals_flight_place_pushed[] = {11},
-    factors_flight_place_pushed[] = {28, 20};
+    0, -1, -1, -1, -1}, divisors_flight_place_pushed[] = {19}, integrals_flight_place_pushed[] = {11, -1, -1},
+    factors_flight_place_pushed[] = {28, 20, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_rest_pushed[] = {guard_flight_rest_pushed_passes_end,
     guard_flight_rest_pushed_passes_begin, guard_flight_rest_pushed_next_segment_comes,
     guard_flight_rest_pushed_ramp_ends, guard_flight_rest_pushed_new_ground, guard_flight_rest_pushed_falls,
     guard_flight_rest_pushed_collapses, guard_flight_rest_pushed_apex, guard_flight_rest_pushed_touchdown,
-    guard_flight_rest_pushed_release, guard_flight_rest_pushed_power_of_hip};
+    guard_flight_rest_pushed_release, guard_flight_rest_pushed_power_of_hip,
+    guard_flight_rest_pushed_height_of_foot, guard_flight_rest_pushed_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_flight_rest_pushed[] =
-    {d_observed_flight_rest_pushed_power_of_hip};
-static const int moving_flight_rest_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68, 77, 78, 79, 96, 53, 54, 55,
-    83, 88, 0}, degrees_flight_rest_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1},
+    {d_observed_flight_rest_pushed_power_of_hip, d_observed_flight_rest_pushed_height_of_foot,
+    d_observed_flight_rest_pushed_square_of_torque};
+static const int moving_flight_rest_pushed[] = {61, 62, 65, 67, 68, 69, 70, 71, 80, 82, 83, 100, 56, 57, 58,
+    87, 92, 0}, degrees_flight_rest_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1},
     judged_flight_rest_pushed[] = {1, 2, 7, 8, 9, 10, 11}, divided_flight_rest_pushed[] = {-1, -1, 0, -1, -1,
-    -1, -1}, divisors_flight_rest_pushed[] = {18}, integrals_flight_rest_pushed[] = {11},
-    factors_flight_rest_pushed[] = {36, -1};
+    -1, -1}, divisors_flight_rest_pushed[] = {18}, integrals_flight_rest_pushed[] = {11, -1, -1},
+    factors_flight_rest_pushed[] = {36, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_retract_pushed[] = {guard_flight_retract_pushed_passes_end,
     guard_flight_retract_pushed_passes_begin, guard_flight_retract_pushed_next_segment_comes,
     guard_flight_retract_pushed_ramp_ends, guard_flight_retract_pushed_new_ground,
     guard_flight_retract_pushed_falls, guard_flight_retract_pushed_collapses,
     guard_flight_retract_pushed_apex, guard_flight_retract_pushed_touchdown,
-    guard_flight_retract_pushed_clamp, guard_flight_retract_pushed_power_of_hip};
+    guard_flight_retract_pushed_clamp, guard_flight_retract_pushed_power_of_hip,
+    guard_flight_retract_pushed_height_of_foot, guard_flight_retract_pushed_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_flight_retract_pushed[] =
-    {d_observed_flight_retract_pushed_power_of_hip};
-static const int moving_flight_retract_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68, 77, 78, 79, 96, 53, 54, 55,
-    83, 88, 0}, degrees_flight_retract_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1,
-    1}, judged_flight_retract_pushed[] = {1, 2, 7, 8, 9, 10, 11}, divided_flight_retract_pushed[] = {-1, -1,
-    0, -1, -1, -1, -1}, divisors_flight_retract_pushed[] = {18}, integrals_flight_retract_pushed[] = {11},
-    factors_flight_retract_pushed[] = {27, 19};
+    {d_observed_flight_retract_pushed_power_of_hip, d_observed_flight_retract_pushed_height_of_foot,
+    d_observed_flight_retract_pushed_square_of_torque};
+static const int moving_flight_retract_pushed[] = {61, 62, 65, 67, 68, 69, 70, 71, 80, 82, 83, 100, 56, 57,
+    58, 87, 92, 0}, degrees_flight_retract_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1,
+    1, 1}, judged_flight_retract_pushed[] = {1, 2, 7, 8, 9, 10, 11}, divided_flight_retract_pushed[] = {-1,
+    -1, 0, -1, -1, -1, -1}, divisors_flight_retract_pushed[] = {18}, integrals_flight_retract_pushed[] = {11,
+    -1, -1}, factors_flight_retract_pushed[] = {27, 19, -1, -1, -1, -1};
 
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
     {.moving_count = 6, .extra_count = 0, .series_count = 6, .constant_count = 7, .judged_count = 0,
@@ -6158,21 +7094,21 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
         .divided = divided_stick, .divisors = divisors_stick, .integrals = integrals_stick,
         .factors = factors_stick, .polynomials = polynomials_stick, .vary_observed = vary_observed_stick,
         .expand = expand_stick, .vary = vary_stick, .bounds = bounds_stick},
-    {.moving_count = 17, .extra_count = 0, .series_count = 24, .constant_count = 30, .judged_count = 6,
+    {.moving_count = 17, .extra_count = 0, .series_count = 24, .constant_count = 31, .judged_count = 6,
         .divisor_count = 1, .moving = moving_flight_place_calm, .degrees = degrees_flight_place_calm,
         .judged = judged_flight_place_calm, .divided = divided_flight_place_calm,
         .divisors = divisors_flight_place_calm, .integrals = integrals_flight_place_calm,
         .factors = factors_flight_place_calm, .polynomials = polynomials_flight_place_calm,
         .vary_observed = vary_observed_flight_place_calm, .expand = expand_flight_place_calm,
         .vary = vary_flight_place_calm, .bounds = bounds_flight_place_calm},
-    {.moving_count = 16, .extra_count = 0, .series_count = 22, .constant_count = 29, .judged_count = 5,
+    {.moving_count = 16, .extra_count = 0, .series_count = 22, .constant_count = 30, .judged_count = 5,
         .divisor_count = 1, .moving = moving_flight_rest_calm, .degrees = degrees_flight_rest_calm,
         .judged = judged_flight_rest_calm, .divided = divided_flight_rest_calm,
         .divisors = divisors_flight_rest_calm, .integrals = integrals_flight_rest_calm,
         .factors = factors_flight_rest_calm, .polynomials = polynomials_flight_rest_calm,
         .vary_observed = vary_observed_flight_rest_calm, .expand = expand_flight_rest_calm,
         .vary = vary_flight_rest_calm, .bounds = bounds_flight_rest_calm},
-    {.moving_count = 16, .extra_count = 0, .series_count = 23, .constant_count = 29, .judged_count = 6,
+    {.moving_count = 16, .extra_count = 0, .series_count = 23, .constant_count = 30, .judged_count = 6,
         .divisor_count = 1, .moving = moving_flight_retract_calm, .degrees = degrees_flight_retract_calm,
         .judged = judged_flight_retract_calm, .divided = divided_flight_retract_calm,
         .divisors = divisors_flight_retract_calm, .integrals = integrals_flight_retract_calm,
@@ -6208,21 +7144,21 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
         .integrals = integrals_slip_falling, .factors = factors_slip_falling,
         .polynomials = polynomials_slip_falling, .vary_observed = vary_observed_slip_falling,
         .expand = expand_slip_falling, .vary = vary_slip_falling, .bounds = bounds_slip_falling},
-    {.moving_count = 19, .extra_count = 0, .series_count = 39, .constant_count = 31, .judged_count = 7,
+    {.moving_count = 19, .extra_count = 0, .series_count = 39, .constant_count = 32, .judged_count = 7,
         .divisor_count = 1, .moving = moving_flight_place_pushed, .degrees = degrees_flight_place_pushed,
         .judged = judged_flight_place_pushed, .divided = divided_flight_place_pushed,
         .divisors = divisors_flight_place_pushed, .integrals = integrals_flight_place_pushed,
         .factors = factors_flight_place_pushed, .polynomials = polynomials_flight_place_pushed,
         .vary_observed = vary_observed_flight_place_pushed, .expand = expand_flight_place_pushed,
         .vary = vary_flight_place_pushed, .bounds = bounds_flight_place_pushed},
-    {.moving_count = 18, .extra_count = 0, .series_count = 37, .constant_count = 30, .judged_count = 7,
+    {.moving_count = 18, .extra_count = 0, .series_count = 37, .constant_count = 31, .judged_count = 7,
         .divisor_count = 1, .moving = moving_flight_rest_pushed, .degrees = degrees_flight_rest_pushed,
         .judged = judged_flight_rest_pushed, .divided = divided_flight_rest_pushed,
         .divisors = divisors_flight_rest_pushed, .integrals = integrals_flight_rest_pushed,
         .factors = factors_flight_rest_pushed, .polynomials = polynomials_flight_rest_pushed,
         .vary_observed = vary_observed_flight_rest_pushed, .expand = expand_flight_rest_pushed,
         .vary = vary_flight_rest_pushed, .bounds = bounds_flight_rest_pushed},
-    {.moving_count = 18, .extra_count = 0, .series_count = 38, .constant_count = 30, .judged_count = 7,
+    {.moving_count = 18, .extra_count = 0, .series_count = 38, .constant_count = 31, .judged_count = 7,
         .divisor_count = 1, .moving = moving_flight_retract_pushed, .degrees = degrees_flight_retract_pushed,
         .judged = judged_flight_retract_pushed, .divided = divided_flight_retract_pushed,
         .divisors = divisors_flight_retract_pushed, .integrals = integrals_flight_retract_pushed,

@@ -52,7 +52,7 @@ typedef struct {
     mode_start at; /* of one runner */
     tdmf_driver *driver;
     int order, seed_count;
-    bool observes;
+    tdmf_observation observes;
 } lane_pool;
 
 static tdmf_page_run *run_of(const lane_pool *w, int index) {
@@ -527,7 +527,9 @@ static lane_ends make_step(const lane_pool *w, lane_batch *b, const tdmf_mode_ki
     reaches &= mask_not(looks_again(step, reaches));
     ends.is_late = goes & mask_not(reaches) & (b->steps >= b->last_step);
     ends.takes = step->is_due | reaches;
-    ends.shifts = mask_not(b->is_shifted) & (reaches | (step->is_due & step->is_reached));
+    const mask varies_at_once = step->is_due & step->is_reached;
+    shift_back(w, b, varies_at_once & b->is_shifted);
+    ends.shifts = mask_not(b->is_shifted) & (reaches | varies_at_once);
     if (w->seed_count > 0 && any(ends.shifts)) {
         find_rates(b, ends.shifts);
     }
@@ -600,7 +602,7 @@ static void cancel(lane_pool *w) {
 
 static size_t reals_of_mode(const lane_pool *w, int number) {
     const tdmf_motion_kind *m = &w->motions[number];
-    const int changing = m->moving_count + (w->observes ? w->model->modes[number].watch_count : 0);
+    const int changing = m->moving_count + tdmf_observed_count(&w->model->modes[number], w->observes);
     const size_t by_seed = (size_t)changing + (size_t)m->constant_count + 1;
     return 3 * (size_t)changing + (size_t)m->constant_count + (size_t)w->seed_count * by_seed;
 }
@@ -612,7 +614,7 @@ static real *place_batch(lane_pool *w, int number, real *next) {
     b->step.kinds = mode->guards;
     b->step.watches = mode->watches;
     b->step.guard_count = mode->guard_count;
-    b->step.observed_count = w->observes ? mode->watch_count : 0;
+    b->step.observed_count = tdmf_observed_count(mode, w->observes);
     b->step.tolerance = w->share->batch->runs[0].tolerance;
     b->step.s = w->s;
     b->step.observed = w->observed;

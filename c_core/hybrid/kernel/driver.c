@@ -44,7 +44,7 @@ static void load(work *w) {
     w->step.kinds = w->mode->guards;
     w->step.watches = w->mode->watches;
     w->step.guard_count = w->mode->guard_count;
-    w->step.observed_count = w->state->r->observes ? w->mode->watch_count : 0;
+    w->step.observed_count = tdmf_observed_count(w->mode, w->state->r->observes);
     w->step.tolerance = w->state->r->tolerance;
     w->step.c = w->at->c;
     w->step.watched = 0;
@@ -326,7 +326,10 @@ static tdmf_run_outcome to_event(work *w, double until) {
             }
         }
         const tdmf_guard_kind *kind = &w->mode->guards[w->step.first];
-        if (r->seed_count > 0 && !r->is_shifted && (!is_due || w->step.is_reached)) {
+        if (r->seed_count > 0 && (is_due ? w->step.is_reached : !r->is_shifted)) {
+            if (r->is_shifted) {
+                shift_back(w);
+            }
             set_power_pairs(w->step.power, is_due ? 0.0 : w->step.power[1], w->step.order);
             shift_to_event(w, kind);
         }
@@ -435,7 +438,7 @@ tdmf_page_run tdmf_run_default(const tdmf_model_kind *model, double *p, double *
                                .tolerance = tolerance,
                                .order = tdmf_page_order(tolerance),
                                .stop_event = -1,
-                               .observes = true,
+                               .observes = TDMF_OBSERVE_USUAL,
                                .step_limit = 100000,
                                .event_limit = 100000};
     return run;

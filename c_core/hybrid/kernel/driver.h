@@ -61,6 +61,9 @@ typedef struct {
 /* Observed quantities: their integral or largest value goes into a state. */
 typedef enum { TDMF_POSITIVE_INTEGRAL, TDMF_LARGEST } tdmf_part;
 
+/* Which of them a run observes. */
+typedef enum { TDMF_OBSERVE_NOTHING, TDMF_OBSERVE_USUAL, TDMF_OBSERVE_ALL } tdmf_observation;
+
 typedef struct {
     tdmf_part part;
     int into;
@@ -71,7 +74,7 @@ typedef struct {
     bool ends; /* the run */
     int guard_count;
     const tdmf_guard_kind *guards; /* in the order of events that are due at one instant */
-    int watch_count;
+    int watch_count, usual_count;  /* all observed quantities; those that come first are usual */
     const tdmf_watch_kind *watches;
     tdmf_change *open; /* writes the constants of the mode */
     tdmf_vary_change *vary_open;
@@ -181,7 +184,7 @@ typedef struct {
     int order;      /* of the series: even, from LEAST_ORDER to SERIES_ORDER_LIMIT */
     int stop_event; /* the run stops where this one is taken, and variations are then those on that section;
                        -1: none */
-    bool observes;
+    tdmf_observation observes;
     long step_limit, event_limit; /* of a call */
     /* Variations: of each seed those of the parameters and of the states, and of the time of the last event.
      */

@@ -77,7 +77,8 @@ typedef struct {
     integer first;     /* guard whose event ends the step, or is due at once; NO_EVENT */
     mask is_due;       /* at once */
     interval bounds[TDMF_GUARD_LIMIT + TDMF_WATCH_LIMIT]; /* of guards and observed quantities */
-    mask is_reached; /* due at once because the guard came down to zero as time passed */
+    mask is_reached; /* due at once, at a time that varies: the guard came down to zero, or begins there and
+                        falls */
 } page_step;
 
 /* ---- lanes --------------------------------------------------------------------------------------------- */
@@ -443,7 +444,11 @@ static inline mask begin_below(page_step *step, int guard, real *g, real *floor,
     } else {
         due |= falls;
     }
-    step->is_reached |= due & is_zero & watch->was_above;
+    mask falls_at_once = due & undecided & step->begins & mask_not(was_taken);
+    if (any(falls_at_once)) {
+        falls_at_once &= g[1] * time_of_change(step, g, watch->scale) < -band;
+    }
+    step->is_reached |= (due & is_zero & watch->was_above) | falls_at_once;
     /* Hardly below zero, it has to rise further than rounding: shorter steps might change nothing. */
     const real height = select(mask_not(is_zero) & (value >= -late_band), late_band, band);
     end_where_it_rises(step, g, height, below);

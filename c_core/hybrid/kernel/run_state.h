@@ -34,6 +34,11 @@ typedef struct {
 size_t tdmf_size_of_run_state(const tdmf_model_kind *model);
 size_t tdmf_size_of_mode_start(const tdmf_model_kind *model, int seed_count);
 
+/* Quantities that a run observes in a mode. */
+static inline int tdmf_observed_count(const tdmf_mode_kind *mode, tdmf_observation observes) {
+    return observes == TDMF_OBSERVE_ALL ? mode->watch_count : observes ? mode->usual_count : 0;
+}
+
 /* Whether series can have this order. */
 bool tdmf_is_order(int order);
 

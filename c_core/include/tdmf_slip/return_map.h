@@ -96,7 +96,10 @@ typedef struct {
 /* One stride from an apex, not longer than `until`. With `derivatives`, also how it changes with the six
  * coordinates and along `count` seeds of parameters and inputs; more than TDMF_RETURN_MAP_SEEDS, or less
  * than 0, are refused, as are NULL for any pointer but `seeds` where there are none, a tolerance out of
- * range, and a patch of ground: on one the stride depends on where the foot is. */
+ * range, and a patch of ground: on one the stride depends on where the foot is.
+ *
+ * Derivatives also limit the steps. They are not finite where none exists: where an event's crossing is a
+ * touch, and along a gain if both gains are zero and hip.swing_clamp is true. */
 TDMF_API tdmf_return tdmf_return_map(tdmf_solver *solver, tdmf_system system,
                                      const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
                                      const tdmf_seed *seeds, int count);
@@ -107,8 +110,7 @@ TDMF_API tdmf_return tdmf_return_map_at(tdmf_solver *solver, tdmf_system system,
                                         const double section[TDMF_SECTION_COUNT], double until,
                                         bool derivatives, const tdmf_seed *seeds, int count);
 
-/* The same as tdmf_return_map, with what is measured along the stride: without derivatives it takes twice as
- * long. */
+/* The same as tdmf_return_map, with what is measured along the stride. */
 TDMF_API tdmf_return tdmf_measured_return_map(tdmf_solver *solver, tdmf_system system,
                                               const double section[TDMF_SECTION_COUNT], double until,
                                               bool derivatives, const tdmf_seed *seeds, int count);

@@ -14,7 +14,7 @@ from ..library.gait import Gait, check_is_gait
 from ..library.members import check_varied
 from ..library.quantities import scales_of
 from ..library.runner import Runner
-from ..library.strides import BETWEEN_WORDS, strides_from
+from ..library.strides import strides_from
 from ..numerics.following import BEYOND, Limits, Point, Problem, walk
 from ..numerics.newton import Matrix, Vector
 from ..variables.variable import Given, Values
@@ -90,11 +90,14 @@ class GaitProblem(Problem):
         return self.point(self.at(gait), along)
 
     def word_at(self, x: Vector) -> str:
-        """The word of plain strides from a point."""
-        return BETWEEN_WORDS.join(self._closing(x).words(x[: -len(self.names)]))
+        """The word of the strides from a point, made as `describe` makes them.
+
+        Plain strides take other steps, and near a border they may have another word.
+        """
+        return self.describe(x)[0].word
 
     def look(self, begin: Vector, end: Vector, across: Vector, rows: Matrix) -> tuple[Vector, str]:
-        """The solution on planes halfway between two others, and its word, by plain strides.
+        """The solution on planes halfway between two others, and its word.
 
         `rows` are a Jacobian from nearby. Beside an event that is just touched it may lead to another stretch
         of the curve. So a solution far off the middle is compared with that by the Jacobian there.

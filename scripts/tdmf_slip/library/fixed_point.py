@@ -76,15 +76,6 @@ class Closing:
         residual = apex / self.scales - x
         return residual, scaled_less_one(jacobian, self.scales), along / self.scales
 
-    def words(self, x: NDArray[np.float64]) -> list[str]:
-        """Words of the plain strides from an apex over the scales."""
-        apex, words = x * self.scales, []
-        for _ in range(self.strides):
-            stride = self.stride(apex, False)
-            words.append(self.map.word(stride))
-            apex = self._next(stride)
-        return words
-
     def stride(self, apex: NDArray[np.float64], varied: bool) -> Any:
         """One stride from an apex; RunError where it does not close."""
         self.unsolved = ""
