@@ -77,17 +77,22 @@ bool tdmf_are_page_values_sound(const tdmf_model_kind *model, const double *para
     return are_finite(states, model->state_count);
 }
 
-bool tdmf_is_page_map_sound(const tdmf_page_map *map) {
+/* A run from the start to given times needs no section. */
+static bool is_sound_without_section(const tdmf_page_map *map) {
     const tdmf_model_kind *model = map ? model_of(map->page) : NULL;
-    if (!model || !map->parameters || !map->states || map->section < 0 ||
-        map->section >= model->section_count || map->seed_count < 0 || map->seed_count > TDMF_MAP_LIMIT ||
-        (map->seed_count > 0 && !map->d_parameters)) {
+    if (!model || !map->parameters || !map->states || map->seed_count < 0 ||
+        map->seed_count > TDMF_MAP_LIMIT || (map->seed_count > 0 && !map->d_parameters)) {
         return false;
     }
     return map->tolerance >= 1e-16 && map->tolerance <= 1e-2 && map->longest >= 0.0 &&
            isfinite(map->longest) && map->step_limit >= 0 && map->event_room >= 0 &&
            are_finite(map->d_parameters, map->seed_count * model->parameter_count) &&
            (!map->d_states || are_finite(map->d_states, map->seed_count * model->state_count));
+}
+
+bool tdmf_is_page_map_sound(const tdmf_page_map *map) {
+    return is_sound_without_section(map) && map->section >= 0 &&
+           map->section < model_of(map->page)->section_count;
 }
 
 bool tdmf_is_page_point_sound(const tdmf_page_map *map, const double *point) {
@@ -271,7 +276,7 @@ tdmf_page_end tdmf_page_begin(const tdmf_page_map *map, double *states, const td
                               int *sampled) {
     const bool is_complete = !samples || (samples->count >= 0 && samples->times && samples->states &&
                                           samples->outputs && samples->modes && sampled);
-    if (!tdmf_is_page_map_sound(map) || !states || !is_complete ||
+    if (!(samples ? is_sound_without_section(map) : tdmf_is_page_map_sound(map)) || !states || !is_complete ||
         !tdmf_are_page_values_sound(model_of(map->page), map->parameters, map->states)) {
         return (tdmf_page_end){.outcome = TDMF_PAGE_REFUSED};
     }

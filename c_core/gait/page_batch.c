@@ -107,6 +107,10 @@ static bool run_part(const tdmf_page_batch *batch, int64_t first, int64_t count,
     return true;
 }
 
+const char *tdmf_page_build(void) {
+    return tdmf_build_identity;
+}
+
 bool tdmf_page_strides(const tdmf_page_batch *batch) {
     if (!batch || !tdmf_is_page_map_sound(batch->map) || batch->count < 0 || batch->threads < 1 ||
         (batch->count > 0 && (!batch->points || !batch->states || !batch->ends))) {

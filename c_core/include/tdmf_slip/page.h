@@ -111,8 +111,8 @@ typedef struct {
 } tdmf_page_samples;
 
 /* Runs from the start of the model, with the parameters and states of the map, to the first crossing of its
- * section. With `samples`, which may be NULL, the run goes on until the last time, or until it ends; the
- * first `*sampled` rows are then written. */
+ * section. With `samples`, which may be NULL, the run needs no section and goes on until the last time, or
+ * until it ends; the first `*sampled` rows are then written. */
 TDMF_API tdmf_page_end tdmf_page_begin(const tdmf_page_map *map, double *states,
                                        const tdmf_page_samples *samples, int *sampled);
 

@@ -17,13 +17,13 @@ from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
 from ..given import row_of
 from ..library.gait import Gait, gaits_dataset
-from ..library.members import MOVING, check_varied
-from ..library.quantities import check_quantities, known_quantities, quantities_of
+from ..library.members import check_varied
+from ..library.quantities import allowed_quantities, check_quantities, quantities_of
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import full_names
+from ..variables.table import Model, full_names
 from ..variables.variable import Given
 from .search import periodic_gait
 from .targeted import TargetNotMetError, find_gait
@@ -68,8 +68,10 @@ class Comparison:
     def names(self) -> tuple[str, ...]:
         """Parameters and inputs that are varied, or of which the runners have different values."""
         gaits = (*self.before, *self.after)
+        model = gaits[0].runner.model
+        names = (name for name in model.names if name not in model.states)
         return tuple(
-            name for name in MOVING if name in self.vary or len({gait.runner[name] for gait in gaits}) > 1
+            name for name in names if name in self.vary or len({gait.runner[name] for gait in gaits}) > 1
         )
 
 
@@ -167,9 +169,9 @@ def match_runners(
     given = row_of(runners, "runners", "a list of two runners or more")
     if len(given) < 2:
         raise InputError(f"runners: {len(given)} given; allowed: two or more, the first is the reference")
-    names = _checked_hold(hold)
     before = [_gait_of(runner, model) for runner in given]
     own = before[0].runner.model
+    names = _checked_hold(hold, own)
     varied = full_names(vary, "vary", "a list of names of parameters and inputs", own.aliases)
     for name in varied:
         check_varied(name, "vary", own)
@@ -186,9 +188,9 @@ def match_runners(
     return Comparison(names, varied, tuple(before), tuple(matched), tuple(not_held))
 
 
-def _checked_hold(hold: object) -> tuple[str, ...]:
+def _checked_hold(hold: object, model: Model) -> tuple[str, ...]:
     names = tuple(row_of(hold, "hold", "a list of names of quantities"))
-    known = known_quantities(Runner(None))
+    known = allowed_quantities(model)
     if not names:
         raise InputError(f"hold: nothing is held; allowed: {', '.join(known)}")
     for name in names:

@@ -222,7 +222,8 @@ def strides_to_fall(
     max_strides = checked_whole("max_strides", max_strides, 1, MAX_STRIDES)
     if gait is not None:
         check_is_gait(gait, "gait")
-    plain = runner.replace({"ground.patch_end": runner["ground.patch_begin"]})
+    patch = {"ground.patch_end": runner["ground.patch_begin"]} if "ground.patch_begin" in runner else {}
+    plain = runner.replace(patch)
     start = periodic_gait(plain) if gait is None else gait
     feet = _feet(foot_x, start, runner, runners, ground.seed)
     size = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // max_strides))

@@ -37,7 +37,7 @@ from ..library.ground import LAST_SEED, RoughGround
 from ..library.laws import Law, check_law
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
-from ..variables.parameters import RunnerLike
+from ..variables.parameters import RunnerLike, refuse_own
 from .ball import TOLERANCE
 from .search import periodic_gait
 
@@ -426,6 +426,7 @@ def rare_falls(
     >>> low < rare.mean_strides < high
     True
     """
+    refuse_own(runner, "rare_falls")
     runner = Runner(runner)
     if runner.reduced:
         raise InputError(

@@ -13,7 +13,7 @@ from ..errors import InputError, RunError
 from ..given import mapping_of, row_of
 from ..library.gait import Gait
 from ..library.members import check_varied
-from ..library.quantities import QUANTITIES, SIGNED, check_quantities, quantities_of, quantity_given
+from ..library.quantities import SIGNED, allowed_quantities, check_quantities, quantities_of, quantity_given
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..library.shared_steps import shares_steps
@@ -139,7 +139,7 @@ def find_gait(
         runner = Runner(runner, model=model, tolerance=None, **values)
     if target is None and not len(row_of(vary, "vary", NAMES)):
         return periodic_gait(runner, guess, model=model)
-    wanted = _checked_target(target)
+    wanted = _checked_target(target, model_of(runner, model))
     starting = Runner(runner, model=model)
     names = _checked_vary(vary, wanted, starting.model)
     check_quantities(starting, list(wanted))
@@ -198,21 +198,21 @@ def _met(target: Target, iterate: Iterate) -> Gait:
     return gait
 
 
-def _checked_target(target: object) -> dict[str, float]:
+def _checked_target(target: object, model: Model) -> dict[str, float]:
     """Prescribed values by the names of their quantities."""
-    given = mapping_of(target, "target", f"numbers by name: {', '.join(QUANTITIES)}")
+    known = allowed_quantities(model)
+    allowed = ", ".join(known)
+    given = mapping_of(target, "target", f"numbers by name: {allowed}")
     if not given:
-        raise InputError(f"target: nothing is prescribed; allowed: {', '.join(QUANTITIES)}")
+        raise InputError(f"target: nothing is prescribed; allowed: {allowed}")
     for name in given:
-        if not is_one_of(name, QUANTITIES):
-            raise InputError(
-                f"target {shown(name)} is not allowed{near_matches(name, QUANTITIES)}; "
-                f"allowed: {', '.join(QUANTITIES)}"
-            )
+        if not is_one_of(name, known):
+            near = near_matches(name, known)
+            raise InputError(f"target {shown(name)} is not allowed{near}; allowed: {allowed}")
     if all(name in given for name in TRAVEL):
         raise InputError("target: speed, frequency and length; allowed: two of them, for they set the third")
     maximum, minimum = {"duty_factor": 1.0}, dict.fromkeys(SIGNED, -MAXIMUM)
-    numbers = {name: quantity_given(name, value, "target") for name, value in given.items()}
+    numbers = {name: quantity_given(name, value, "target", model) for name, value in given.items()}
     return {
         name: checked(name, value, minimum.get(name, MINIMUM), maximum.get(name, MAXIMUM))
         for name, value in numbers.items()

@@ -22,6 +22,7 @@ from ..library.shared_steps import shares_steps
 from ..record import dataset
 from ..variables.parameters import RunnerLike
 from ..variables.table import ALIASES, VARIABLES, full_names
+from ..variables.values import model_of
 
 if TYPE_CHECKING:
     import xarray
@@ -100,6 +101,11 @@ def trajectory(
     >>> print(run["com.y"].values.round(4), run["d_com.vx"].sel(by="com_speed").values.round(3))
     [1.4185 1.2232 0.6651 1.2232 1.4185] [1.    1.    0.908 0.853 0.853]
     """
+    own = model_of(runner, None).runner_class
+    if own is not None:
+        return _of_own(
+            own(runner), getattr(runner, "apex", None) if apex is None else apex, times, derivatives
+        )
     start = runner.section if apex is None and isinstance(runner, Gait) else apex
     runner = Runner(runner, model="full")
     section = runner.start_apex() if start is None else checked_apex(start)
@@ -131,8 +137,18 @@ def trajectory(
     return dataset("trajectory", runner.record(), variables, coordinates, fallen=int(fallen))
 
 
+def _of_own(runner: Runner, apex: object, times: ArrayLike, derivatives: Sequence[str]) -> xarray.Dataset:
+    """A run of a model of one's own, from a point of its section or from its start values."""
+    if len(derivatives):
+        raise InputError(f"derivatives: of the model {runner.model.name}; allowed: none, or stride_map's")
+    if apex is not None and not callable(apex):
+        runner = runner.replace(runner.state_at(checked_apex(np.asarray(apex), runner.coordinates)))
+    found: xarray.Dataset = runner.trajectory(_checked_times(times, runner))  # type: ignore[attr-defined]
+    return found
+
+
 def _checked_times(given: ArrayLike, runner: Runner) -> NDArray[np.float64]:
-    longest = LONGEST * (runner["body.mass"] / runner["leg.stiffness"]) ** 0.5
+    longest = LONGEST * runner.scale_of("s")
     allowed = f"numbers in rising order from 0 to {longest:g} s"
     times = np.atleast_1d(numbers_of("times", given, allowed, "s"))
     check_size("times", times.size, "times", MAX_TIMES)

@@ -1,5 +1,6 @@
 """Building a page: the C that is derived from it, compiled as a shared library, with the model's table."""
 
+import contextlib
 import hashlib
 import json
 import os
@@ -160,17 +161,12 @@ def _list_in_c(table: Mapping[str, Any]) -> str:
     """C that names the model of the library, with the identity of the build."""
     name = table["c_name"]
     return f"""/* The model of this library. */
-#include "tdmf_slip/own_page.h"
-
 #include "page_map.h"
 #include "{name}.h"
 
 const tdmf_page_entry tdmf_pages[] = {{{{"{name}", &tdmf_{name}_model}}}};
 const int tdmf_page_count = 1;
-
-const char *tdmf_page_build(void) {{
-    return "{table["id"]}";
-}}
+const char *const tdmf_build_identity = "{table["id"]}";
 """
 
 
@@ -234,23 +230,28 @@ def _libraries_of_other_platforms(target: Path, id: str, made: Path) -> dict[str
 
 @contextmanager
 def _new_folder(target: Path) -> Iterator[Path]:
-    """A folder that takes the place of the target in the end; where something goes wrong, nothing changes."""
+    """A folder whose files go to the target in the end; where something goes wrong, nothing changes there.
+
+    The table goes last: until then the libraries that it names are there. A library that is loaded may stay.
+    """
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         if target.exists() and not (target / TABLE).exists() and any(target.iterdir()):
-            raise InputError(
-                f"folder {target}: has other files in it; allowed: a new folder, or one of a build"
-            )
+            raise InputError(f"folder {target}: has other files in it; allowed: a new one, or one of a build")
         made = Path(tempfile.mkdtemp(prefix=f".{target.name}-", dir=target.parent))
     except OSError as problem:
         raise InputError(f"folder {target}: {reason(problem)}") from None
     try:
         yield made
-        made.chmod(0o755)  # mkdtemp makes it private
-        old = Path(tempfile.mkdtemp(prefix=f".{target.name}-old-", dir=target.parent))
-        if target.exists():
-            target.rename(old / target.name)
-        made.rename(target)
-        shutil.rmtree(old, ignore_errors=True)  # a library that is loaded stays on Windows
+        names = sorted((file.name for file in made.iterdir()), key=lambda name: name == TABLE)
+        target.mkdir(exist_ok=True)
+        for name in names:
+            (made / name).replace(target / name)
+        for file in target.iterdir():
+            if file.name not in names:
+                with contextlib.suppress(OSError):
+                    file.unlink()
+    except OSError as problem:
+        raise InputError(f"folder {target}: {reason(problem)}") from None
     finally:
         shutil.rmtree(made, ignore_errors=True)

@@ -22,6 +22,7 @@ from ..errors import InputError, RunError
 from ..terminal.progress import progress_bar
 from ..variables import paper_units
 from ..variables.parameters import RunnerLike, start_values_of
+from ..variables.values import model_of
 from ..variables.variable import Value
 from .fmu import Fmu, load_fmu
 from .inputs import InputTables, signals
@@ -99,6 +100,8 @@ POINTS_PER_TIME_UNIT = 10
 between two points: 500 steps."""
 LONGEST_STRIDE = 20.0
 """A stride that takes longer than this many sqrt(l0/g) + sqrt(m/k) is taken for none."""
+ROWS_OF_OWN = 1000
+"""Rows of a run of a model of one's own, unless an output interval is given."""
 FALLEN = "status.fallen"
 ONLY_IN: Mapping[str, str] = {
     "status.terminate_on_fall": "me",
@@ -124,6 +127,9 @@ def simulate(
     fmu: Fmu | None = None,
 ) -> xarray.Dataset:
     """Run the unit once through FMPy; a fall ends the run and is a result, not an error.
+
+    A runner of a model of one's own, as `load_model` gives, is run by the engine: the result is a Dataset of
+    all outputs and states over `time`, from `stop_time` (10 s) and `output_interval` (a thousandth of it).
 
     Parameters
     ----------
@@ -184,6 +190,14 @@ def simulate(
     >>> print(run.attrs["stride.count"], run.fallen)
     2 0
     """
+    own = model_of(runner, None).runner_class
+    if own is not None:
+        starts = getattr(runner, "start_values", None)  # of a gait
+        made = own(runner).replace(starts if isinstance(starts, Mapping) else {})
+        stop = checked("stop_time", 10.0 if stop_time is None else stop_time, *TIMES, "s")
+        step = checked("output_interval", output_interval or stop / ROWS_OF_OWN, *INTERVALS, "s")
+        along: xarray.Dataset = made.trajectory(np.arange(0.0, stop * (1.0 + 1e-12), step))
+        return along
     return dataset_of(
         run_unit(
             runner,

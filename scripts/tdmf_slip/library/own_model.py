@@ -28,7 +28,7 @@ WORD, LIFTOFF = "stride.word", "hip.liftoff_angle"
 OF_A_STRIDE, OF_ENERGY, OF_APEX = "stride.", "energy.", "apex."
 """Beginnings of the names of states whose values at the next crossing are quantities of a stride."""
 PERIOD = Quantity("period", "s", "Time from one crossing of the section to the next", "")
-FREQUENCY = Quantity("frequency", "1/s", "Strides in a second", "")
+FREQUENCY = Quantity("frequency", "Hz", "Strides per second, one over the period", "")
 _loaded: dict[tuple[Path, str, str], "OwnModel"] = {}
 _lock = threading.Lock()
 

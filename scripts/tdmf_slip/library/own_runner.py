@@ -2,12 +2,14 @@
 
 import math
 from functools import cached_property
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..checks import check_size
 from ..errors import GaitNotFoundError, InputError
+from ..record import dataset
 from ..variables.table import DIMENSIONS
 from .binding import c, ffi
 from .gait import Event
@@ -17,6 +19,12 @@ from .own_runs import EVENT_ROOM, MapRequest, OwnStrides, seeds_of, strides_of
 from .return_map import Map
 from .runner import Runner
 from .section import Apex, checked_apex
+
+if TYPE_CHECKING:
+    import xarray
+
+MAX_ROWS = 1_000_000
+"""Rows of a trajectory."""
 
 
 class OwnRunner(Runner):
@@ -86,6 +94,41 @@ class OwnRunner(Runner):
         places = zip(self.model.names, self.model.value_places, strict=True)
         found = {name: float(states[number]) for name, (is_state, number) in places if is_state}
         return {name: value for name, value in found.items() if name not in self.model.varied}
+
+    def trajectory(self, times: NDArray[np.float64]) -> "xarray.Dataset":
+        """States and outputs along a run of the engine from the start values, at times that rise from 0 on.
+
+        The run ends before the last time where it comes to a mode that ends runs.
+        """
+        check_size("times", len(times), "rows", MAX_ROWS)
+        times = np.ascontiguousarray(times, float)
+        table, count = self.model.table, ffi.new("int *")
+        rows = {name: np.zeros((len(times), len(table[name]))) for name in ("states", "outputs")}
+        modes, states = np.zeros(len(times), np.intc), np.zeros(self.states.shape[1])
+        samples = ffi.new("tdmf_page_samples *")
+        samples.count, samples.times = len(times), ffi.from_buffer("double[]", times)
+        samples.states, samples.outputs = (ffi.from_buffer("double[]", array) for array in rows.values())
+        samples.modes = ffi.from_buffer("int[]", modes)
+        request = MapRequest(
+            self.model, self.parameters, self.states, self.tolerance, is_section_needed=False
+        )
+        self.model.library.tdmf_page_begin(request.map, ffi.from_buffer("double[]", states), samples, count)
+        made = int(count[0])
+        seen = {"states": lambda of: of["role"] in ("start", "input") or of["is_named"], "outputs": bool}
+        variables = {
+            of["public"]: (
+                "time",
+                rows[kind][:made, number],
+                {"units": of["unit"], "long_name": of["meaning"]},
+            )
+            for kind in ("outputs", "states")
+            for number, of in enumerate(table[kind])
+            if seen[kind](of)
+        }
+        names = np.array([" ".join(mode) for mode in table["modes"]])
+        variables["mode"] = "time", names[modes[:made]], {"long_name": "mode"}
+        axis = {"time": ("time", times[:made], {"units": "s"})}
+        return dataset("trajectory", self.record(), variables, axis)
 
     def _refuse(self, what: str) -> NoReturn:
         raise InputError(f"{what}: is for the package's own models; this is the model {self.model.name}")

@@ -194,8 +194,10 @@ class MapRequest:
         tolerance: float,
         longest: float | None = None,
         seeds: NDArray[np.float64] | None = None,
+        *,
+        is_section_needed: bool = True,
     ) -> None:
-        if model.section < 0:
+        if model.section < 0 and is_section_needed:
             raise InputError(
                 f"model {model.name}: its page has no section, so that it has no strides; "
                 "allowed: simulate, or a page with @section"

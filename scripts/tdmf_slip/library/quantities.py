@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..checks import shown
 from ..errors import InputError
 from ..variables import units
-from ..variables.table import MODELS
+from ..variables.table import MODELS, Model
 from .runner import Runner
 from .section import COORDINATES, REDUCED, Apex
 
@@ -193,17 +193,17 @@ def weight_by(values: Mapping[str, Any], name: str) -> Any:
     return values["body.mass"] + values["foot.mass"] if name == "gravity" else 0.0
 
 
-def unit_of(quantity: str) -> str:
+def unit_of(quantity: str, model: Model = MODELS["full"]) -> str:
     """The unit of a quantity; `1` for one that is not in the table."""
-    known = MODELS["full"].quantities.get(quantity)
+    known = (model if model.map_class else MODELS["full"]).quantities.get(quantity)
     return "1" if known is None else known.unit
 
 
-def quantity_given(name: str, given: object, where: str) -> object:
+def quantity_given(name: str, given: object, where: str, model: Model = MODELS["full"]) -> object:
     """The prescribed value of a quantity; a text is converted to the quantity's unit."""
     if not isinstance(given, str):
         return given
-    own = unit_of(name)
+    own = unit_of(name, model)
     number, unit = units.split(given)
     factor = units.factor(unit, own, {})
     try:
@@ -225,12 +225,21 @@ def quantities_of(gait: Gait, names: Sequence[str]) -> dict[str, float]:
 
 def known_quantities(runner: Runner) -> tuple[str, ...]:
     """The quantities that a runner's map has."""
-    return REDUCED_QUANTITIES if runner.reduced else QUANTITIES
+    return REDUCED_QUANTITIES if runner.reduced else allowed_quantities(runner.model)
+
+
+def allowed_quantities(model: Model) -> tuple[str, ...]:
+    """The quantities that may be prescribed, minimized or maximized; the reduced map has some of them."""
+    own = tuple(name for name in model.quantities if name != "liftoff_angle")
+    return own if model.map_class else QUANTITIES
 
 
 def check_quantities(runner: Runner, names: Sequence[str]) -> None:
     """Refuse quantities that the runner's map does not have."""
     for name in names:
+        if name not in known_quantities(runner) and runner.model.map_class:
+            known = ", ".join(known_quantities(runner))
+            raise InputError(f"quantity {name} of the model {runner.model.name}; allowed: {known}")
         if name not in known_quantities(runner):
             raise InputError(
                 f"quantity {name} of the reduced map, where the leg in flight is placed as if by itself; "

@@ -114,9 +114,10 @@ def optimize(
     >>> best.active_bounds
     {'hip.touchdown_angle': 'upper'}
     """
-    objective, sign = checked_objective(minimize, maximize)
-    space = checked_space(vary, model_of(runner, model))
-    prescribed = checked_values(target, (objective,), space)
+    of = model_of(runner, model)
+    objective, sign = checked_objective(minimize, maximize, of)
+    space = checked_space(vary, of)
+    prescribed = checked_values(target, (objective,), space, of)
     goal = Goal(objective, sign, prescribed, radius=checked_radius(stable))
     count = checked_whole("starts", starts, 1, MAX_STARTS)
     before = periodic_gait(Runner(runner, model=model))
@@ -242,9 +243,9 @@ def best_compromises(
     progress: bool = False,
 ) -> tuple[tuple[str, str], tuple[Optimum, ...]]:
     """The two quantities, and the optima from the best in the first to the best in the second."""
-    signs = _checked_objectives(minimize, maximize)
+    signs = _checked_objectives(minimize, maximize, runner.model)
     (first, second), space = tuple(signs), checked_space(vary, runner.model)
-    prescribed = checked_values(target, (first, second), space)
+    prescribed = checked_values(target, (first, second), space, runner.model)
     radius = checked_radius(stable)
     goals = [Goal(name, signs[name], prescribed, radius=radius) for name in (first, second)]
     count = checked_whole("points", points, 2, MAX_POINTS)
@@ -276,13 +277,13 @@ def _between(
         yield optimizer.optimum(goal, found)
 
 
-def _checked_objectives(minimize: Sequence[str], maximize: Sequence[str]) -> dict[str, float]:
+def _checked_objectives(minimize: Sequence[str], maximize: Sequence[str], model: Model) -> dict[str, float]:
     """Two quantities with their signs."""
     allowed = "names of quantities in a list, two in all"
     least, largest = row_of(minimize, "minimize", allowed), row_of(maximize, "maximize", allowed)
-    signs = {checked_quantity(name, "minimize"): 1.0 for name in least}
+    signs = {checked_quantity(name, "minimize", model): 1.0 for name in least}
     both = [*least, *largest]
-    signs |= {checked_quantity(name, "maximize"): -1.0 for name in largest}
+    signs |= {checked_quantity(name, "maximize", model): -1.0 for name in largest}
     if len(both) != 2 or len(signs) != 2:
         raise InputError(
             f"minimize, maximize: {', '.join(map(str, both))}; allowed: two quantities that differ"

@@ -30,7 +30,6 @@ from ..analysis.targeted import TargetNotMetError
 from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
-from ..library.runner import Runner
 from ..library.strides import plain_stride
 from ..numerics.following import halved
 from ..terminal.progress import Bar
@@ -293,9 +292,9 @@ class Optimizer:
     def scales(self, goal: Goal) -> dict[str, float]:
         """Scales of a goal's quantities: their sizes at the first start, or the prescribed values."""
         gait = self.first.gait
-        length, _, _, _, speed, rate = _natural(gait)
-        natural = {"speed": speed, "frequency": rate, "stance_time": 1.0 / rate}
-        natural |= {"length": length, "slip_distance": length}
+        units = {name: of.unit for name, of in gait.runner.model.quantities.items()}
+        sized = ("speed", "frequency", "stance_time", "length", "slip_distance")
+        natural = {name: gait.runner.scale_of(units[name]) for name in sized if name in units}
         values = reported(gait)
         return {
             name: max(abs(goal.at.get(name, values[name])), NATURAL * natural.get(name, 1.0))
@@ -403,11 +402,6 @@ def _basins(found: Sequence[Found]) -> int:
         ):
             different.append(gait)
     return len(different)
-
-
-def _natural(gait: Gait) -> NDArray[np.float64]:
-    """Scales of the six coordinates, whatever the runner's model."""
-    return Runner(gait, model="full").scales
 
 
 def _reached(gaits: Gaits, begin: Start, point: NDArray[np.float64], tries: int) -> Start | None:

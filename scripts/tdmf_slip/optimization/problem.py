@@ -23,7 +23,7 @@ from ..checks import checked, is_one_of, near_matches, shown
 from ..errors import InputError, RunError
 from ..given import mapping_of, row_of
 from ..library.members import check_varied
-from ..library.quantities import QUANTITIES, quantity_given
+from ..library.quantities import allowed_quantities, quantity_given
 from ..variables.table import Model, by_full_name
 from .gaits import Candidate, Space, Spectrum
 
@@ -34,24 +34,24 @@ LARGEST_RADIUS = 0.99
 """Largest spectral radius of a gait that is to be stable, where no other is given."""
 
 
-def checked_quantity(name: object, what: str) -> str:
+def checked_quantity(name: object, what: str, model: Model) -> str:
     """The name of a quantity."""
-    if not is_one_of(name, QUANTITIES):
+    known = allowed_quantities(model)
+    if not is_one_of(name, known):
         raise InputError(
-            f"{what} {shown(name)} is not allowed{near_matches(name, QUANTITIES)}; "
-            f"allowed: {', '.join(QUANTITIES)}"
+            f"{what} {shown(name)} is not allowed{near_matches(name, known)}; allowed: {', '.join(known)}"
         )
     return str(name)
 
 
-def checked_objective(minimize: str | None, maximize: str | None) -> tuple[str, float]:
+def checked_objective(minimize: str | None, maximize: str | None, model: Model) -> tuple[str, float]:
     """The quantity of an objective, and its sign: 1 to minimize, -1 to maximize."""
     if (minimize is None) == (maximize is None):
-        given = "neither" if minimize is None else "both"
-        raise InputError(f"minimize, maximize: {given} given; allowed: one of them, {', '.join(QUANTITIES)}")
+        given, known = "neither" if minimize is None else "both", ", ".join(allowed_quantities(model))
+        raise InputError(f"minimize, maximize: {given} given; allowed: one of them, {known}")
     if minimize is not None:
-        return checked_quantity(minimize, "minimize"), 1.0
-    return checked_quantity(maximize, "maximize"), -1.0
+        return checked_quantity(minimize, "minimize", model), 1.0
+    return checked_quantity(maximize, "maximize", model), -1.0
 
 
 def checked_space(vary: object, model: Model) -> Space:
@@ -75,11 +75,13 @@ def checked_space(vary: object, model: Model) -> Space:
     return Space(bounds)
 
 
-def checked_values(target: object, objectives: tuple[str, ...], space: Space) -> dict[str, float]:
+def checked_values(
+    target: object, objectives: tuple[str, ...], space: Space, model: Model
+) -> dict[str, float]:
     """The quantities that are prescribed."""
-    given = mapping_of(target, "target", f"numbers by name: {', '.join(QUANTITIES)}")
+    given = mapping_of(target, "target", f"numbers by name: {', '.join(allowed_quantities(model))}")
     for name in given:
-        checked_quantity(name, "target")
+        checked_quantity(name, "target", model)
         if name in objectives:
             raise InputError(f"target {name}: is what is minimized or maximized; allowed: another quantity")
     if all(name in given for name in TRAVEL):
@@ -93,7 +95,7 @@ def checked_values(target: object, objectives: tuple[str, ...], space: Space) ->
     return {
         name: checked(
             name,
-            quantity_given(name, value, "target"),
+            quantity_given(name, value, "target", model),
             0.0 if name in FROM_ZERO else MINIMUM,
             maximum.get(name, MAXIMUM),
         )

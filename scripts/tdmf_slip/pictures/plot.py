@@ -33,6 +33,8 @@ PICTURES: Mapping[str, str] = {
     "strides": "basin_map.of_strides",
     "sweep": "sweep_diagram.figure_of",
     "viability": "basin_map.of_viable_set",
+    "trajectory": "trajectory.figure_of",
+    "gait of a model of one's own": "trajectory.of_gait",
 }
 """Module and function by the kind of a result: the name of its class, or a dataset's attribute `result`."""
 DATASETS: Mapping[str, tuple[str, Sequence[int]]] = {
@@ -46,6 +48,7 @@ DATASETS: Mapping[str, tuple[str, Sequence[int]]] = {
     "strides": ("fate", (2,)),
     "sweep": ("word", (1, 2)),
     "viability": ("viable", (2,)),
+    "trajectory": ("mode", (1,)),
 }
 """Datasets that have a picture: one of their variables, and how many dimensions it may have."""
 
@@ -109,7 +112,8 @@ def _kind_of(result: Any) -> str:
     name = next((kind for kind in kinds if kind in PICTURES and kind not in DATASETS), None)
     if name is None:
         raise InputError(f"plot: {type(result).__name__} has no picture; allowed: results of this package")
-    return name
+    is_own = name == "Gait" and result.runner.model.map_class
+    return "gait of a model of one's own" if is_own else name
 
 
 def _of_dataset(data: Any, kind: str, draw: Callable[[Any], Figure]) -> Figure:

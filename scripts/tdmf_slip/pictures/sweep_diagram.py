@@ -18,7 +18,7 @@ from ..analysis.sweeps import Sweep
 from ..errors import InputError
 from ..record import runner_in
 from ..variables.display_units import DisplayUnits
-from ..variables.table import VARIABLES
+from ..variables.table import model_named
 from . import style
 from .basin_map import edges_of
 
@@ -46,7 +46,8 @@ def figure_of(
     dimensions = gaits["word"].ndim
     if not np.isfinite(gaits["period"]).any():
         raise InputError("plot: a sweep without gaits; allowed: one that has some")
-    display = display or DisplayUnits(values=runner_in(gaits))
+    model = model_named(gaits.attrs.get("model", "full"))
+    display = display or DisplayUnits(values=runner_in(gaits), model=model)
     with style.styled():
         return _curves(gaits, borders, display) if dimensions == 1 else _map(gaits, display)
 
@@ -61,16 +62,18 @@ def _curves(gaits: "xarray.Dataset", borders: "xarray.Dataset | None", display: 
     name = str(gaits["word"].dims[0])
     found = gaits.isel({name: np.flatnonzero(gaits["word"].values != "")})
     values = found[name].values
-    figure, panels = style.subplots(len(PANELS) + 1, 1, figsize=(7.6, 7.2), sharex=True)
+    shown = {quantity: label for quantity, label in PANELS.items() if quantity in found}
+    shown = shown or {"period": "period"}
+    figure, panels = style.subplots(len(shown) + 1, 1, figsize=(7.6, 7.2), sharex=True)
     moduli = np.hypot(found["eigenvalue_real"].values, found["eigenvalue_imag"].values)[:, :3]
     stable = found["lambda_max"].values < 1.0
     for column, colour in zip(moduli.T, (style.CURVE, style.SECOND_CURVE, style.FAINT), strict=False):
         _draw(panels[0], values, column, stable, colour)
     panels[0].axhline(1.0, **style.LIMIT_LINE)
     panels[0].set_ylabel("moduli of the eigenvalues")
-    for axes, (quantity, label) in zip(panels[1:], PANELS.items(), strict=True):
+    for axes, (quantity, label) in zip(panels[1:], shown.items(), strict=True):
         _draw(axes, values, found[quantity].values, stable)
-        axes.set_ylabel(style.with_unit(label, display.label(VARIABLES[f"stride.{quantity}"].unit)))
+        axes.set_ylabel(style.with_unit(label, display.label(found[quantity].attrs["units"])))
     for axes in panels:
         for value in [] if borders is None else borders[name].values:
             axes.axvline(value, **style.STANCE_LINE)

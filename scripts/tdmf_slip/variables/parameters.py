@@ -12,7 +12,7 @@ from typing import Any, Protocol, TypeAlias
 from ..checks import near_matches, path_of, shown
 from ..errors import InputError, reason
 from ..given import LabelledRow
-from .table import ALIASES, by_full_name
+from .table import ALIASES, Model, by_full_name
 from .variable import Given
 
 
@@ -24,10 +24,12 @@ class HasStartValues(Protocol):
         """By the unit's names."""
 
 
-RunnerLike: TypeAlias = HasStartValues | Mapping[str, Given] | LabelledRow | str | os.PathLike[str] | None
+RunnerLike: TypeAlias = (
+    HasStartValues | Model | Mapping[str, Given] | LabelledRow | str | os.PathLike[str] | None
+)
 """What may be given for a runner: a Runner; a Gait, of which it is the runner; start values by the unit's
-names and in its units, over the unit's own, also as a Series; the name of a preset; the path of a parameter
-file; or None, for the runner of the paper."""
+names and in its units, over the unit's own, also as a Series; a model that `load_model` gives; the name of a
+preset; the path of a parameter file; or None, for the runner of the paper."""
 RUNNER = "a Runner or Gait, start values by name, a preset's name or a parameter file's path"
 """Allowed runners, in words."""
 MAX_PARTS = 16
@@ -83,13 +85,27 @@ def _path_of(given: Path) -> Path:
 
 
 def start_values_of(runner: object, aliases: Mapping[str, str] = ALIASES) -> Mapping[str, Any]:
-    """Start values of a runner, given in any way."""
+    """Start values of a runner of the package's own models, given in any way."""
+    refuse_own(runner, "what is asked")
     if isinstance(runner, str | os.PathLike):
         return read_parameters(runner, aliases)
     own = getattr(runner, "start_values", None)  # of a Gait
     if isinstance(own, Mapping):
         return own
     return by_full_name(runner, "runner", RUNNER, aliases)
+
+
+def refuse_own(runner: object, what: str) -> None:
+    """Refuse runners of a model of one's own where only the package's own models are known."""
+    given = runner, getattr(runner, "model", None), getattr(getattr(runner, "runner", None), "model", None)
+    own = next((one for one in given if getattr(one, "map_class", None)), None)
+    if own is not None:
+        name = getattr(own, "name", own)
+        raise InputError(
+            f"runner of the model {name}: {what} needs a model of the package itself; allowed for it: "
+            "find_gait, sweep, continue_branch, continue_curves, optimize, stride_map, Batch, basin, lqr, "
+            "dead_beat, place_poles, simulate, plot"
+        )
 
 
 def parsed(text: str, loads: Callable[[str], object], allowed: str) -> Mapping[str, Any]:

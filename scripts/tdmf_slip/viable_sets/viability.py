@@ -19,7 +19,7 @@ from ..library.return_map import refuse_patch
 from ..library.runner import Runner
 from ..library.section import REDUCED, Apex, checked_apex
 from ..record import runner_in
-from ..variables.parameters import RunnerLike
+from ..variables.parameters import RunnerLike, refuse_own
 from ..variables.table import VARIABLES, by_full_name
 from ..variables.variable import Given
 from .grid import (
@@ -278,6 +278,7 @@ def viability(
     S. Heim and A. Badri-Sproewitz, Beyond Basins of Attraction: Quantifying Robustness of Natural Dynamics,
     IEEE Transactions on Robotics 2019, doi 10.1109/TRO.2019.2910739.
     """
+    refuse_own(runner, "viability")
     runner = Runner(runner, model=model)
     refuse_patch(runner)
     factor = checked("factor", factor, 1.0, LARGEST_FACTOR)

@@ -1,0 +1,75 @@
+"""The guide to a law of one's own: its commands and its code run as printed."""
+
+import json
+import re
+import shutil
+
+import fmpy
+import numpy as np
+import pytest
+import tdmf_slip
+from conftest import ROOT
+from fmpy.validation import validate_fmu
+from own_pages import loaded
+from page_runs import COMPILER
+
+pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
+GUIDE = (ROOT / "documentation" / "guides" / "own_law.md").read_text(encoding="utf-8")
+CODE = re.findall(r"^```python\n(.*?)^```", GUIDE, re.MULTILINE | re.DOTALL)
+COMMANDS = re.findall(r"^tdmf-slip (.*)$", GUIDE, re.MULTILINE)
+
+
+def test_the_guide_s_commands_are_those_that_there_are(command, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert COMMANDS == ["new my_runner", "build my_runner"]
+    status, out, err = command(*COMMANDS[0].split())
+    assert status == 0 and not err
+    names = ("README.md", "page.py", "parameters.toml", "test_my_runner.py")
+    assert out.split() == [str(tmp_path.joinpath("my_runner", name).relative_to(tmp_path)) for name in names]
+    status, _, err = command(*COMMANDS[0].split())
+    assert status == 2 and "is there already" in err
+
+
+def test_the_guide_s_code_and_the_folder_s_test_run(tmp_path, monkeypatch):
+    """On a build of the same page that all tests share."""
+    monkeypatch.chdir(tmp_path)
+    folder = tdmf_slip.new("my_runner")
+    shutil.copytree(loaded(folder.resolve() / "page.py").folder, folder / "build")
+    names = {}
+    assert len(CODE) == 2
+    for code in CODE:
+        exec(code, names)
+    assert names["gait"].stable and names["gait"].runner["hip.stance_kp"] == 0.01
+    assert names["run"]["time"].size == 1001 and "hip.torque" in names["run"]
+    program = folder / "test_my_runner.py"
+    own = {"__file__": str(program.resolve())}
+    exec(program.read_text(encoding="utf-8"), own)
+    tests = [value for name, value in own.items() if name.startswith("test_")]
+    assert len(tests) == 2
+    for test in tests:
+        test()
+
+
+def test_build_makes_a_library_and_units_that_fmpy_validates_and_runs(command, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert command("new", "my_ball", "--from", "scratch")[0] == 0
+    status, out, err = command("build", "my_ball", "--json")
+    assert status == 0, err
+    made = json.loads(out)
+    folder = tmp_path / "my_ball" / "build"
+    assert {path.name for path in folder.iterdir()} == {path.split("/")[-1] for path in made["files"]}
+    assert len(made["files"]) == 5 and sorted(p.name for p in tmp_path.iterdir()) == ["my_ball"]
+    model = tdmf_slip.load_model("my_ball")
+    gait = tdmf_slip.find_gait(model, push=2, restitution=0.5)
+    run = tdmf_slip.simulate(gait, stop_time=2 * gait.period)
+    values = {name: gait.runner[name] for name in ("push", "restitution")} | {"height": gait.apex[0]}
+    for unit in ("MyBall.fmu", "MyBall_FMI3.fmu"):
+        assert validate_fmu(str(folder / unit)) == []
+        for interface in ("ModelExchange", "CoSimulation"):
+            found = fmpy.simulate_fmu(
+                str(folder / unit), fmi_type=interface, start_values=values, stop_time=2 * gait.period,
+                relative_tolerance=1e-9, output=["height", "energy"], record_events=False,
+            )  # fmt: skip
+            for name in ("height", "energy"):
+                its = np.interp(run["time"], found["time"], found[name])
+                assert its == pytest.approx(run[name].values, abs=2e-2)
