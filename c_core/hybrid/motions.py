@@ -23,7 +23,7 @@ int odd, {mode}_series *s) {{
 {step}}}
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_{mode}(const real *constants, int order, real *series) {{
+static void expand_{mode}(const real *constants, int order, real *series) {{
     const {mode}_constants copy = *(const {mode}_constants *)(const void *)constants, *c = &copy;
     {mode}_series *s = (void *)series;
     static const {mode}_sums none;
@@ -278,8 +278,7 @@ class Motion:
             given = "const real *constants, const real *series, const real *power, int order"
             given += ", uint64_t watched, interval *bounds"
             about = "Bounds of guards and observed quantities; `watched` has a bit for each of them."
-            text = self.function_of(f"bounds_{self.name}", given, lines_of(lines), about)
-            yield text.replace("static void", "TDMF_ALSO_FOR_AVX2 static void", 1)
+            yield self.function_of(f"bounds_{self.name}", given, lines_of(lines), about)
 
     def terms(self, node, more=0):
         """How many terms a series has: few if it is a polynomial of a low degree."""

@@ -34,8 +34,8 @@ static void guard_start_of_run_begins(const real *constants, const real *series,
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_start_of_run(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_start_of_run(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     (void)constants, (void)series, (void)power, (void)order, (void)watched;
     const interval span_0 = interval_at(broadcast(-1.0), broadcast(-1.0));
     bounds[0] = span_0;
@@ -117,8 +117,8 @@ static void guard_flight_down_falls(const real *constants, const real *series, i
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_flight_down(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_flight_down(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const flight_down_constants *c = (const void *)constants;
     const flight_down_series *s = (const void *)series;
     (void)order, (void)watched;
@@ -242,7 +242,7 @@ KERNEL void step_stance(const stance_constants *c, const stance_factors *by, int
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_stance(const real *constants, int order, real *series) {
+static void expand_stance(const real *constants, int order, real *series) {
     const stance_constants copy = *(const stance_constants *)(const void *)constants, *c = &copy;
     stance_series *s = (void *)series;
     static const stance_sums none;
@@ -417,8 +417,8 @@ static void guard_stance_tilt_behind(const real *constants, const real *series, 
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_stance(const real *constants, const real *series, const real *power,
-    int order, uint64_t watched, interval *bounds) {
+static void bounds_stance(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const stance_constants *c = (const void *)constants;
     const stance_series *s = (const void *)series;
     (void)watched;
@@ -504,8 +504,8 @@ static void guard_flight_up_apex(const real *constants, const real *series, int 
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_flight_up(const real *constants, const real *series, const real *power,
-    int order, uint64_t watched, interval *bounds) {
+static void bounds_flight_up(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const flight_up_constants *c = (const void *)constants;
     const flight_up_series *s = (const void *)series;
     (void)order, (void)watched;

@@ -34,8 +34,8 @@ static void guard_start_of_run_begins(const real *constants, const real *series,
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_start_of_run(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_start_of_run(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     (void)constants, (void)series, (void)power, (void)order, (void)watched;
     const interval span_0 = interval_at(broadcast(-1.0), broadcast(-1.0));
     bounds[0] = span_0;
@@ -162,7 +162,7 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_slip_constant(const real *constants, int order, real *series) {
+static void expand_slip_constant(const real *constants, int order, real *series) {
     const slip_constant_constants copy = *(const slip_constant_constants *)(const void *)constants,
         *c = &copy;
     slip_constant_series *s = (void *)series;
@@ -444,8 +444,8 @@ static void guard_slip_constant_square_of_torque(const real *constants, const re
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_slip_constant(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_slip_constant(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -592,7 +592,7 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_stick(const real *constants, int order, real *series) {
+static void expand_stick(const real *constants, int order, real *series) {
     const stick_constants copy = *(const stick_constants *)(const void *)constants, *c = &copy;
     stick_series *s = (void *)series;
     static const stick_sums none;
@@ -842,8 +842,8 @@ static void guard_stick_square_of_torque(const real *constants, const real *seri
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_stick(const real *constants, const real *series, const real *power,
-    int order, uint64_t watched, interval *bounds) {
+static void bounds_stick(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -961,7 +961,7 @@ KERNEL void step_flight_place_calm(const flight_place_calm_constants *c, const f
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_flight_place_calm(const real *constants, int order, real *series) {
+static void expand_flight_place_calm(const real *constants, int order, real *series) {
     const flight_place_calm_constants copy = *(const flight_place_calm_constants *)(const void *)constants,
         *c = &copy;
     flight_place_calm_series *s = (void *)series;
@@ -1174,8 +1174,8 @@ static void guard_flight_place_calm_square_of_torque(const real *constants, cons
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_flight_place_calm(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_flight_place_calm(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->angle, power, order);
@@ -1272,7 +1272,7 @@ KERNEL void step_flight_rest_calm(const flight_rest_calm_constants *c, const fli
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_flight_rest_calm(const real *constants, int order, real *series) {
+static void expand_flight_rest_calm(const real *constants, int order, real *series) {
     const flight_rest_calm_constants copy = *(const flight_rest_calm_constants *)(const void *)constants,
         *c = &copy;
     flight_rest_calm_series *s = (void *)series;
@@ -1474,8 +1474,8 @@ static void guard_flight_rest_calm_square_of_torque(const real *constants, const
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_flight_rest_calm(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_flight_rest_calm(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->angle, power, order);
@@ -1594,7 +1594,7 @@ KERNEL void step_flight_retract_calm(const flight_retract_calm_constants *c,
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_flight_retract_calm(const real *constants, int order, real *series) {
+static void expand_flight_retract_calm(const real *constants, int order, real *series) {
     const flight_retract_calm_constants copy = *(const flight_retract_calm_constants *)(const void
         *)constants, *c = &copy;
     flight_retract_calm_series *s = (void *)series;
@@ -1819,8 +1819,8 @@ static void guard_flight_retract_calm_square_of_torque(const real *constants, co
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_flight_retract_calm(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_flight_retract_calm(const real *constants, const real *series, const real *power,
+    int order, uint64_t watched, interval *bounds) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->angle, power, order);
@@ -1997,7 +1997,7 @@ KERNEL void step_graze_place(const graze_place_constants *c, const graze_place_f
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_graze_place(const real *constants, int order, real *series) {
+static void expand_graze_place(const real *constants, int order, real *series) {
     const graze_place_constants copy = *(const graze_place_constants *)(const void *)constants, *c = &copy;
     graze_place_series *s = (void *)series;
     static const graze_place_sums none;
@@ -2231,8 +2231,8 @@ static void guard_graze_place_square_of_torque(const real *constants, const real
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_graze_place(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_graze_place(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const graze_place_constants *c = (const void *)constants;
     const graze_place_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 3);
@@ -2370,7 +2370,7 @@ KERNEL void step_graze_rest(const graze_rest_constants *c, const graze_rest_fact
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_graze_rest(const real *constants, int order, real *series) {
+static void expand_graze_rest(const real *constants, int order, real *series) {
     const graze_rest_constants copy = *(const graze_rest_constants *)(const void *)constants, *c = &copy;
     graze_rest_series *s = (void *)series;
     static const graze_rest_sums none;
@@ -2618,8 +2618,8 @@ static void guard_graze_rest_square_of_torque(const real *constants, const real 
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_graze_rest(const real *constants, const real *series, const real *power,
-    int order, uint64_t watched, interval *bounds) {
+static void bounds_graze_rest(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const graze_rest_constants *c = (const void *)constants;
     const graze_rest_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 3);
@@ -2773,7 +2773,7 @@ KERNEL void step_graze_retract(const graze_retract_constants *c, const graze_ret
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_graze_retract(const real *constants, int order, real *series) {
+static void expand_graze_retract(const real *constants, int order, real *series) {
     const graze_retract_constants copy = *(const graze_retract_constants *)(const void *)constants,
         *c = &copy;
     graze_retract_series *s = (void *)series;
@@ -3027,8 +3027,8 @@ static void guard_graze_retract_square_of_torque(const real *constants, const re
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_graze_retract(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_graze_retract(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const graze_retract_constants *c = (const void *)constants;
     const graze_retract_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 3);

@@ -34,8 +34,8 @@ static void guard_start_of_run_begins(const real *constants, const real *series,
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_start_of_run(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_start_of_run(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     (void)constants, (void)series, (void)power, (void)order, (void)watched;
     const interval span_0 = interval_at(broadcast(-1.0), broadcast(-1.0));
     bounds[0] = span_0;
@@ -154,8 +154,8 @@ static void guard_flight_place_power_of_hip(const real *constants, const real *s
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_flight_place(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_flight_place(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const flight_place_constants *c = (const void *)constants;
     const flight_place_series *s = (const void *)series;
     (void)order;
@@ -333,7 +333,7 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_slip_constant(const real *constants, int order, real *series) {
+static void expand_slip_constant(const real *constants, int order, real *series) {
     const slip_constant_constants copy = *(const slip_constant_constants *)(const void *)constants,
         *c = &copy;
     slip_constant_series *s = (void *)series;
@@ -649,8 +649,8 @@ static void guard_slip_constant_force_on_foot(const real *constants, const real 
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_slip_constant(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_slip_constant(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -810,7 +810,7 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_stick(const real *constants, int order, real *series) {
+static void expand_stick(const real *constants, int order, real *series) {
     const stick_constants copy = *(const stick_constants *)(const void *)constants, *c = &copy;
     stick_series *s = (void *)series;
     static const stick_sums none;
@@ -1118,8 +1118,8 @@ static void guard_stick_force_on_foot(const real *constants, const real *series,
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_stick(const real *constants, const real *series, const real *power,
-    int order, uint64_t watched, interval *bounds) {
+static void bounds_stick(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -1275,8 +1275,8 @@ static void guard_flight_retract_power_of_hip(const real *constants, const real 
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_flight_retract(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_flight_retract(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const flight_retract_series *s = (const void *)series;
     (void)constants, (void)order;
     const interval span_0 = interval_of_rate(s->com_y, power, 2);
@@ -1427,7 +1427,7 @@ KERNEL void step_slip_falling(const slip_falling_constants *c, const slip_fallin
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_slip_falling(const real *constants, int order, real *series) {
+static void expand_slip_falling(const real *constants, int order, real *series) {
     const slip_falling_constants copy = *(const slip_falling_constants *)(const void *)constants, *c = &copy;
     slip_falling_series *s = (void *)series;
     static const slip_falling_sums none;
@@ -1759,8 +1759,8 @@ static void guard_slip_falling_force_on_foot(const real *constants, const real *
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_slip_falling(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_slip_falling(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const slip_falling_constants *c = (const void *)constants;
     const slip_falling_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);

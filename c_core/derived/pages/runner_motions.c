@@ -65,8 +65,8 @@ static void guard_start_of_run_begins(const real *constants, const real *series,
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_start_of_run(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_start_of_run(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const start_of_run_constants *c = (const void *)constants;
     (void)series, (void)power, (void)order, (void)watched;
     const interval span_0 = interval_at(c->segment_end_minus_seen_x, c->segment_end_minus_seen_x);
@@ -230,7 +230,7 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_slip_constant(const real *constants, int order, real *series) {
+static void expand_slip_constant(const real *constants, int order, real *series) {
     const slip_constant_constants copy = *(const slip_constant_constants *)(const void *)constants,
         *c = &copy;
     slip_constant_series *s = (void *)series;
@@ -668,8 +668,8 @@ static void guard_slip_constant_square_of_torque(const real *constants, const re
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_slip_constant(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_slip_constant(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -869,7 +869,7 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_stick(const real *constants, int order, real *series) {
+static void expand_stick(const real *constants, int order, real *series) {
     const stick_constants copy = *(const stick_constants *)(const void *)constants, *c = &copy;
     stick_series *s = (void *)series;
     static const stick_sums none;
@@ -1267,8 +1267,8 @@ static void guard_stick_square_of_torque(const real *constants, const real *seri
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_stick(const real *constants, const real *series, const real *power,
-    int order, uint64_t watched, interval *bounds) {
+static void bounds_stick(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -1425,7 +1425,7 @@ KERNEL void step_flight_place_calm(const flight_place_calm_constants *c, const f
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_flight_place_calm(const real *constants, int order, real *series) {
+static void expand_flight_place_calm(const real *constants, int order, real *series) {
     const flight_place_calm_constants copy = *(const flight_place_calm_constants *)(const void *)constants,
         *c = &copy;
     flight_place_calm_series *s = (void *)series;
@@ -1762,8 +1762,8 @@ static void guard_flight_place_calm_square_of_torque(const real *constants, cons
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_flight_place_calm(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_flight_place_calm(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const flight_place_calm_constants *c = (const void *)constants;
     const flight_place_calm_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
@@ -1925,7 +1925,7 @@ KERNEL void step_flight_rest_calm(const flight_rest_calm_constants *c, const fli
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_flight_rest_calm(const real *constants, int order, real *series) {
+static void expand_flight_rest_calm(const real *constants, int order, real *series) {
     const flight_rest_calm_constants copy = *(const flight_rest_calm_constants *)(const void *)constants,
         *c = &copy;
     flight_rest_calm_series *s = (void *)series;
@@ -2250,8 +2250,8 @@ static void guard_flight_rest_calm_square_of_torque(const real *constants, const
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_flight_rest_calm(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_flight_rest_calm(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const flight_rest_calm_constants *c = (const void *)constants;
     const flight_rest_calm_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
@@ -2431,7 +2431,7 @@ KERNEL void step_flight_retract_calm(const flight_retract_calm_constants *c,
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_flight_retract_calm(const real *constants, int order, real *series) {
+static void expand_flight_retract_calm(const real *constants, int order, real *series) {
     const flight_retract_calm_constants copy = *(const flight_retract_calm_constants *)(const void
         *)constants, *c = &copy;
     flight_retract_calm_series *s = (void *)series;
@@ -2775,8 +2775,8 @@ static void guard_flight_retract_calm_square_of_torque(const real *constants, co
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_flight_retract_calm(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_flight_retract_calm(const real *constants, const real *series, const real *power,
+    int order, uint64_t watched, interval *bounds) {
     const flight_retract_calm_constants *c = (const void *)constants;
     const flight_retract_calm_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
@@ -3037,7 +3037,7 @@ KERNEL void step_graze_place(const graze_place_constants *c, const graze_place_f
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_graze_place(const real *constants, int order, real *series) {
+static void expand_graze_place(const real *constants, int order, real *series) {
     const graze_place_constants copy = *(const graze_place_constants *)(const void *)constants, *c = &copy;
     graze_place_series *s = (void *)series;
     static const graze_place_sums none;
@@ -3340,8 +3340,8 @@ static void guard_graze_place_square_of_torque(const real *constants, const real
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_graze_place(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_graze_place(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const graze_place_constants *c = (const void *)constants;
     const graze_place_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 4);
@@ -3526,7 +3526,7 @@ KERNEL void step_graze_rest(const graze_rest_constants *c, const graze_rest_fact
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_graze_rest(const real *constants, int order, real *series) {
+static void expand_graze_rest(const real *constants, int order, real *series) {
     const graze_rest_constants copy = *(const graze_rest_constants *)(const void *)constants, *c = &copy;
     graze_rest_series *s = (void *)series;
     static const graze_rest_sums none;
@@ -3842,8 +3842,8 @@ static void guard_graze_rest_square_of_torque(const real *constants, const real 
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_graze_rest(const real *constants, const real *series, const real *power,
-    int order, uint64_t watched, interval *bounds) {
+static void bounds_graze_rest(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const graze_rest_constants *c = (const void *)constants;
     const graze_rest_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 4);
@@ -4051,7 +4051,7 @@ KERNEL void step_graze_retract(const graze_retract_constants *c, const graze_ret
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_graze_retract(const real *constants, int order, real *series) {
+static void expand_graze_retract(const real *constants, int order, real *series) {
     const graze_retract_constants copy = *(const graze_retract_constants *)(const void *)constants,
         *c = &copy;
     graze_retract_series *s = (void *)series;
@@ -4372,8 +4372,8 @@ static void guard_graze_retract_square_of_torque(const real *constants, const re
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_graze_retract(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_graze_retract(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const graze_retract_constants *c = (const void *)constants;
     const graze_retract_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 4);
@@ -4611,7 +4611,7 @@ KERNEL void step_slip_falling(const slip_falling_constants *c, const slip_fallin
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_slip_falling(const real *constants, int order, real *series) {
+static void expand_slip_falling(const real *constants, int order, real *series) {
     const slip_falling_constants copy = *(const slip_falling_constants *)(const void *)constants, *c = &copy;
     slip_falling_series *s = (void *)series;
     static const slip_falling_sums none;
@@ -5070,8 +5070,8 @@ static void guard_slip_falling_square_of_torque(const real *constants, const rea
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_slip_falling(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_slip_falling(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const slip_falling_constants *c = (const void *)constants;
     const slip_falling_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, order);
@@ -5265,7 +5265,7 @@ KERNEL void step_flight_place_pushed(const flight_place_pushed_constants *c,
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_flight_place_pushed(const real *constants, int order, real *series) {
+static void expand_flight_place_pushed(const real *constants, int order, real *series) {
     const flight_place_pushed_constants copy = *(const flight_place_pushed_constants *)(const void
         *)constants, *c = &copy;
     flight_place_pushed_series *s = (void *)series;
@@ -5641,8 +5641,8 @@ static void guard_flight_place_pushed_square_of_torque(const real *constants, co
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_flight_place_pushed(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_flight_place_pushed(const real *constants, const real *series, const real *power,
+    int order, uint64_t watched, interval *bounds) {
     const flight_place_pushed_constants *c = (const void *)constants;
     const flight_place_pushed_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
@@ -5842,7 +5842,7 @@ KERNEL void step_flight_rest_pushed(const flight_rest_pushed_constants *c,
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_flight_rest_pushed(const real *constants, int order, real *series) {
+static void expand_flight_rest_pushed(const real *constants, int order, real *series) {
     const flight_rest_pushed_constants copy = *(const flight_rest_pushed_constants *)(const void *)constants,
         *c = &copy;
     flight_rest_pushed_series *s = (void *)series;
@@ -6209,8 +6209,8 @@ static void guard_flight_rest_pushed_square_of_torque(const real *constants, con
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_flight_rest_pushed(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_flight_rest_pushed(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
     const flight_rest_pushed_constants *c = (const void *)constants;
     const flight_rest_pushed_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
@@ -6429,7 +6429,7 @@ KERNEL void step_flight_retract_pushed(const flight_retract_pushed_constants *c,
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-TDMF_ALSO_FOR_AVX2 static void expand_flight_retract_pushed(const real *constants, int order, real *series) {
+static void expand_flight_retract_pushed(const real *constants, int order, real *series) {
     const flight_retract_pushed_constants copy = *(const flight_retract_pushed_constants *)(const void
         *)constants, *c = &copy;
     flight_retract_pushed_series *s = (void *)series;
@@ -6809,8 +6809,8 @@ static void guard_flight_retract_pushed_square_of_torque(const real *constants, 
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-TDMF_ALSO_FOR_AVX2 static void bounds_flight_retract_pushed(const real *constants, const real *series,
-    const real *power, int order, uint64_t watched, interval *bounds) {
+static void bounds_flight_retract_pushed(const real *constants, const real *series, const real *power,
+    int order, uint64_t watched, interval *bounds) {
     const flight_retract_pushed_constants *c = (const void *)constants;
     const flight_retract_pushed_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);

@@ -6,15 +6,6 @@
 
 #include "page_series.h"
 
-/* GCC compiles such a function of one runner for AVX2, too; which one runs is chosen when the library is
- * loaded. Products are not contracted with sums, so that both give equal bits. */
-#if defined(__OPTIMIZE__) && defined(__GLIBC__) && defined(__x86_64__) && !defined(__clang__) &&             \
-    !defined(__SANITIZE_ADDRESS__) && !defined(TDMF_LANES)
-#define TDMF_ALSO_FOR_AVX2 __attribute__((target_clones("avx2", "default")))
-#else
-#define TDMF_ALSO_FOR_AVX2
-#endif
-
 typedef void tdmf_expand(const real *constants, int order, real *series);
 typedef void tdmf_vary(const real *constants, const real *series, const real *d_constants, int order,
                        real *varied);
