@@ -171,7 +171,7 @@ WRONG = [
     lambda r, o: tdmf_slip.dead_beat(START, [ANGLE]),
     lambda r, o: tdmf_slip.dead_beat(o, ["leg.stiffness"]),
     lambda r, o: tdmf_slip.dead_beat(o, [ANGLE], negligible="x"),
-    lambda r, o: tdmf_slip.dead_beat(o, [ANGLE], limits={ANGLE: ("0", "1")}),
+    lambda r, o: tdmf_slip.dead_beat(o, [ANGLE], limits={ANGLE: ("x", "1")}),
     lambda r, o: tdmf_slip.lqr(o, [ANGLE], "x"),
     lambda r, o: tdmf_slip.lqr(o, [ANGLE], [[1.0], [2.0, 3.0]]),
     lambda r, o: tdmf_slip.lqr(o, [ANGLE], 1.0, None),
