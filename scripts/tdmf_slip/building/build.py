@@ -211,7 +211,9 @@ def _compile(table: Mapping[str, Any], files: Mapping[str, str], compiler: Compi
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             list(pool.map(compiled, range(len(sources))))
         threads = () if compiler.platform.endswith("windows") else ("-pthread", "-lm")
-        compiler.run(["-shared", *objects, *threads, "-o", made / _library_name(table, compiler)])
+        library = folder / _library_name(table, compiler)
+        compiler.run(["-shared", *objects, *threads, "-o", library])
+        shutil.copy2(library, made / library.name)  # without what linkers for Windows write beside it
 
 
 def _libraries_of_other_platforms(target: Path, id: str, made: Path) -> dict[str, str]:
