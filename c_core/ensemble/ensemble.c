@@ -1,54 +1,25 @@
-/* Chooses instructions, shares the starts out among threads, and runs one by one where there are no lanes. */
+/* Chooses the number of lanes and the page of each runner, and puts runner after runner into the places of a
+ * batch. */
 #include "tdmf_slip/ensemble.h"
 
-#include "batches.h"
-#include "processor.h"
+#include "batch.h"
+#include "member.h"
 #include "request_checks.h"
-#include "step.h"
 #include "threads.h"
 
 #include <stdlib.h>
-
-struct tdmf_starts {
-    int64_t next, count;
-    const int *stop;
-};
-
-int64_t tdmf_next_start(tdmf_starts *starts) {
-    if (tdmf_is_raised(starts->stop)) {
-        return -1;
-    }
-    const int64_t number = tdmf_take_number(&starts->next);
-    return number < starts->count ? number : -1;
-}
+#include <string.h>
 
 /* ---- instructions ------------------------------------------------------------------------------------- */
 
-static tdmf_run_batches run_one_by_one;
-
-/* What this build has; NULL where it has not. */
-static tdmf_run_batches *const runs[TDMF_INSTRUCTIONS_COUNT] = {
-    [TDMF_ONE_BY_ONE] = run_one_by_one,
-#ifdef TDMF_HAS_TWO_LANES
-    [TDMF_TWO_LANES] = tdmf_run_two_lanes,
-#endif
-#ifdef TDMF_HAS_AVX2
-    [TDMF_AVX2] = tdmf_run_avx2,
-#endif
-#ifdef TDMF_HAS_AVX512
-    [TDMF_AVX512] = tdmf_run_avx512,
-#endif
-};
-
-static bool processor_has(int instructions) {
-    return (instructions != TDMF_AVX2 || tdmf_processor_has_avx2()) &&
-           (instructions != TDMF_AVX512 || tdmf_processor_has_avx512());
-}
+/* Lanes of each instruction set; 0: as many as pay. */
+static const int widths[TDMF_INSTRUCTIONS_COUNT] = {
+    [TDMF_ONE_BY_ONE] = 1, [TDMF_TWO_LANES] = 2, [TDMF_AVX2] = 4, [TDMF_AVX512] = 8};
 
 bool tdmf_has_instructions(tdmf_instructions instructions) {
     const int number = (int)instructions;
-    return number == TDMF_BEST_INSTRUCTIONS ||
-           (number > 0 && number < TDMF_INSTRUCTIONS_COUNT && runs[number] && processor_has(number));
+    const tdmf_model_kind model = tdmf_model_in_lanes(tdmf_page_for(TDMF_RETURN_MAP, false));
+    return number >= 0 && number < TDMF_INSTRUCTIONS_COUNT && tdmf_batch_has_width(&model, widths[number]);
 }
 
 tdmf_instructions tdmf_best_instructions(void) {
@@ -66,90 +37,173 @@ const char *tdmf_instructions_name(tdmf_instructions instructions) {
     return number >= 0 && number < TDMF_INSTRUCTIONS_COUNT ? names[number] : "unknown";
 }
 
-/* ---- one by one --------------------------------------------------------------------------------------- */
+/* ---- runners ------------------------------------------------------------------------------------------- */
 
-static bool run_one_by_one(const tdmf_ensemble *ensemble, tdmf_starts *starts, series_orders orders,
-                           tdmf_ensemble_end *ends, tdmf_ensemble_work *work) {
-    tdmf_solver solver = tdmf_solver_default();
-    const tdmf_ensemble_work none = {0};
-    (void)orders;
-    *work = none;
-    solver.relative_tolerance = ensemble->relative_tolerance;
-    solver.without_peaks_and_positive_work = !tdmf_records_strides(ensemble);
-    for (int64_t i = tdmf_next_start(starts); i >= 0; i = tdmf_next_start(starts)) {
-        tdmf_runner runner;
-        bool goes_on = tdmf_runner_begin(&runner, ensemble, i, &ends[i]);
-        while (goes_on) {
-            goes_on = tdmf_runner_stride(&runner, &solver);
+/* The runners of one page; `is_plain` says of each runner of the ensemble whether the plain page suits it. */
+typedef struct {
+    const tdmf_ensemble *ensemble;
+    tdmf_ensemble_end *ends;
+    const bool *is_plain;
+    bool takes_plain;
+    int64_t next; /* start */
+    tdmf_member *members;
+    int places[TDMF_RUNNER_STATES]; /* on the page, of the runner's states */
+} page_job;
+
+/* Begins the next runner that has something to run. False where there is none. */
+static bool begin_next(page_job *job, tdmf_member *member) {
+    while (!tdmf_is_raised(job->ensemble->stop)) {
+        const int64_t index = tdmf_take_number(&job->next);
+        if (index >= job->ensemble->count) {
+            return false;
         }
-        work->strides += ends[i].strides;
+        if (job->is_plain[index] == job->takes_plain && tdmf_member_begin(member, index, &job->ends[index])) {
+            return true;
+        }
     }
-    work->steps = work->lane_steps = solver.steps;
-    work->events = solver.events;
-    work->evaluations = solver.evaluations;
-    work->layer_steps = solver.layer_steps;
+    return false;
+}
+
+static tdmf_continuation at_end(void *context, int64_t number, tdmf_page_run *run, tdmf_run_outcome outcome) {
+    page_job *job = context;
+    tdmf_member *member = &job->members[number];
+    (void)run;
+    if (tdmf_member_goes_on(member, outcome)) {
+        return tdmf_member_changes(member) ? TDMF_GOES_ON_CHANGED : TDMF_GOES_ON_UNCHANGED;
+    }
+    return begin_next(job, member) ? TDMF_GOES_ON_CHANGED : TDMF_IS_OVER;
+}
+
+/* Memory of a batch, in one piece; `numbers` holds parameters and states of each run. */
+typedef struct {
+    tdmf_page_run *runs;
+    tdmf_member *members;
+    tdmf_run_outcome *outcomes;
+    double *until, *numbers;
+} batch_memory;
+
+static bool find_memory(batch_memory *memory, int64_t count, int number_count) {
+    const size_t places = (size_t)count;
+    const size_t numbers = places * (size_t)(number_count + 1) * sizeof(double);
+    char *all = calloc(
+        1, numbers + places * (sizeof *memory->runs + sizeof *memory->members + sizeof *memory->outcomes));
+    memory->until = (double *)(void *)all;
+    if (!all) {
+        return false;
+    }
+    memory->numbers = memory->until + count;
+    memory->runs = (tdmf_page_run *)(void *)(all + numbers);
+    memory->members = (tdmf_member *)(void *)(memory->runs + count);
+    memory->outcomes = (tdmf_run_outcome *)(void *)(memory->members + count);
     return true;
 }
 
-/* ---- all ---------------------------------------------------------------------------------------------- */
+/* Begins the first runners, one in each place. Returns how many there are. */
+static int64_t begin_first(page_job *job, const tdmf_runner_page *page, const batch_memory *memory,
+                           int64_t places) {
+    const tdmf_ensemble *ensemble = job->ensemble;
+    const tdmf_model_kind *model = page->model;
+    const tdmf_page_run run = {.tolerance = ensemble->relative_tolerance,
+                               .order = tdmf_page_order(ensemble->relative_tolerance),
+                               .observes = ensemble->strides ? TDMF_OBSERVE_USUAL : TDMF_OBSERVE_NOTHING,
+                               .event_limit = TDMF_EVENT_LIMIT};
+    const tdmf_member member = {.ensemble = ensemble,
+                                .page = page,
+                                .places = job->places,
+                                .begins = tdmf_place_of(page->events, model->event_count, EVENT_begins),
+                                .apex = tdmf_place_of(page->events, model->event_count, EVENT_apex)};
+    for (int64_t i = 0; i < places; ++i) {
+        memory->runs[i] = run;
+        memory->runs[i].p = memory->numbers + i * (model->parameter_count + model->state_count);
+        memory->runs[i].x = memory->runs[i].p + model->parameter_count;
+        memory->members[i] = member;
+        memory->members[i].run = &memory->runs[i];
+        memory->members[i].until = &memory->until[i];
+        if (!begin_next(job, &memory->members[i])) {
+            return i;
+        }
+    }
+    return places;
+}
 
-typedef struct {
-    const tdmf_ensemble *ensemble;
-    tdmf_run_batches *integration;
-    tdmf_starts starts;
-    series_orders orders;
-    tdmf_ensemble_end *ends;
-    tdmf_ensemble_work *works; /* of each thread */
-} everything;
-
-static void run_share(void *shared, int number) {
-    everything *all = shared;
-    const tdmf_ensemble *ensemble = all->ensemble;
-    /* Without memory for lanes the starts are left to whoever has some. */
-    if (!all->integration(ensemble, &all->starts, all->orders, all->ends, &all->works[number]) &&
-        number == 0) {
-        run_one_by_one(ensemble, &all->starts, all->orders, all->ends, &all->works[number]);
+static void add_work(const page_job *job, int64_t places, const tdmf_batch_work *made, int order,
+                     tdmf_ensemble_work *work) {
+    const int64_t steps = made->steps + made->single_steps;
+    work->steps += steps;
+    work->lane_steps += made->lane_steps + made->single_steps;
+    work->evaluations += order * steps;
+    for (int64_t i = 0; i < places; ++i) {
+        work->strides += job->members[i].strides;
+        work->events += job->members[i].events;
+        work->layer_steps += job->members[i].run->limited_steps;
     }
 }
 
-static void add_work(tdmf_ensemble_work *sum, const tdmf_ensemble_work *part) {
-    sum->strides += part->strides;
-    sum->events += part->events;
-    sum->steps += part->steps;
-    sum->lane_steps += part->lane_steps;
-    sum->evaluations += part->evaluations;
-    sum->layer_steps += part->layer_steps;
+/* Runs the runners of one page. */
+static bool run_on_page(page_job *job, int64_t count, tdmf_ensemble_work *work) {
+    const tdmf_ensemble *ensemble = job->ensemble;
+    const tdmf_runner_page *page = tdmf_page_for(ensemble->map, job->takes_plain);
+    const tdmf_model_kind model = tdmf_model_in_lanes(page);
+    const int width = widths[ensemble->instructions];
+    const int64_t most = (int64_t)ensemble->threads * TDMF_RUNS_OF_A_LANE * (width == 0 ? 8 : width);
+    const int64_t places = count < most ? count : most;
+    batch_memory memory;
+    tdmf_batch_work made = {0};
+    if (!find_memory(&memory, places, model.parameter_count + model.state_count)) {
+        return false;
+    }
+    job->members = memory.members;
+    tdmf_find_places(page, job->places);
+    tdmf_batch batch = {.runs = memory.runs,
+                        .count = begin_first(job, page, &memory, places),
+                        .until = memory.until,
+                        .outcomes = memory.outcomes,
+                        .at_end = at_end,
+                        .context = job,
+                        .width = width,
+                        .threads = ensemble->threads};
+    const bool is_done = tdmf_run_batch(&model, &batch, &made);
+    add_work(job, batch.count, &made, tdmf_page_order(ensemble->relative_tolerance), work);
+    free(memory.until);
+    return is_done;
+}
+
+static int64_t smaller(int64_t a, int64_t b) {
+    return a < b ? a : b;
 }
 
 bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, tdmf_ensemble_work *work) {
+    const tdmf_ensemble_work none = {0};
+    tdmf_ensemble_work sum = none;
+    int64_t of_page[2] = {0, 0};
     if (!tdmf_is_sound_ensemble(ensemble, ends)) {
         return false;
     }
-    /* No more threads than runners, and one if there are none. */
-    const int threads = ensemble->threads <= ensemble->count ? ensemble->threads
-                        : ensemble->count > 0                ? (int)ensemble->count
-                                                             : 1;
-    everything all = {
-        .ensemble = ensemble,
-        .integration = runs[ensemble->instructions == TDMF_BEST_INSTRUCTIONS ? tdmf_best_instructions()
-                                                                             : ensemble->instructions],
-        .starts = {0, ensemble->count, ensemble->stop},
-        .orders = tdmf_step_orders(ensemble->relative_tolerance),
-        .ends = ends,
-        .works = calloc((size_t)threads, sizeof *all.works),
-    };
-    if (all.works == NULL) {
+    const int64_t count = ensemble->count;
+    bool *is_plain = calloc((size_t)count + 1, sizeof *is_plain);
+    if (!is_plain) {
         return false;
     }
-    tdmf_run_in_threads(run_share, &all, threads);
-    if (work) {
-        const tdmf_ensemble_work none = {0};
-        *work = none;
-        for (int i = 0; i < threads; ++i) {
-            add_work(work, &all.works[i]);
-        }
-        work->begun = all.starts.next < ensemble->count ? all.starts.next : ensemble->count;
+    for (int64_t i = 0; i < count; ++i) {
+        is_plain[i] = ensemble->map == TDMF_RETURN_MAP && tdmf_member_is_plain(ensemble, i);
+        ++of_page[is_plain[i]];
     }
-    free(all.works);
-    return true;
+    page_job jobs[2] = {{ensemble, ends, is_plain, false, 0, NULL, {0}},
+                        {ensemble, ends, is_plain, true, 0, NULL, {0}}};
+    bool is_done = true;
+    for (int i = 0; i < 2; ++i) {
+        is_done = is_done && (of_page[i] == 0 || run_on_page(&jobs[i], of_page[i], &sum));
+        sum.begun = jobs[i].next > sum.begun ? jobs[i].next : sum.begun;
+    }
+    sum.begun = smaller(sum.begun, count);
+    for (int64_t i = 0; is_done && i < sum.begun; ++i) { /* where the run was stopped */
+        if (i >= jobs[is_plain[i]].next) {
+            tdmf_member_stops(ensemble, i, &ends[i]);
+        }
+    }
+    if (is_done && work) {
+        *work = sum;
+    }
+    free(is_plain);
+    return is_done;
 }

@@ -4,6 +4,7 @@
 #include "patch.h"
 #include "ranges.h"
 #include "request.h"
+#include "runner_pages.h"
 #include "settings.h"
 
 #include <math.h>
@@ -225,10 +226,16 @@ static bool has_room(const tdmf_ensemble *ensemble) {
     return ensemble->strides == NULL || (ensemble->first_stride >= 0 && ensemble->stride_count >= 0);
 }
 
+/* Whether the page of a map has a mode of the runner's page. */
+static bool is_mode(int mode, tdmf_ensemble_map map) {
+    const tdmf_runner_page *page = tdmf_page_for(map, false);
+    return mode >= 0 && tdmf_place_of(page->modes, page->model->mode_count, mode) >= 0;
+}
+
 static bool has_checkpoints(const tdmf_ensemble *ensemble) {
     for (int64_t i = 0; ensemble->goes_on && i < ensemble->count; ++i) {
         if (ensemble->checkpoints == NULL ||
-            (ensemble->checkpoints[i].stands && !tdmf_is_sound_motion(&ensemble->checkpoints[i].motion))) {
+            (ensemble->checkpoints[i].stands && !is_mode(ensemble->checkpoints[i].mode, ensemble->map))) {
             return false;
         }
     }

@@ -5,8 +5,8 @@
 
 #include <math.h>
 
-static int coordinates_of(const tdmf_runner *runner) {
-    return runner->map == TDMF_REDUCED_MAP ? (int)TDMF_REDUCED_COUNT : (int)TDMF_SECTION_COUNT;
+static int coordinates_of(const tdmf_member *member) {
+    return member->ensemble->map == TDMF_REDUCED_MAP ? (int)TDMF_REDUCED_COUNT : (int)TDMF_SECTION_COUNT;
 }
 
 static bool is_in_ball(const tdmf_ball *ball, const double *gait, const double *apex, int coordinates) {
@@ -31,24 +31,24 @@ static bool is_near(const double *gait, const double *apex, const double *scales
     return true;
 }
 
-int tdmf_gait_of_ball(const tdmf_runner *runner, const double apex[TDMF_SECTION_COUNT]) {
-    const tdmf_ensemble_rules *rules = &runner->its_case->rules;
+int tdmf_gait_of_ball(const tdmf_member *member, const double apex[TDMF_SECTION_COUNT]) {
+    const tdmf_ensemble_rules *rules = &member->its_case->rules;
     for (int gait = 0; rules->balls && gait < rules->gait_count; ++gait) {
-        if (is_in_ball(&rules->balls[gait], rules->gaits[gait], apex, coordinates_of(runner))) {
+        if (is_in_ball(&rules->balls[gait], rules->gaits[gait], apex, coordinates_of(member))) {
             return gait;
         }
     }
     return -1;
 }
 
-int tdmf_gait_reached(const tdmf_runner *runner, const double apex[TDMF_SECTION_COUNT]) {
-    const tdmf_ensemble_rules *rules = &runner->its_case->rules;
+int tdmf_gait_reached(const tdmf_member *member, const double apex[TDMF_SECTION_COUNT]) {
+    const tdmf_ensemble_rules *rules = &member->its_case->rules;
     double scales[TDMF_SECTION_COUNT];
-    tdmf_section_scales(runner->model, scales);
+    tdmf_section_scales(member->its_case->model, scales);
     for (int gait = 0; gait < rules->gait_count; ++gait) {
-        if (is_near(rules->gaits[gait], apex, scales, rules->distance, coordinates_of(runner))) {
+        if (is_near(rules->gaits[gait], apex, scales, rules->distance, coordinates_of(member))) {
             return gait;
         }
     }
-    return tdmf_gait_of_ball(runner, apex);
+    return tdmf_gait_of_ball(member, apex);
 }

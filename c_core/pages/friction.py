@@ -56,6 +56,10 @@ class Friction(Model):
         """Whether friction falls with the slip speed."""
         return r.stribeck_velocity > 0 and r.static_ratio > 1
 
+    def speed_in_layer(r):
+        """Slip speed over the Stribeck velocity, by which margins are small in a thin layer, too."""
+        return r.way * r.foot_vx / select(r.stribeck_velocity > 0, r.stribeck_velocity, 1)
+
     def time_scale_of_slip(r):
         """Time in which falling friction changes the slip speed by v_s, or lets an error grow e times."""
         if r.law == "constant":

@@ -24,6 +24,9 @@ class Ground(Model):
         most=1e9)
     patch_friction = parameter(0.1, "1", "Friction coefficient on the patch, mu_p", least=0, most=1e6)
     by_stride = parameter(False, "1", "Whether a new segment comes at each apex, and not at its border")
+    trips = parameter(False, "1", "Whether a foot that meets the face of a higher segment falls")
+    keeps_friction = parameter(
+        False, "1", "Whether a stance keeps the friction of the segment on which it began")
 
     height = state(0, "m", "Height at x = 0 of the ground line in force")
     slope = state(0, "rad", "Slope of the ground line in force")
@@ -51,6 +54,20 @@ class Ground(Model):
         return dict(segment=number, segment_begin=of.begin, segment_end=of.end, segment_height=of.height,
                     segment_slope=of.slope, friction_ahead=of.friction, friction_behind=of.friction)
 
+    def moves_onto(r, number, **kept):
+        """The foot moves onto the next segment, or falls over the face of a higher one."""
+        moved = r.replace(**r.on_segment(number) | kept)
+        if r.mode == "start_of_run" or r.trips <= 0:
+            return moved
+        if moved.foot_above(moved.set_height(), moved.set_slope()) < -r.margin_of("m"):
+            return moved.to("fallen")
+        return moved
+
+    def kept_in_stance(r, changes):
+        """Changes in a stance, which may keep the friction of its segment."""
+        return {name: select(r.keeps_friction > 0, getattr(r, name), value)
+                for name, value in changes.items() if name in ("friction_ahead", "friction_behind")}
+
     def segment_towards(r, way):
         """The segment that the foot would slip into, in a direction: on a border the one that it enters."""
         x = r.foot().x + way * r.margin_of("m")
@@ -65,13 +82,13 @@ class Ground(Model):
            only=lambda r: r.mode == "start_of_run" or r.segment_end < FAR)
     def passes_end(r):
         """The foot is above the next segment."""
-        return r.replace(**r.on_segment(r.segment + 1))
+        return r.moves_onto(r.segment + 1)
 
     @event("start_of_run flight graze", when=lambda r: r.foot().x - r.segment_begin, unit="m",
            counted=False, only=lambda r: r.mode == "start_of_run" or r.segment_begin > -FAR)
     def passes_begin(r):
         """The foot is above the segment before."""
-        return r.replace(**r.on_segment(r.segment - 1))
+        return r.moves_onto(r.segment - 1)
 
     @event("flight", when=lambda r: -1, counted=False,
            only=lambda r: r.by_stride > 0 and r.segment < r.count)

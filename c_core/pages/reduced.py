@@ -36,9 +36,10 @@ class ReducedRunner(RunnerOnOneLine):
     def begins(r):
         """Every run begins at an apex, with the foot above the ground."""
         r = r.replace(liftoff_angle=r.angle, height=r.set_height(), slope=r.set_slope())
-        if r.foot_above(r.height, r.slope) <= 0:
+        flying = r.to("flight", swing="place", placing=0).place_leg()
+        if flying.foot_above(r.height, r.slope) <= 0:
             return r.to("no_start")
-        return r.to("flight", swing="place", placing=0).place_leg().open_stride()
+        return flying.open_stride()
 
     @mode("swing", of="flight")
     def flight(r):
@@ -110,7 +111,8 @@ class ReducedRunner(RunnerOnOneLine):
     @event("flight", swing="retract", when=lambda r: r.rise(), unit="m/s")
     def apex(r):
         """A stride closes, and the leg is placed anew."""
-        return r.close_stride().replace(swing="place", placing=0).place_leg()
+        closed = r.replace(swing="place", placing=0).place_leg().close_stride()
+        return closed.to("no_start") if closed.foot_above(r.height, r.slope) <= 0 else closed
 
     @output("N.m", name="hip.torque")
     def torque(r):

@@ -186,7 +186,8 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
     def slide(r, way):
         """Slip in a direction. Slow slip enters the layer of falling friction at once."""
-        return r.to("slip", way=way, law="constant", **r.on_segment(r.segment_towards(way)))
+        onto = r.on_segment(r.segment_towards(way))
+        return r.to("slip", way=way, law="constant", **onto | r.kept_in_stance(onto))
 
     def resting(r):
         """A foot at rest sticks inside the friction cone; outside, it slips in the direction of the push."""
@@ -269,20 +270,23 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
     @event("stick slip", when=lambda r: r.standing().normal, unit="N")
     def lift_off(r):
-        """Flight where the flight law lifts the foot too; graze where it would push the foot down again."""
-        off = r.swinging()
-        if off.flight_lifts() > r.margin_of("N"):
-            return off.to("graze")
-        return off.fly()
+        """Flight where the flight law lifts the foot too; graze where it would push the foot down again.
 
-    @event("slip", law="constant", unit="m/s", counted=False, only=lambda r: r.friction_falls(),
-           when=lambda r: r.way * r.foot_vx - r.decayed * r.stribeck_velocity)
+        A foot that is hardly lifted grazes, too: the guard of its flight decides by its rate.
+        """
+        off, hardly = r.swinging(), 1000 * r.margin_of("N")
+        if off.flight_lifts() < -hardly:
+            return off.fly()
+        return off.to("graze")
+
+    @event("slip", law="constant", unit="1", counted=False, only=lambda r: r.friction_falls(),
+           when=lambda r: r.speed_in_layer() - r.decayed)
     def enters_layer(r):
         """Slip is slow enough for friction to depend on the speed."""
         return r.replace(law="falling")
 
-    @event("slip", law="falling", unit="m/s", counted=False,
-           when=lambda r: (r.decayed + 1) * r.stribeck_velocity - r.way * r.foot_vx)
+    @event("slip", law="falling", unit="1", counted=False,
+           when=lambda r: r.decayed + 1 - r.speed_in_layer())
     def leaves_layer(r):
         """Slip is fast enough for friction to be constant."""
         return r.replace(law="constant")
@@ -300,17 +304,18 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
     @event("slip", when=lambda r: r.way * r.foot_vx, unit="m/s")
     def comes_to_rest(r):
         """The slip velocity reaches 0: the foot sticks, or slips the other way."""
-        return r.replace(**r.neighbours()).resting()
+        return r.replace(**r.kept_in_stance(r.neighbours())).resting()
 
     @event("slip", when=lambda r: r.border_distance(), unit="m", only=lambda r: r.has_border_ahead())
     def crosses_border(r):
         """The foot slips onto the next segment, whose line waits until the foot lifts off."""
-        return r.replace(**r.on_segment(r.segment + r.way))
+        number = r.segment + r.way
+        return r.moves_onto(number, **r.kept_in_stance(r.on_segment(number)))
 
     @event("graze", when=lambda r: -r.standing().normal, unit="N")
     def graze_to_contact(r):
         """The stance law presses the foot on the ground again."""
-        r = r.replace(placing=0, **r.neighbours())
+        r = r.replace(placing=0, **r.kept_in_stance(r.neighbours()))
         return r.slide(select(r.foot_vx > 0, 1, -1)) if abs(r.foot_vx) > 0 else r.resting()
 
     @event("graze", swing=("retract", "rest", "place"), when=lambda r: r.flight_lifts(), unit="N")
@@ -404,7 +409,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 class RunnerOnOneLine(Runner):
     """The runner on ground that is one line, of one friction."""
 
-    patch_begin = patch_end = patch_friction = by_stride = 0
+    patch_begin = patch_end = patch_friction = by_stride = trips = keeps_friction = 0
     segment = segment_begin = segment_end = segment_height = segment_slope = 0
     friction_ahead = friction_behind = -1
     ground_segment = passes_end = passes_begin = next_segment_comes = crosses_border = None

@@ -2,7 +2,6 @@
  * beside a row is another runner's, so a wrong row is another stride. */
 #include "compare.h"
 #include "reference_gaits.h"
-#include "runner.h"
 
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/ensemble.h"
@@ -158,22 +157,6 @@ static void who_falls_later_stands_nowhere_then(void **state) {
     assert_false(population.checkpoints[FALLS].stands);
 }
 
-/* ---- at an apex --------------------------------------------------------------------------------------- */
-
-/* They widen a guard's margin; a stride is not to depend on those of the stride before. */
-static void a_stride_begins_without_false_crossings(void **state) {
-    (void)state;
-    population population;
-    tdmf_runner runner;
-    tdmf_solver solver = tdmf_solver_default();
-    gather(&population, 0);
-    assert_true(tdmf_runner_begin(&runner, &population.ensemble, 0, &population.ends[0]));
-    runner.false_crossings = 5;
-    assert_true(tdmf_runner_stride(&runner, &solver));
-    assert_int_equal(population.ends[0].strides, 1);
-    assert_int_equal(runner.false_crossings, 0);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(strides_are_made_with_the_rows_that_are_theirs),
@@ -181,7 +164,6 @@ int main(void) {
         cmocka_unit_test(a_run_that_has_made_its_strides_makes_no_more),
         cmocka_unit_test(who_has_fallen_stands_nowhere),
         cmocka_unit_test(who_falls_later_stands_nowhere_then),
-        cmocka_unit_test(a_stride_begins_without_false_crossings),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

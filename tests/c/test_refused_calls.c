@@ -436,8 +436,7 @@ static void goes_on_from_nowhere(population *c) {
 static void goes_on_in_no_mode(population *c) {
     c->ensemble.goes_on = true;
     c->checkpoints[RUNNERS - 1].stands = true;
-    c->checkpoints[RUNNERS - 1].motion = c->scene.motion;
-    c->checkpoints[RUNNERS - 1].motion.mode.contact = (tdmf_contact_mode)77;
+    c->checkpoints[RUNNERS - 1].mode = 77;
 }
 static void given_no_values(population *c) {
     c->ensemble.given = &c->given;

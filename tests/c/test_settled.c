@@ -2,7 +2,6 @@
  * stopped. */
 #include "compare.h"
 #include "reference_gaits.h"
-#include "runner.h"
 
 #include "tdmf_slip/ensemble.h"
 

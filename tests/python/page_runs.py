@@ -53,7 +53,8 @@ class RunStruct(Structure):
         *(("log", c_void_p), ("log_states", c_void_p), ("log_size", c_int), ("log_count", c_int)),
         *(("sample_times", c_void_p), ("samples", c_void_p), ("d_samples", c_void_p)),
         *(("sample_count", c_int), ("sampled", c_int)),
-        *(("steps", c_long), ("events", c_long), ("chain", c_int), ("time_rest", c_double)),
+        *(("steps", c_long), ("events", c_long), ("limited_steps", c_long)),
+        *(("chain", c_int), ("time_rest", c_double)),
         *(("is_shifted", c_bool), *((name, c_uint64) for name in ("taken", "above", "late"))),
     ]
 
@@ -439,13 +440,13 @@ class PageRun:
         ]
 
 
-AT_STOP = CFUNCTYPE(c_bool, c_void_p, c_int64, POINTER(RunStruct))
+AT_END = CFUNCTYPE(c_int, c_void_p, c_int64, POINTER(RunStruct), c_int)
 
 
 class BatchStruct(Structure):
     _fields_ = [
         *(("runs", POINTER(RunStruct)), ("count", c_int64), ("until", c_void_p), ("outcomes", c_void_p)),
-        *(("at_stop", AT_STOP), ("context", c_void_p), ("cancel", POINTER(c_int)), ("width", c_int)),
+        *(("at_end", AT_END), ("context", c_void_p), ("cancel", POINTER(c_int)), ("width", c_int)),
         ("threads", c_int),
     ]
 
@@ -454,7 +455,7 @@ class WorkStruct(Structure):
     _fields_ = [(name, c_int64) for name in ("steps", "lane_steps", "single_steps")]
 
 
-def run_batch(runs, until=1e6, stop=None, width=0, threads=1, at_stop=None, cancel=None):
+def run_batch(runs, until=1e6, stop=None, width=0, threads=1, at_end=None, cancel=None):
     """Run many runs of a page side by side. Returns the work done."""
     of, work = runs[0].of, WorkStruct()
     structs, outcomes = (RunStruct * len(runs))(), np.full(len(runs), -1, np.int32)
@@ -463,7 +464,7 @@ def run_batch(runs, until=1e6, stop=None, width=0, threads=1, at_stop=None, canc
         run.run.stop_event = of.events.index(stop) if stop else -1
         structs[i] = run.run
     batch = BatchStruct(
-        structs, len(runs), untils.ctypes.data, outcomes.ctypes.data, AT_STOP(at_stop or 0), None, cancel,
+        structs, len(runs), untils.ctypes.data, outcomes.ctypes.data, AT_END(at_end or 0), None, cancel,
         width, threads,
     )  # fmt: skip
     is_sound = of.library.tdmf_run_batch(byref(of.struct), byref(batch), byref(work))

@@ -4,7 +4,7 @@ import ctypes
 
 import numpy as np
 import pytest
-from page_runs import COMPILER, LANES, CompiledPage, StuckError, run_batch, widths_of
+from page_runs import COMPILER, LANES, OUTCOMES, CompiledPage, StuckError, run_batch, widths_of
 from test_page_random import drawn
 from test_page_runner import world_of
 
@@ -254,13 +254,34 @@ def test_a_callback_changes_states_from_stop_to_stop(hopper, threads):
             pass
     mine = hoppers()
 
-    def at_stop(_context, number, _run):
-        return bool(again(mine[number]))
+    def at_end(_context, number, _run, outcome):
+        return OUTCOMES[outcome] == "stopped" and bool(again(mine[number]))
 
     for width in widths_of(hopper):
         mine = hoppers()
-        run_batch(mine, 30.0, "hits", width, threads, at_stop)
+        run_batch(mine, 30.0, "hits", width, threads, at_end)
         assert [bits(run) for run in mine] == [bits(run) for run in wanted]
+
+
+def test_a_run_that_a_callback_leaves_as_it_is_goes_on_in_its_lane(hopper):
+    """It ends as one that is begun anew at each stop; some have less time from a stop on."""
+    ends = np.random.default_rng(1).uniform(8, 12, 40)
+    steps = {}
+    for unchanged in (False, True):
+        for width in widths_of(hopper):
+            runs = [random_hopper(hopper, i) for i in range(40)]
+            until = ends.copy()
+
+            def at_end(_context, number, _run, outcome, until=until, unchanged=unchanged):
+                until[number] = ends[number] - 4 * (number % 3 == 0)
+                return (1 + unchanged) * (OUTCOMES[outcome] == "stopped")
+
+            work = run_batch(runs, until, "hits", width, 1, at_end)
+            steps[unchanged, width] = work.lane_steps
+            if not unchanged and width == 1:
+                wanted = [bits(run) for run in runs]
+            assert [bits(run) for run in runs] == wanted
+    assert all(steps[True, width] < steps[False, width] for width in widths_of(hopper)[1:])
 
 
 def test_a_cancelled_run_is_where_it_was_and_goes_on_from_there(hopper):
@@ -271,12 +292,12 @@ def test_a_cancelled_run_is_where_it_was_and_goes_on_from_there(hopper):
         assert {(run.outcome, run.time) for run in runs} == {("cancelled", 0.0)}
         cancel.value, calls = 0, []
 
-        def at_stop(_context, number, _run, cancel=cancel, calls=calls):
+        def at_end(_context, number, _run, outcome, cancel=cancel, calls=calls):
             calls.append(number)
             cancel.value = len(calls) > 10
-            return True
+            return OUTCOMES[outcome] == "stopped"
 
-        run_batch(runs, 10.0, "hits", width, 2, at_stop, ctypes.pointer(cancel))
+        run_batch(runs, 10.0, "hits", width, 2, at_end, ctypes.pointer(cancel))
         assert sum(run.outcome == "cancelled" for run in runs) > 3
         wanted = driven([random_hopper(hopper, i) for i in range(20)], 10.0)
         for run, other in zip(runs, wanted, strict=True):

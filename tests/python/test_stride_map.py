@@ -185,14 +185,15 @@ def test_runners_have_their_own_parameters_and_settings(gait, starts):
 
 
 def test_every_setting_may_change_and_acts(gait):
-    """It changes from the second stride on."""
+    """It changes from the second stride on; the first is made on the whole page, which rounds otherwise."""
     usual = gait.runner
     as_ever = stride_map(gait.runner, gait.apex, strides=2)
     for name in SETTINGS:
         change = 1e-3 if name.startswith(("leg", "hip", "control")) else 1e-4
         settings = {name: [usual[name], usual[name] + change]}
         found = stride_map(gait.runner, gait.apex, strides=2, inputs=settings)
-        np.testing.assert_array_equal(found["next_apex"][:, 0], as_ever["next_apex"][:, 0], err_msg=name)
+        first, as_usual = found["next_apex"][:, 0], as_ever["next_apex"][:, 0]
+        np.testing.assert_allclose(first, as_usual, rtol=0, atol=1e-12, err_msg=name)
         moved = (
             np.abs(found["next_apex"] - as_ever["next_apex"])[:, 1].max() if name != "ground.height" else 1
         )

@@ -19,16 +19,17 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
     const plain_reduced_runner_states *x = (const void *)states;
     plain_reduced_runner_states *y = (void *)after;
     (void)tables;
-    y->liftoff_angle = x->angle;
-    if (x->seen_y <= 0.0) {
-        return next[0]; /* no_start */
-    }
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sine = real_sin(x->angle);
-    const real sum_2 = x->seen_x - share * (x->length * sine);
     const real cosine = real_cos(x->angle);
     const real y_2 = x->length * cosine;
-    const real height_of_section = x->seen_y + share * y_2;
+    const real level = x->seen_y + share * y_2;
+    const real above = level - share * p->free_length * real_cos(p->touchdown_angle);
+    y->liftoff_angle = x->angle;
+    if (above <= 0.0) {
+        return next[0]; /* no_start */
+    }
+    const real sine = real_sin(x->angle);
+    const real sum_2 = x->seen_x - share * (x->length * sine);
     const real turn = x->length * x->angle_rate;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real seen_vx_plus_share_times_vx = x->seen_vx + share * vx;
@@ -44,9 +45,9 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
     y->last_letter = 0.0;
     y->bar_is_due = 0.0;
     y->x_then = sum_2;
-    y->y_then = height_of_section;
+    y->y_then = level;
     y->apex_time = x->time;
-    y->apex_com_height = height_of_section;
+    y->apex_com_height = level;
     y->apex_com_speed = seen_vx_plus_share_times_vx;
     y->apex_length = p->free_length;
     y->apex_angle = p->touchdown_angle;
@@ -56,7 +57,7 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
     y->angle = p->touchdown_angle;
     y->length_rate = 0.0;
     y->com_x = sum_2;
-    y->com_y = height_of_section;
+    y->com_y = level;
     y->com_vx = seen_vx_plus_share_times_vx;
     y->com_vy = x->seen_vy + share * vy;
     y->momentum = 0.0;
@@ -73,22 +74,24 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     const plain_reduced_runner_states *dx = (const void *)d_states;
     plain_reduced_runner_states *y = (void *)after;
     (void)tables, (void)seed;
-    y->liftoff_angle = dx->angle;
-    if (x->seen_y <= 0.0) {
-        return;
-    }
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real cosine = real_cos(x->angle);
+    const real y_2 = x->length * cosine;
+    const real level = x->seen_y + share * y_2;
+    const real above = level - share * p->free_length * real_cos(p->touchdown_angle);
+    y->liftoff_angle = dx->angle;
+    if (above <= 0.0) {
+        return;
+    }
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
     const real d_sine = cosine * dx->angle;
     const real seen_x_minus_sum = dx->seen_x - (d_share * (x->length * sine) + share * (dx->length * sine
         + x->length * d_sine));
-    const real y_2 = x->length * cosine;
     const real sine_times_angle = sine * dx->angle;
     const real d_y = dx->length * cosine - x->length * sine_times_angle;
-    const real d_height_of_section = dx->seen_y + (d_share * y_2 + share * d_y);
+    const real d_level = dx->seen_y + (d_share * y_2 + share * d_y);
     const real turn = x->length * x->angle_rate;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
@@ -109,9 +112,9 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     y->last_letter = 0.0;
     y->bar_is_due = 0.0;
     y->x_then = seen_x_minus_sum;
-    y->y_then = d_height_of_section;
+    y->y_then = d_level;
     y->apex_time = dx->time;
-    y->apex_com_height = d_height_of_section;
+    y->apex_com_height = d_level;
     y->apex_com_speed = sum_2;
     y->apex_length = dp->free_length;
     y->apex_angle = dp->touchdown_angle;
@@ -121,7 +124,7 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     y->angle = dp->touchdown_angle;
     y->length_rate = 0.0;
     y->com_x = seen_x_minus_sum;
-    y->com_y = d_height_of_section;
+    y->com_y = d_level;
     y->com_vx = sum_2;
     y->com_vy = dx->seen_vy + (d_share * vy + share * d_vy);
     y->momentum = 0.0;
@@ -1302,12 +1305,34 @@ static int react_flight_retract_apex(const real *parameters, const real *states,
     const plain_reduced_runner_states *x = (const void *)states;
     plain_reduced_runner_states *y = (void *)after;
     (void)tables;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real cosine = real_cos(p->touchdown_angle);
+    const real above = x->com_y - share * p->free_length * cosine;
+    const real count_plus_by_1_or_count = select(x->is_open > 0.0, x->count + 1.0, x->count);
+    const real word_so_far_or_word_code = select(x->is_open > 0.0, x->word_so_far, x->word_code);
     const real period = x->time - x->apex_time;
+    const real period_or_period = select(x->is_open > 0.0, period, x->period);
     const real distance = x->com_x - x->x_then;
+    const real distance_or_distance = select(x->is_open > 0.0, distance, x->distance);
+    const real com_y_minus_y_then_or_rise_of_stride = select(x->is_open > 0.0, x->com_y - x->y_then,
+        x->rise_of_stride);
     const real hip = x->work - x->work_then;
-    const real weight = (p->body_mass + p->foot_mass) * p->gravity;
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
+    const real hip_or_work_of_stride = select(x->is_open > 0.0, hip, x->work_of_stride);
+    const real hip_or_hip_work = select(x->is_open > 0.0, hip, x->hip_work);
+    const real sum_or_positive_work = select(x->is_open > 0.0, x->positive_work_so_far
+        - x->positive_work_then, x->positive_work);
+    const real distance_over_period_or_speed = select(x->is_open > 0.0, distance / period, x->speed);
+    const real weight = body_mass_plus_foot_mass * p->gravity;
+    const real select_2 = select(x->is_open > 0.0, hip / (weight * distance), x->cost_of_transport);
+    const real touchdowns_so_far_or_touchdowns = select(x->is_open > 0.0, x->touchdowns_so_far,
+        x->touchdowns);
+    const real stance_so_far_or_stance_time = select(x->is_open > 0.0, x->stance_so_far, x->stance_time);
+    const real select_3 = select(x->is_open > 0.0, x->stance_so_far / period, x->duty_factor);
+    const real slip_so_far_or_slip_distance = select(x->is_open > 0.0, x->slip_so_far, x->slip_distance);
+    const real peak_force_so_far_or_peak_force = select(x->is_open > 0.0, x->peak_force_so_far,
+        x->peak_force);
+    const real select_4 = select(x->is_open > 0.0, x->peak_force_so_far, x->peak_vertical_force);
     y->is_open = 1.0;
     y->work_then = x->work;
     y->positive_work_then = x->positive_work_so_far;
@@ -1320,36 +1345,45 @@ static int react_flight_retract_apex(const real *parameters, const real *states,
     y->bar_is_due = 0.0;
     y->x_then = x->com_x;
     y->y_then = x->com_y;
-    y->count = select(x->is_open > 0.0, x->count + 1.0, x->count);
-    y->word_code = select(x->is_open > 0.0, x->word_so_far, x->word_code);
-    y->period = select(x->is_open > 0.0, period, x->period);
-    y->distance = select(x->is_open > 0.0, distance, x->distance);
-    y->rise_of_stride = select(x->is_open > 0.0, x->com_y - x->y_then, x->rise_of_stride);
-    y->work_of_stride = select(x->is_open > 0.0, hip, x->work_of_stride);
-    y->hip_work = select(x->is_open > 0.0, hip, x->hip_work);
-    y->positive_work = select(x->is_open > 0.0, x->positive_work_so_far - x->positive_work_then,
-        x->positive_work);
-    y->speed = select(x->is_open > 0.0, distance / period, x->speed);
-    y->cost_of_transport = select(x->is_open > 0.0, hip / (weight * distance), x->cost_of_transport);
-    y->touchdowns = select(x->is_open > 0.0, x->touchdowns_so_far, x->touchdowns);
-    y->stance_time = select(x->is_open > 0.0, x->stance_so_far, x->stance_time);
-    y->duty_factor = select(x->is_open > 0.0, x->stance_so_far / period, x->duty_factor);
-    y->slip_distance = select(x->is_open > 0.0, x->slip_so_far, x->slip_distance);
-    y->peak_force = select(x->is_open > 0.0, x->peak_force_so_far, x->peak_force);
-    y->peak_vertical_force = select(x->is_open > 0.0, x->peak_force_so_far, x->peak_vertical_force);
+    y->count = count_plus_by_1_or_count;
+    y->word_code = word_so_far_or_word_code;
+    y->period = period_or_period;
+    y->distance = distance_or_distance;
+    y->rise_of_stride = com_y_minus_y_then_or_rise_of_stride;
+    y->work_of_stride = hip_or_work_of_stride;
+    y->hip_work = hip_or_hip_work;
+    y->positive_work = sum_or_positive_work;
+    y->speed = distance_over_period_or_speed;
+    y->cost_of_transport = select_2;
+    y->touchdowns = touchdowns_so_far_or_touchdowns;
+    y->stance_time = stance_so_far_or_stance_time;
+    y->duty_factor = select_3;
+    y->slip_distance = slip_so_far_or_slip_distance;
+    y->peak_force = peak_force_so_far_or_peak_force;
+    y->peak_vertical_force = select_4;
     y->apex_time = x->time;
     y->apex_com_height = x->com_y;
     y->apex_com_speed = x->com_vx;
-    y->apex_length = x->length;
-    y->apex_angle = x->angle;
-    y->apex_length_rate = x->length_rate;
-    y->apex_angle_rate = rate;
+    y->apex_length = p->free_length;
+    y->apex_angle = p->touchdown_angle;
+    y->apex_length_rate = 0.0;
+    y->apex_angle_rate = 0.0;
     y->length = p->free_length;
     y->angle = p->touchdown_angle;
     y->length_rate = 0.0;
-    y->momentum = 0.0;
     y->placing = 0.0;
-    return next[0]; /* flight */
+    if (above <= 0.0) {
+        const real sine = real_sin(p->touchdown_angle);
+        const real y_2 = p->free_length * cosine;
+        y->seen_x = x->com_x + share * (p->free_length * sine);
+        y->seen_y = x->com_y - share * y_2;
+        y->seen_vx = x->com_vx;
+        y->seen_vy = x->com_vy;
+        y->angle_rate = 0.0;
+        return next[0]; /* no_start */
+    }
+    y->momentum = 0.0;
+    return next[1]; /* flight */
 }
 
 /* First variation of apex. */
@@ -1361,21 +1395,43 @@ static void vary_react_flight_retract_apex(const real *parameters, const real *s
     const plain_reduced_runner_states *dx = (const void *)d_states;
     plain_reduced_runner_states *y = (void *)after;
     (void)tables, (void)seed;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real cosine = real_cos(p->touchdown_angle);
+    const real above = x->com_y - share * p->free_length * cosine;
+    const real word_so_far_or_word_code = select(x->is_open > 0.0, dx->word_so_far, dx->word_code);
     const real d_period = dx->time - dx->apex_time;
+    const real d_period_or_period = select(x->is_open > 0.0, d_period, dx->period);
     const real d_distance = dx->com_x - dx->x_then;
+    const real d_distance_or_distance = select(x->is_open > 0.0, d_distance, dx->distance);
+    const real com_y_minus_y_then_or_rise_of_stride = select(x->is_open > 0.0, dx->com_y - dx->y_then,
+        dx->rise_of_stride);
     const real d_hip = dx->work - dx->work_then;
+    const real d_hip_or_work_of_stride = select(x->is_open > 0.0, d_hip, dx->work_of_stride);
+    const real d_hip_or_hip_work = select(x->is_open > 0.0, d_hip, dx->hip_work);
+    const real sum_or_positive_work = select(x->is_open > 0.0, dx->positive_work_so_far
+        - dx->positive_work_then, dx->positive_work);
     const real distance = x->com_x - x->x_then;
     const real period = x->time - x->apex_time;
-    const real hip = x->work - x->work_then;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real sum_over_period_or_speed = select(x->is_open > 0.0, (d_distance
+        - distance / period * d_period) / period, dx->speed);
     const real weight = body_mass_plus_foot_mass * p->gravity;
     const real weight_times_distance = weight * distance;
-    const real d_weight = p->gravity * (dp->body_mass + dp->foot_mass)
-        + body_mass_plus_foot_mass * dp->gravity;
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
+    const real body_mass_plus_foot_mass_2 = dp->body_mass + dp->foot_mass;
+    const real hip = x->work - x->work_then;
+    const real d_weight = p->gravity * body_mass_plus_foot_mass_2 + body_mass_plus_foot_mass * dp->gravity;
+    const real ratio_or_cost_of_transport = select(x->is_open > 0.0, (d_hip
+        - hip / weight_times_distance * (d_weight * distance + weight * d_distance)) / weight_times_distance,
+        dx->cost_of_transport);
+    const real touchdowns_so_far_or_touchdowns = select(x->is_open > 0.0, dx->touchdowns_so_far,
+        dx->touchdowns);
+    const real stance_so_far_or_stance_time = select(x->is_open > 0.0, dx->stance_so_far, dx->stance_time);
+    const real select_2 = select(x->is_open > 0.0, (dx->stance_so_far
+        - x->stance_so_far / period * d_period) / period, dx->duty_factor);
+    const real slip_so_far_or_slip_distance = select(x->is_open > 0.0, dx->slip_so_far, dx->slip_distance);
+    const real peak_force_so_far_or_peak_force = select(x->is_open > 0.0, dx->peak_force_so_far,
+        dx->peak_force);
+    const real select_3 = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_vertical_force);
     y->is_open = 0.0;
     y->work_then = dx->work;
     y->positive_work_then = dx->positive_work_so_far;
@@ -1389,37 +1445,47 @@ static void vary_react_flight_retract_apex(const real *parameters, const real *s
     y->x_then = dx->com_x;
     y->y_then = dx->com_y;
     y->count = dx->count;
-    y->word_code = select(x->is_open > 0.0, dx->word_so_far, dx->word_code);
-    y->period = select(x->is_open > 0.0, d_period, dx->period);
-    y->distance = select(x->is_open > 0.0, d_distance, dx->distance);
-    y->rise_of_stride = select(x->is_open > 0.0, dx->com_y - dx->y_then, dx->rise_of_stride);
-    y->work_of_stride = select(x->is_open > 0.0, d_hip, dx->work_of_stride);
-    y->hip_work = select(x->is_open > 0.0, d_hip, dx->hip_work);
-    y->positive_work = select(x->is_open > 0.0, dx->positive_work_so_far - dx->positive_work_then,
-        dx->positive_work);
-    y->speed = select(x->is_open > 0.0, (d_distance - distance / period * d_period) / period, dx->speed);
-    y->cost_of_transport = select(x->is_open > 0.0, (d_hip
-        - hip / weight_times_distance * (d_weight * distance + weight * d_distance)) / weight_times_distance,
-        dx->cost_of_transport);
-    y->touchdowns = select(x->is_open > 0.0, dx->touchdowns_so_far, dx->touchdowns);
-    y->stance_time = select(x->is_open > 0.0, dx->stance_so_far, dx->stance_time);
-    y->duty_factor = select(x->is_open > 0.0, (dx->stance_so_far
-        - x->stance_so_far / period * d_period) / period, dx->duty_factor);
-    y->slip_distance = select(x->is_open > 0.0, dx->slip_so_far, dx->slip_distance);
-    y->peak_force = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_force);
-    y->peak_vertical_force = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_vertical_force);
+    y->word_code = word_so_far_or_word_code;
+    y->period = d_period_or_period;
+    y->distance = d_distance_or_distance;
+    y->rise_of_stride = com_y_minus_y_then_or_rise_of_stride;
+    y->work_of_stride = d_hip_or_work_of_stride;
+    y->hip_work = d_hip_or_hip_work;
+    y->positive_work = sum_or_positive_work;
+    y->speed = sum_over_period_or_speed;
+    y->cost_of_transport = ratio_or_cost_of_transport;
+    y->touchdowns = touchdowns_so_far_or_touchdowns;
+    y->stance_time = stance_so_far_or_stance_time;
+    y->duty_factor = select_2;
+    y->slip_distance = slip_so_far_or_slip_distance;
+    y->peak_force = peak_force_so_far_or_peak_force;
+    y->peak_vertical_force = select_3;
     y->apex_time = dx->time;
     y->apex_com_height = dx->com_y;
     y->apex_com_speed = dx->com_vx;
-    y->apex_length = dx->length;
-    y->apex_angle = dx->angle;
-    y->apex_length_rate = dx->length_rate;
-    y->apex_angle_rate = d_rate;
+    y->apex_length = dp->free_length;
+    y->apex_angle = dp->touchdown_angle;
+    y->apex_length_rate = 0.0;
+    y->apex_angle_rate = 0.0;
     y->length = dp->free_length;
     y->angle = dp->touchdown_angle;
     y->length_rate = 0.0;
-    y->momentum = 0.0;
     y->placing = 0.0;
+    if (above <= 0.0) {
+        const real sine = real_sin(p->touchdown_angle);
+        const real d_share = (dp->body_mass - share * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
+        const real d_sine = cosine * dp->touchdown_angle;
+        const real y_2 = p->free_length * cosine;
+        const real d_y = cosine * dp->free_length - p->free_length * (sine * dp->touchdown_angle);
+        y->seen_x = dx->com_x + (p->free_length * sine * d_share + share * (sine * dp->free_length
+            + p->free_length * d_sine));
+        y->seen_y = dx->com_y - (y_2 * d_share + share * d_y);
+        y->seen_vx = dx->com_vx;
+        y->seen_vy = dx->com_vy;
+        y->angle_rate = 0.0;
+        return;
+    }
+    y->momentum = 0.0;
 }
 
 /* First variation of the guard of apex. */
@@ -1663,7 +1729,7 @@ static const tdmf_watch_kind watches_no_apex[] = {
 static const tdmf_guard_kind guards_flight_retract[] = {
     {.event = EVENT_apex, .is_counted = true, .react = react_flight_retract_apex,
         .vary_react = vary_react_flight_retract_apex, .vary_guard = vary_guard_flight_retract_apex,
-        .next = {MODE_flight_place}},
+        .next = {MODE_no_start, MODE_flight_place}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_retract[] = {

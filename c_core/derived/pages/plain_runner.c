@@ -481,7 +481,8 @@ static real vary_guard_slip_constant_mid_stance(const real *parameters, const re
     return d_angle;
 }
 
-/* lift_off: Flight where the flight law lifts the foot too; graze where it would push the foot down again. */
+/* lift_off: Flight where the flight law lifts the foot too; graze where it would push the foot down again. A
+ * foot that is hardly lifted grazes, too: the guard of its flight decides by its rate. */
 static int react_slip_constant_lift_off(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
@@ -503,11 +504,12 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     const real angle_rate = moment / square;
     const real kd_times_angle_rate = p->kd * angle_rate;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
-    const real product_2 = 1e-12 * (p->stiffness * p->free_length);
-    const real goes_on_times_placed_for = goes_on * x->placed_for;
+    const real hardly = 1000.0 * (1e-12 * (p->stiffness * p->free_length));
+    const real minus_hardly = -hardly;
     const real x_2 = x->foot_x + share * x->x_;
     const real y_2 = share * x->y_;
     const real along = x->foot_vx + share * x->vx;
+    const real goes_on_times_placed_for = goes_on * x->placed_for;
     y->liftoff_angle = angle;
     y->placing = goes_on_times_placed_for;
     y->rises_again = goes_on;
@@ -517,27 +519,40 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         const real turning = swing_torque / square;
         const real off = axial_times_y_ + turning * x->x_;
         const real normal = off + foot_mass_times_gravity;
-        if (normal > product_2) {
-            return next[0]; /* graze */
+        if (normal < minus_hardly) {
+            y->length = length;
+            y->angle = angle;
+            y->length_rate = length_rate;
+            y->com_x = x_2;
+            y->com_y = y_2;
+            y->com_vx = along;
+            y->com_vy = rise;
+            y->momentum = moment;
+            y->thrusting = 0.0;
+            return next[0]; /* flight */
         }
-        y->length = length;
-        y->angle = angle;
-        y->length_rate = length_rate;
-        y->com_x = x_2;
-        y->com_y = y_2;
-        y->com_vx = along;
-        y->com_vy = rise;
-        y->momentum = moment;
-        y->thrusting = 0.0;
-        return next[1]; /* flight */
+        return next[1]; /* graze */
     }
     const real retracting_torque = -(p->kp * (angle - p->liftoff_factor * angle)) - kd_times_angle_rate;
     if (p->swing_clamp > 0.0 && retracting_torque <= 0.0) {
         const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
             + foot_mass_times_gravity;
-        if (flight_lifts > product_2) {
-            return next[2]; /* graze */
+        if (flight_lifts < minus_hardly) {
+            y->length = length;
+            y->angle = angle;
+            y->length_rate = length_rate;
+            y->com_x = x_2;
+            y->com_y = y_2;
+            y->com_vx = along;
+            y->com_vy = rise;
+            y->momentum = moment;
+            y->thrusting = 0.0;
+            return next[2]; /* flight */
         }
+        return next[3]; /* graze */
+    }
+    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
+        + foot_mass_times_gravity < minus_hardly) {
         y->length = length;
         y->angle = angle;
         y->length_rate = length_rate;
@@ -547,22 +562,9 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         y->com_vy = rise;
         y->momentum = moment;
         y->thrusting = 0.0;
-        return next[3]; /* flight */
+        return next[4]; /* flight */
     }
-    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
-        + foot_mass_times_gravity > product_2) {
-        return next[4]; /* graze */
-    }
-    y->length = length;
-    y->angle = angle;
-    y->length_rate = length_rate;
-    y->com_x = x_2;
-    y->com_y = y_2;
-    y->com_vx = along;
-    y->com_vy = rise;
-    y->momentum = moment;
-    y->thrusting = 0.0;
-    return next[5]; /* flight */
+    return next[5]; /* graze */
 }
 
 /* First variation of lift_off. */
@@ -590,12 +592,11 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real angle_rate = moment / square;
     const real kd_times_angle_rate = p->kd * angle_rate;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
-    const real product_2 = 1e-12 * (p->stiffness * p->free_length);
-    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
-    const real d_goes_on = select(x->time <= x->touchdown_time, dx->was_placed, 0.0);
-    const real sum_2 = d_goes_on * x->placed_for + goes_on * dx->placed_for;
+    const real hardly = 1000.0 * (1e-12 * (p->stiffness * p->free_length));
+    const real minus_hardly = -hardly;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
+    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
     const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
         - length_rate * d_length) / length;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
@@ -604,6 +605,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real d_along = dx->foot_vx + (d_share * x->vx + share * dx->vx);
     const real d_rise = d_share * x->vy + share * dx->vy;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
+    const real d_goes_on = select(x->time <= x->touchdown_time, dx->was_placed, 0.0);
+    const real sum_2 = d_goes_on * x->placed_for + goes_on * dx->placed_for;
     y->liftoff_angle = d_angle;
     y->placing = sum_2;
     y->rises_again = d_goes_on;
@@ -613,27 +616,40 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         const real turning = swing_torque / square;
         const real off = axial_times_y_ + turning * x->x_;
         const real normal = off + foot_mass_times_gravity;
-        if (normal > product_2) {
+        if (normal < minus_hardly) {
+            y->length = d_length;
+            y->angle = d_angle;
+            y->length_rate = d_length_rate;
+            y->com_x = d_x;
+            y->com_y = d_y;
+            y->com_vx = d_along;
+            y->com_vy = d_rise;
+            y->momentum = d_moment;
+            y->thrusting = 0.0;
             return;
         }
-        y->length = d_length;
-        y->angle = d_angle;
-        y->length_rate = d_length_rate;
-        y->com_x = d_x;
-        y->com_y = d_y;
-        y->com_vx = d_along;
-        y->com_vy = d_rise;
-        y->momentum = d_moment;
-        y->thrusting = 0.0;
         return;
     }
     const real retracting_torque = -(p->kp * (angle - p->liftoff_factor * angle)) - kd_times_angle_rate;
     if (p->swing_clamp > 0.0 && retracting_torque <= 0.0) {
         const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
             + foot_mass_times_gravity;
-        if (flight_lifts > product_2) {
+        if (flight_lifts < minus_hardly) {
+            y->length = d_length;
+            y->angle = d_angle;
+            y->length_rate = d_length_rate;
+            y->com_x = d_x;
+            y->com_y = d_y;
+            y->com_vx = d_along;
+            y->com_vy = d_rise;
+            y->momentum = d_moment;
+            y->thrusting = 0.0;
             return;
         }
+        return;
+    }
+    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
+        + foot_mass_times_gravity < minus_hardly) {
         y->length = d_length;
         y->angle = d_angle;
         y->length_rate = d_length_rate;
@@ -645,19 +661,6 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         y->thrusting = 0.0;
         return;
     }
-    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
-        + foot_mass_times_gravity > product_2) {
-        return;
-    }
-    y->length = d_length;
-    y->angle = d_angle;
-    y->length_rate = d_length_rate;
-    y->com_x = d_x;
-    y->com_y = d_y;
-    y->com_vx = d_along;
-    y->com_vy = d_rise;
-    y->momentum = d_moment;
-    y->thrusting = 0.0;
 }
 
 /* First variation of the guard of lift_off. */
@@ -2677,8 +2680,8 @@ static const tdmf_guard_kind guards_slip_constant[] = {
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_constant}},
     {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
         .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
-        .next = {MODE_graze_place, MODE_flight_place_calm, MODE_graze_rest, MODE_flight_rest_calm,
-        MODE_graze_retract, MODE_flight_retract_calm}},
+        .next = {MODE_flight_place_calm, MODE_graze_place, MODE_flight_rest_calm, MODE_graze_rest,
+        MODE_flight_retract_calm, MODE_graze_retract}},
     {.event = EVENT_comes_to_rest, .is_counted = true, .react = react_slip_constant_comes_to_rest,
         .vary_react = vary_react_slip_constant_comes_to_rest,
         .vary_guard = vary_guard_slip_constant_comes_to_rest, .next = {MODE_stick, MODE_slip_constant}},
@@ -2706,8 +2709,8 @@ static const tdmf_guard_kind guards_stick[] = {
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_stick}},
     {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
         .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
-        .next = {MODE_graze_place, MODE_flight_place_calm, MODE_graze_rest, MODE_flight_rest_calm,
-        MODE_graze_retract, MODE_flight_retract_calm}},
+        .next = {MODE_flight_place_calm, MODE_graze_place, MODE_flight_rest_calm, MODE_graze_rest,
+        MODE_flight_retract_calm, MODE_graze_retract}},
     {.event = EVENT_slips_forward, .is_counted = true, .react = react_stick_slips_forward,
         .vary_react = vary_react_stick_slips_forward, .vary_guard = vary_guard_stick_slips_forward,
         .next = {MODE_slip_constant}},

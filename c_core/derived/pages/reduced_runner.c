@@ -20,28 +20,28 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
     reduced_runner_states *y = (void *)after;
     (void)tables;
     const real cos_of_ground_slope = real_cos(p->ground_slope);
-    const real sin_of_ground_slope = real_sin(p->ground_slope);
-    const real foot_above = cos_of_ground_slope * (x->seen_y - p->ground_height)
-        - sin_of_ground_slope * x->seen_x;
-    y->height = p->ground_height;
-    y->slope = p->ground_slope;
-    y->liftoff_angle = x->angle;
-    if (foot_above <= 0.0) {
-        return next[0]; /* no_start */
-    }
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sine = real_sin(x->angle);
-    const real sum_2 = x->seen_x - share * (x->length * sine);
     const real cosine = real_cos(x->angle);
     const real y_2 = x->length * cosine;
     const real seen_y_plus_share_times_y = x->seen_y + share * y_2;
-    const real height_of_section = seen_y_plus_share_times_y - p->ground_height
-        - sin_of_ground_slope / cos_of_ground_slope * sum_2;
+    const real sum_2 = seen_y_plus_share_times_y - p->ground_height;
+    const real sin_of_ground_slope = real_sin(p->ground_slope);
+    const real sine = real_sin(x->angle);
+    const real sum_3 = x->seen_x - share * (x->length * sine);
+    const real level = cos_of_ground_slope * sum_2 - sin_of_ground_slope * sum_3;
+    const real angle = p->touchdown_angle + p->more_angle;
+    const real length = p->free_length + x->extension;
+    const real above = level - real_cos(angle - p->ground_slope) * (share * length);
+    y->height = p->ground_height;
+    y->slope = p->ground_slope;
+    y->liftoff_angle = x->angle;
+    if (above <= 0.0) {
+        return next[0]; /* no_start */
+    }
+    const real height_of_section = sum_2 - sin_of_ground_slope / cos_of_ground_slope * sum_3;
     const real turn = x->length * x->angle_rate;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real seen_vx_plus_share_times_vx = x->seen_vx + share * vx;
-    const real length = p->free_length + x->extension;
-    const real angle = p->touchdown_angle + p->more_angle;
     const real length_times_length = length * length;
     const real product_2 = p->retraction_rate * length_times_length;
     const real rate = -(product_2 / length_times_length);
@@ -58,7 +58,7 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
     y->word_so_far = 0.0;
     y->last_letter = 0.0;
     y->bar_is_due = 0.0;
-    y->x_then = sum_2;
+    y->x_then = sum_3;
     y->y_then = seen_y_plus_share_times_y;
     y->apex_time = x->time;
     y->apex_com_height = height_of_section;
@@ -70,7 +70,7 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
     y->length = length;
     y->angle = angle;
     y->length_rate = 0.0;
-    y->com_x = sum_2;
+    y->com_x = sum_3;
     y->com_y = seen_y_plus_share_times_y;
     y->com_vx = seen_vx_plus_share_times_vx;
     y->com_vy = x->seen_vy + share * vy;
@@ -89,41 +89,44 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     reduced_runner_states *y = (void *)after;
     (void)tables, (void)seed;
     const real cos_of_ground_slope = real_cos(p->ground_slope);
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real cosine = real_cos(x->angle);
+    const real y_2 = x->length * cosine;
     const real sin_of_ground_slope = real_sin(p->ground_slope);
-    const real foot_above = cos_of_ground_slope * (x->seen_y - p->ground_height)
-        - sin_of_ground_slope * x->seen_x;
+    const real sine = real_sin(x->angle);
+    const real length_times_sine = x->length * sine;
+    const real sum_2 = x->seen_x - share * length_times_sine;
+    const real level = cos_of_ground_slope * (x->seen_y + share * y_2 - p->ground_height)
+        - sin_of_ground_slope * sum_2;
+    const real angle = p->touchdown_angle + p->more_angle;
+    const real length = p->free_length + x->extension;
+    const real above = level - real_cos(angle - p->ground_slope) * (share * length);
     y->height = dp->ground_height;
     y->slope = dp->ground_slope;
     y->liftoff_angle = dx->angle;
-    if (foot_above <= 0.0) {
+    if (above <= 0.0) {
         return;
     }
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real sine = real_sin(x->angle);
-    const real length_times_sine = x->length * sine;
-    const real cosine = real_cos(x->angle);
     const real d_sine = cosine * dx->angle;
     const real seen_x_minus_sum = dx->seen_x - (d_share * length_times_sine + share * (dx->length * sine
         + x->length * d_sine));
-    const real y_2 = x->length * cosine;
     const real sine_times_angle = sine * dx->angle;
     const real d_y = dx->length * cosine - x->length * sine_times_angle;
-    const real sum_2 = dx->seen_y + (d_share * y_2 + share * d_y);
+    const real sum_3 = dx->seen_y + (d_share * y_2 + share * d_y);
     const real ratio = sin_of_ground_slope / cos_of_ground_slope;
-    const real d_height_of_section = sum_2 - dp->ground_height - ((cos_of_ground_slope * dp->ground_slope
-        + ratio * (sin_of_ground_slope * dp->ground_slope)) / cos_of_ground_slope * (x->seen_x
-        - share * length_times_sine) + ratio * seen_x_minus_sum);
+    const real d_height_of_section = sum_3 - dp->ground_height - ((cos_of_ground_slope * dp->ground_slope
+        + ratio * (sin_of_ground_slope * dp->ground_slope)) / cos_of_ground_slope * sum_2
+        + ratio * seen_x_minus_sum);
     const real turn = x->length * x->angle_rate;
     const real vx = -(x->length_rate * sine) - turn * cosine;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
     const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
         - turn * sine_times_angle);
-    const real sum_3 = dx->seen_vx + (d_share * vx + share * d_vx);
+    const real sum_4 = dx->seen_vx + (d_share * vx + share * d_vx);
     const real d_length = dp->free_length + dx->extension;
     const real d_angle = dp->touchdown_angle + dp->more_angle;
-    const real length = p->free_length + x->extension;
     const real length_times_length = length * length;
     const real by_2_times_length_times_d_length = 2.0 * (length * d_length);
     const real product_plus_product = dp->retraction_rate * length_times_length
@@ -147,10 +150,10 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     y->last_letter = 0.0;
     y->bar_is_due = 0.0;
     y->x_then = seen_x_minus_sum;
-    y->y_then = sum_2;
+    y->y_then = sum_3;
     y->apex_time = dx->time;
     y->apex_com_height = d_height_of_section;
-    y->apex_com_speed = sum_3;
+    y->apex_com_speed = sum_4;
     y->apex_length = d_length;
     y->apex_angle = d_angle;
     y->apex_length_rate = 0.0;
@@ -159,8 +162,8 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     y->angle = d_angle;
     y->length_rate = 0.0;
     y->com_x = seen_x_minus_sum;
-    y->com_y = sum_2;
-    y->com_vx = sum_3;
+    y->com_y = sum_3;
+    y->com_vx = sum_4;
     y->com_vy = dx->seen_vy + (d_share * vy + share * d_vy);
     y->momentum = -product_plus_product;
     y->placing = 0.0;
@@ -1069,7 +1072,8 @@ static void open_slip_constant(const real *parameters, const real *states, real 
     const real foot_mass_times_gravity_times_cosine = foot_mass_times_gravity * cosine;
     const real sum_3 = x->external_fy * cosine - x->external_fx * sine;
     const real gravity_times_cosine = p->gravity * cosine;
-    const real by_60_times_stribeck_velocity = 60.0 * p->stribeck_velocity;
+    const real inverse_stribeck_velocity_or_by_1 = 1.0 / select(p->stribeck_velocity > 0.0,
+        p->stribeck_velocity, 1.0);
     c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->rest_length = rest_length;
@@ -1088,7 +1092,7 @@ static void open_slip_constant(const real *parameters, const real *states, real 
     c->gravity_times_cosine = gravity_times_cosine;
     c->least_length = p->least_length;
     c->winding = x->winding;
-    c->by_60_times_stribeck_velocity = by_60_times_stribeck_velocity;
+    c->inverse_stribeck_velocity_or_by_1 = inverse_stribeck_velocity_or_by_1;
 }
 
 /* First variation of open_slip_constant. */
@@ -1126,7 +1130,10 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
     const real d_sum_3 = cosine * dx->external_fy - x->external_fy * sine_times_slope
         - (sine * dx->external_fx + x->external_fx * d_sine);
     const real d_gravity_times_cosine = cosine * dp->gravity - p->gravity * sine_times_slope;
-    const real d_by_60_times_stribeck_velocity = 60.0 * dp->stribeck_velocity;
+    const real stribeck_velocity_or_by_1 = select(p->stribeck_velocity > 0.0, p->stribeck_velocity, 1.0);
+    const real inverse_stribeck_velocity_or_by_1 = 1.0 / stribeck_velocity_or_by_1;
+    const real d_inverse_stribeck_velocity_or_by_1 = -(inverse_stribeck_velocity_or_by_1 *
+        select(p->stribeck_velocity > 0.0, dp->stribeck_velocity, 0.0) / stribeck_velocity_or_by_1);
     c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->rest_length = d_rest_length;
@@ -1145,7 +1152,7 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
     c->gravity_times_cosine = d_gravity_times_cosine;
     c->least_length = dp->least_length;
     c->winding = dx->winding;
-    c->by_60_times_stribeck_velocity = d_by_60_times_stribeck_velocity;
+    c->inverse_stribeck_velocity_or_by_1 = d_inverse_stribeck_velocity_or_by_1;
 }
 
 /* falls: The body reaches the ground. */
@@ -1564,11 +1571,16 @@ static real watches_slip_constant_enters_layer(const real *parameters, const rea
 /* First variation of the guard of enters_layer. */
 static real vary_guard_slip_constant_enters_layer(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
+    const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
-    (void)parameters;
-    return dx->way * x->foot_vx + x->way * dx->foot_vx - 60.0 * dp->stribeck_velocity;
+    const real stribeck_velocity_or_by_1 = select(p->stribeck_velocity > 0.0, p->stribeck_velocity, 1.0);
+    const real speed_in_layer = x->way * x->foot_vx / stribeck_velocity_or_by_1;
+    const real d_speed_in_layer = (dx->way * x->foot_vx + x->way * dx->foot_vx
+        - speed_in_layer * select(p->stribeck_velocity > 0.0, dp->stribeck_velocity,
+        0.0)) / stribeck_velocity_or_by_1;
+    return d_speed_in_layer;
 }
 
 /* comes_to_rest: The slip velocity reaches 0: the foot sticks, or slips the other way. */
@@ -2556,17 +2568,47 @@ static int react_flight_retract_apex(const real *parameters, const real *states,
     const reduced_runner_states *x = (const void *)states;
     reduced_runner_states *y = (void *)after;
     (void)tables;
+    const real cos_of_slope = real_cos(x->slope);
+    const real com_y_minus_height = x->com_y - x->height;
+    const real sin_of_slope = real_sin(x->slope);
+    const real level = cos_of_slope * com_y_minus_height - sin_of_slope * x->com_x;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real length = p->free_length + x->extension;
+    const real angle = p->touchdown_angle + p->more_angle;
+    const real above = level - share * length * real_cos(angle - x->slope);
+    const real count_plus_by_1_or_count = select(x->is_open > 0.0, x->count + 1.0, x->count);
+    const real word_so_far_or_word_code = select(x->is_open > 0.0, x->word_so_far, x->word_code);
     const real period = x->time - x->apex_time;
+    const real period_or_period = select(x->is_open > 0.0, period, x->period);
     const real distance = x->com_x - x->x_then;
+    const real distance_or_distance = select(x->is_open > 0.0, distance, x->distance);
+    const real com_y_minus_y_then_or_rise_of_stride = select(x->is_open > 0.0, x->com_y - x->y_then,
+        x->rise_of_stride);
     const real hip = x->work - x->work_then;
     const real leg = x->leg_work - x->leg_work_then;
     const real work = hip + leg;
-    const real weight = (p->body_mass + p->foot_mass) * p->gravity;
-    const real height_of_section = x->com_y - x->height
-        - x->com_x * (real_sin(x->slope) / real_cos(x->slope));
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real length = p->free_length + x->extension;
+    const real work_or_work_of_stride = select(x->is_open > 0.0, work, x->work_of_stride);
+    const real hip_or_hip_work = select(x->is_open > 0.0, hip, x->hip_work);
+    const real leg_or_leg_work_of_stride = select(x->is_open > 0.0, leg, x->leg_work_of_stride);
+    const real sum_or_positive_work = select(x->is_open > 0.0, x->positive_work_so_far
+        - x->positive_work_then, x->positive_work);
+    const real distance_over_period_or_speed = select(x->is_open > 0.0, distance / period, x->speed);
+    const real weight = body_mass_plus_foot_mass * p->gravity;
+    const real select_2 = select(x->is_open > 0.0, work / (weight * distance), x->cost_of_transport);
+    const real touchdowns_so_far_or_touchdowns = select(x->is_open > 0.0, x->touchdowns_so_far,
+        x->touchdowns);
+    const real stance_so_far_or_stance_time = select(x->is_open > 0.0, x->stance_so_far, x->stance_time);
+    const real select_3 = select(x->is_open > 0.0, x->stance_so_far / period, x->duty_factor);
+    const real slip_so_far_or_slip_distance = select(x->is_open > 0.0, x->slip_so_far, x->slip_distance);
+    const real peak_force_so_far_or_peak_force = select(x->is_open > 0.0, x->peak_force_so_far,
+        x->peak_force);
+    const real vertical_so_far_or_peak_vertical_force = select(x->is_open > 0.0, x->vertical_so_far,
+        x->peak_vertical_force);
+    const real height_of_section = com_y_minus_height - x->com_x * (sin_of_slope / cos_of_slope);
+    const real square = length * length;
+    const real retraction_rate_times_square = p->retraction_rate * square;
+    const real rate = -(retraction_rate_times_square / square);
     y->is_open = 1.0;
     y->work_then = x->work;
     y->leg_work_then = x->leg_work;
@@ -2581,37 +2623,51 @@ static int react_flight_retract_apex(const real *parameters, const real *states,
     y->bar_is_due = 0.0;
     y->x_then = x->com_x;
     y->y_then = x->com_y;
-    y->count = select(x->is_open > 0.0, x->count + 1.0, x->count);
-    y->word_code = select(x->is_open > 0.0, x->word_so_far, x->word_code);
-    y->period = select(x->is_open > 0.0, period, x->period);
-    y->distance = select(x->is_open > 0.0, distance, x->distance);
-    y->rise_of_stride = select(x->is_open > 0.0, x->com_y - x->y_then, x->rise_of_stride);
-    y->work_of_stride = select(x->is_open > 0.0, work, x->work_of_stride);
-    y->hip_work = select(x->is_open > 0.0, hip, x->hip_work);
-    y->leg_work_of_stride = select(x->is_open > 0.0, leg, x->leg_work_of_stride);
-    y->positive_work = select(x->is_open > 0.0, x->positive_work_so_far - x->positive_work_then,
-        x->positive_work);
-    y->speed = select(x->is_open > 0.0, distance / period, x->speed);
-    y->cost_of_transport = select(x->is_open > 0.0, work / (weight * distance), x->cost_of_transport);
-    y->touchdowns = select(x->is_open > 0.0, x->touchdowns_so_far, x->touchdowns);
-    y->stance_time = select(x->is_open > 0.0, x->stance_so_far, x->stance_time);
-    y->duty_factor = select(x->is_open > 0.0, x->stance_so_far / period, x->duty_factor);
-    y->slip_distance = select(x->is_open > 0.0, x->slip_so_far, x->slip_distance);
-    y->peak_force = select(x->is_open > 0.0, x->peak_force_so_far, x->peak_force);
-    y->peak_vertical_force = select(x->is_open > 0.0, x->vertical_so_far, x->peak_vertical_force);
+    y->count = count_plus_by_1_or_count;
+    y->word_code = word_so_far_or_word_code;
+    y->period = period_or_period;
+    y->distance = distance_or_distance;
+    y->rise_of_stride = com_y_minus_y_then_or_rise_of_stride;
+    y->work_of_stride = work_or_work_of_stride;
+    y->hip_work = hip_or_hip_work;
+    y->leg_work_of_stride = leg_or_leg_work_of_stride;
+    y->positive_work = sum_or_positive_work;
+    y->speed = distance_over_period_or_speed;
+    y->cost_of_transport = select_2;
+    y->touchdowns = touchdowns_so_far_or_touchdowns;
+    y->stance_time = stance_so_far_or_stance_time;
+    y->duty_factor = select_3;
+    y->slip_distance = slip_so_far_or_slip_distance;
+    y->peak_force = peak_force_so_far_or_peak_force;
+    y->peak_vertical_force = vertical_so_far_or_peak_vertical_force;
     y->apex_time = x->time;
     y->apex_com_height = height_of_section;
     y->apex_com_speed = x->com_vx;
-    y->apex_length = x->length;
-    y->apex_angle = x->angle;
-    y->apex_length_rate = x->length_rate;
+    y->apex_length = length;
+    y->apex_angle = angle;
+    y->apex_length_rate = 0.0;
     y->apex_angle_rate = rate;
     y->length = length;
-    y->angle = p->touchdown_angle + p->more_angle;
+    y->angle = angle;
     y->length_rate = 0.0;
-    y->momentum = -(p->retraction_rate * (length * length));
     y->placing = 0.0;
-    return next[0]; /* flight */
+    if (above <= 0.0) {
+        const real sine = real_sin(angle);
+        const real cosine = real_cos(angle);
+        const real y_2 = cosine * length;
+        const real ratio = retraction_rate_times_square / length;
+        const real vx = cosine * ratio;
+        const real vy = sine * ratio;
+        y->seen_x = x->com_x + share * (sine * length);
+        y->seen_y = x->com_y - share * y_2;
+        y->seen_vx = x->com_vx - share * vx;
+        y->seen_vy = x->com_vy - share * vy;
+        y->angle_rate = rate;
+        return next[0]; /* no_start */
+    }
+    const real moment = -retraction_rate_times_square;
+    y->momentum = moment;
+    return next[1]; /* flight */
 }
 
 /* First variation of apex. */
@@ -2623,33 +2679,64 @@ static void vary_react_flight_retract_apex(const real *parameters, const real *s
     const reduced_runner_states *dx = (const void *)d_states;
     reduced_runner_states *y = (void *)after;
     (void)tables, (void)seed;
+    const real cos_of_slope = real_cos(x->slope);
+    const real sin_of_slope = real_sin(x->slope);
+    const real level = cos_of_slope * (x->com_y - x->height) - sin_of_slope * x->com_x;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real length = p->free_length + x->extension;
+    const real angle = p->touchdown_angle + p->more_angle;
+    const real above = level - share * length * real_cos(angle - x->slope);
+    const real word_so_far_or_word_code = select(x->is_open > 0.0, dx->word_so_far, dx->word_code);
     const real d_period = dx->time - dx->apex_time;
+    const real d_period_or_period = select(x->is_open > 0.0, d_period, dx->period);
     const real d_distance = dx->com_x - dx->x_then;
+    const real d_distance_or_distance = select(x->is_open > 0.0, d_distance, dx->distance);
+    const real com_y_minus_y_then_or_rise_of_stride = select(x->is_open > 0.0, dx->com_y - dx->y_then,
+        dx->rise_of_stride);
     const real d_hip = dx->work - dx->work_then;
     const real d_leg = dx->leg_work - dx->leg_work_then;
     const real d_work = d_hip + d_leg;
+    const real d_work_or_work_of_stride = select(x->is_open > 0.0, d_work, dx->work_of_stride);
+    const real d_hip_or_hip_work = select(x->is_open > 0.0, d_hip, dx->hip_work);
+    const real d_leg_or_leg_work_of_stride = select(x->is_open > 0.0, d_leg, dx->leg_work_of_stride);
+    const real sum_or_positive_work = select(x->is_open > 0.0, dx->positive_work_so_far
+        - dx->positive_work_then, dx->positive_work);
     const real distance = x->com_x - x->x_then;
     const real period = x->time - x->apex_time;
+    const real sum_over_period_or_speed = select(x->is_open > 0.0, (d_distance
+        - distance / period * d_period) / period, dx->speed);
+    const real weight = body_mass_plus_foot_mass * p->gravity;
+    const real weight_times_distance = weight * distance;
+    const real body_mass_plus_foot_mass_2 = dp->body_mass + dp->foot_mass;
     const real hip = x->work - x->work_then;
     const real leg = x->leg_work - x->leg_work_then;
     const real work = hip + leg;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real weight = body_mass_plus_foot_mass * p->gravity;
-    const real weight_times_distance = weight * distance;
-    const real d_weight = p->gravity * (dp->body_mass + dp->foot_mass)
-        + body_mass_plus_foot_mass * dp->gravity;
-    const real sin_of_slope = real_sin(x->slope);
-    const real cos_of_slope = real_cos(x->slope);
+    const real d_weight = p->gravity * body_mass_plus_foot_mass_2 + body_mass_plus_foot_mass * dp->gravity;
+    const real ratio_or_cost_of_transport = select(x->is_open > 0.0, (d_work
+        - work / weight_times_distance * (d_weight * distance + weight * d_distance)) / weight_times_distance,
+        dx->cost_of_transport);
+    const real touchdowns_so_far_or_touchdowns = select(x->is_open > 0.0, dx->touchdowns_so_far,
+        dx->touchdowns);
+    const real stance_so_far_or_stance_time = select(x->is_open > 0.0, dx->stance_so_far, dx->stance_time);
+    const real select_2 = select(x->is_open > 0.0, (dx->stance_so_far
+        - x->stance_so_far / period * d_period) / period, dx->duty_factor);
+    const real slip_so_far_or_slip_distance = select(x->is_open > 0.0, dx->slip_so_far, dx->slip_distance);
+    const real peak_force_so_far_or_peak_force = select(x->is_open > 0.0, dx->peak_force_so_far,
+        dx->peak_force);
+    const real vertical_so_far_or_peak_vertical_force = select(x->is_open > 0.0, dx->vertical_so_far,
+        dx->peak_vertical_force);
     const real sin_of_slope_over_cos_of_slope = sin_of_slope / cos_of_slope;
     const real d_height_of_section = dx->com_y - dx->height - (dx->com_x * sin_of_slope_over_cos_of_slope
         + x->com_x * ((cos_of_slope * dx->slope
         + sin_of_slope_over_cos_of_slope * (sin_of_slope * dx->slope)) / cos_of_slope));
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
     const real d_length = dp->free_length + dx->extension;
-    const real length = p->free_length + x->extension;
+    const real d_angle = dp->touchdown_angle + dp->more_angle;
+    const real square = length * length;
+    const real d_square = 2.0 * (length * d_length);
+    const real sum_2 = dp->retraction_rate * square + p->retraction_rate * d_square;
+    const real retraction_rate_times_square = p->retraction_rate * square;
+    const real d_rate = -((sum_2 - retraction_rate_times_square / square * d_square) / square);
     y->is_open = 0.0;
     y->work_then = dx->work;
     y->leg_work_then = dx->leg_work;
@@ -2665,39 +2752,56 @@ static void vary_react_flight_retract_apex(const real *parameters, const real *s
     y->x_then = dx->com_x;
     y->y_then = dx->com_y;
     y->count = dx->count;
-    y->word_code = select(x->is_open > 0.0, dx->word_so_far, dx->word_code);
-    y->period = select(x->is_open > 0.0, d_period, dx->period);
-    y->distance = select(x->is_open > 0.0, d_distance, dx->distance);
-    y->rise_of_stride = select(x->is_open > 0.0, dx->com_y - dx->y_then, dx->rise_of_stride);
-    y->work_of_stride = select(x->is_open > 0.0, d_work, dx->work_of_stride);
-    y->hip_work = select(x->is_open > 0.0, d_hip, dx->hip_work);
-    y->leg_work_of_stride = select(x->is_open > 0.0, d_leg, dx->leg_work_of_stride);
-    y->positive_work = select(x->is_open > 0.0, dx->positive_work_so_far - dx->positive_work_then,
-        dx->positive_work);
-    y->speed = select(x->is_open > 0.0, (d_distance - distance / period * d_period) / period, dx->speed);
-    y->cost_of_transport = select(x->is_open > 0.0, (d_work
-        - work / weight_times_distance * (d_weight * distance + weight * d_distance)) / weight_times_distance,
-        dx->cost_of_transport);
-    y->touchdowns = select(x->is_open > 0.0, dx->touchdowns_so_far, dx->touchdowns);
-    y->stance_time = select(x->is_open > 0.0, dx->stance_so_far, dx->stance_time);
-    y->duty_factor = select(x->is_open > 0.0, (dx->stance_so_far
-        - x->stance_so_far / period * d_period) / period, dx->duty_factor);
-    y->slip_distance = select(x->is_open > 0.0, dx->slip_so_far, dx->slip_distance);
-    y->peak_force = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_force);
-    y->peak_vertical_force = select(x->is_open > 0.0, dx->vertical_so_far, dx->peak_vertical_force);
+    y->word_code = word_so_far_or_word_code;
+    y->period = d_period_or_period;
+    y->distance = d_distance_or_distance;
+    y->rise_of_stride = com_y_minus_y_then_or_rise_of_stride;
+    y->work_of_stride = d_work_or_work_of_stride;
+    y->hip_work = d_hip_or_hip_work;
+    y->leg_work_of_stride = d_leg_or_leg_work_of_stride;
+    y->positive_work = sum_or_positive_work;
+    y->speed = sum_over_period_or_speed;
+    y->cost_of_transport = ratio_or_cost_of_transport;
+    y->touchdowns = touchdowns_so_far_or_touchdowns;
+    y->stance_time = stance_so_far_or_stance_time;
+    y->duty_factor = select_2;
+    y->slip_distance = slip_so_far_or_slip_distance;
+    y->peak_force = peak_force_so_far_or_peak_force;
+    y->peak_vertical_force = vertical_so_far_or_peak_vertical_force;
     y->apex_time = dx->time;
     y->apex_com_height = d_height_of_section;
     y->apex_com_speed = dx->com_vx;
-    y->apex_length = dx->length;
-    y->apex_angle = dx->angle;
-    y->apex_length_rate = dx->length_rate;
+    y->apex_length = d_length;
+    y->apex_angle = d_angle;
+    y->apex_length_rate = 0.0;
     y->apex_angle_rate = d_rate;
     y->length = d_length;
-    y->angle = dp->touchdown_angle + dp->more_angle;
+    y->angle = d_angle;
     y->length_rate = 0.0;
-    y->momentum = -(dp->retraction_rate * (length * length)
-        + p->retraction_rate * (2.0 * (length * d_length)));
     y->placing = 0.0;
+    if (above <= 0.0) {
+        const real d_share = (dp->body_mass - share * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
+        const real sine = real_sin(angle);
+        const real cosine = real_cos(angle);
+        const real d_sine = cosine * d_angle;
+        const real y_2 = cosine * length;
+        const real sine_times_d_angle = sine * d_angle;
+        const real d_y = cosine * d_length - sine_times_d_angle * length;
+        const real ratio = retraction_rate_times_square / length;
+        const real vx = cosine * ratio;
+        const real ratio_2 = (sum_2 - ratio * d_length) / length;
+        const real d_vx = cosine * ratio_2 - sine_times_d_angle * ratio;
+        const real vy = sine * ratio;
+        const real d_vy = d_sine * ratio + sine * ratio_2;
+        y->seen_x = dx->com_x + (d_share * (sine * length) + share * (d_sine * length + sine * d_length));
+        y->seen_y = dx->com_y - (d_share * y_2 + share * d_y);
+        y->seen_vx = dx->com_vx - (d_share * vx + share * d_vx);
+        y->seen_vy = dx->com_vy - (d_share * vy + share * d_vy);
+        y->angle_rate = d_rate;
+        return;
+    }
+    const real d_moment = -sum_2;
+    y->momentum = d_moment;
 }
 
 /* First variation of the guard of apex. */
@@ -2788,7 +2892,8 @@ static void open_slip_falling(const real *parameters, const real *states, real *
     const real foot_mass_times_gravity_times_cosine = foot_mass_times_gravity * cosine;
     const real sum_3 = x->external_fy * cosine - x->external_fx * sine;
     const real gravity_times_cosine = p->gravity * cosine;
-    const real by_61_times_stribeck_velocity = 61.0 * p->stribeck_velocity;
+    const real inverse_stribeck_velocity_or_by_1 = 1.0 / select(p->stribeck_velocity > 0.0,
+        p->stribeck_velocity, 1.0);
     c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->rest_length = rest_length;
@@ -2809,7 +2914,7 @@ static void open_slip_falling(const real *parameters, const real *states, real *
     c->gravity_times_cosine = gravity_times_cosine;
     c->least_length = p->least_length;
     c->winding = x->winding;
-    c->by_61_times_stribeck_velocity = by_61_times_stribeck_velocity;
+    c->inverse_stribeck_velocity_or_by_1 = inverse_stribeck_velocity_or_by_1;
 }
 
 /* First variation of open_slip_falling. */
@@ -2849,7 +2954,10 @@ static void vary_open_slip_falling(const real *parameters, const real *states, c
     const real d_sum_3 = cosine * dx->external_fy - x->external_fy * sine_times_slope
         - (sine * dx->external_fx + x->external_fx * d_sine);
     const real d_gravity_times_cosine = cosine * dp->gravity - p->gravity * sine_times_slope;
-    const real d_by_61_times_stribeck_velocity = 61.0 * dp->stribeck_velocity;
+    const real stribeck_velocity_or_by_1 = select(p->stribeck_velocity > 0.0, p->stribeck_velocity, 1.0);
+    const real inverse_stribeck_velocity_or_by_1 = 1.0 / stribeck_velocity_or_by_1;
+    const real d_inverse_stribeck_velocity_or_by_1 = -(inverse_stribeck_velocity_or_by_1 *
+        select(p->stribeck_velocity > 0.0, dp->stribeck_velocity, 0.0) / stribeck_velocity_or_by_1);
     c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->rest_length = d_rest_length;
@@ -2870,17 +2978,22 @@ static void vary_open_slip_falling(const real *parameters, const real *states, c
     c->gravity_times_cosine = d_gravity_times_cosine;
     c->least_length = dp->least_length;
     c->winding = dx->winding;
-    c->by_61_times_stribeck_velocity = d_by_61_times_stribeck_velocity;
+    c->inverse_stribeck_velocity_or_by_1 = d_inverse_stribeck_velocity_or_by_1;
 }
 
 /* First variation of the guard of leaves_layer. */
 static real vary_guard_slip_falling_leaves_layer(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
+    const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
-    (void)parameters;
-    return 61.0 * dp->stribeck_velocity - (dx->way * x->foot_vx + x->way * dx->foot_vx);
+    const real stribeck_velocity_or_by_1 = select(p->stribeck_velocity > 0.0, p->stribeck_velocity, 1.0);
+    const real speed_in_layer = x->way * x->foot_vx / stribeck_velocity_or_by_1;
+    const real d_speed_in_layer = (dx->way * x->foot_vx + x->way * dx->foot_vx
+        - speed_in_layer * select(p->stribeck_velocity > 0.0, dp->stribeck_velocity,
+        0.0)) / stribeck_velocity_or_by_1;
+    return -d_speed_in_layer;
 }
 
 /* Outputs in slip_falling. */
@@ -3372,8 +3485,8 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_events[EVENT_greatest_compression] = p->free_length * sqrt_of_stiffness_over_body_mass;
     of_events[EVENT_mid_stance] = 1.0;
     of_events[EVENT_lift_off] = p->stiffness * p->free_length;
-    of_events[EVENT_enters_layer] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_events[EVENT_leaves_layer] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_events[EVENT_enters_layer] = 1.0;
+    of_events[EVENT_leaves_layer] = 1.0;
     of_events[EVENT_slips_forward] = p->stiffness * p->free_length;
     of_events[EVENT_slips_backward] = p->stiffness * p->free_length;
     of_events[EVENT_comes_to_rest] = p->free_length * sqrt_of_stiffness_over_body_mass;
@@ -3489,7 +3602,7 @@ static const tdmf_watch_kind watches_no_apex[] = {
 static const tdmf_guard_kind guards_flight_retract[] = {
     {.event = EVENT_apex, .is_counted = true, .react = react_flight_retract_apex,
         .vary_react = vary_react_flight_retract_apex, .vary_guard = vary_guard_flight_retract_apex,
-        .next = {MODE_flight_place}},
+        .next = {MODE_no_start, MODE_flight_place}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_retract[] = {

@@ -147,7 +147,7 @@ typedef struct {
     real inverse_body_mass, stiffness, rest_length, damping, stance_torque, cosine, sine, sum_2,
         gravity_times_sine, inverse_foot_mass, foot_mass_times_gravity_times_sine, way, way_times_friction,
         foot_mass_times_gravity_times_cosine, sum_3, gravity_times_cosine, least_length, winding,
-        by_60_times_stribeck_velocity;
+        inverse_stribeck_velocity_or_by_1;
 } slip_constant_constants;
 
 typedef struct {
@@ -172,7 +172,7 @@ typedef struct {
     real inverse_body_mass, stiffness, rest_length, damping, stance_torque, cosine, sine, sum_2,
         gravity_times_sine, inverse_foot_mass, foot_mass_times_gravity_times_sine, way, friction,
         static_ratio_minus_by_1, inverse_stribeck_velocity, foot_mass_times_gravity_times_cosine, sum_3,
-        gravity_times_cosine, least_length, winding, by_61_times_stribeck_velocity;
+        gravity_times_cosine, least_length, winding, inverse_stribeck_velocity_or_by_1;
 } slip_falling_constants;
 
 extern const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_reduced_runner_motions)[];

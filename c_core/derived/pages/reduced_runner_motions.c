@@ -605,7 +605,8 @@ static void guard_slip_constant_enters_layer(const real *constants, const real *
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->way * s->foot_vx[k], -c->by_60_times_stribeck_velocity);
+        g[k] = with_constant(k, c->inverse_stribeck_velocity_or_by_1 * c->way * s->foot_vx[k],
+            broadcast(-60.0));
     }
 }
 
@@ -682,10 +683,12 @@ static void bounds_slip_constant(const real *constants, const real *series, cons
         bounds[3] = span_14;
     }
     if (watched >> 5 & 1) {
-        const interval span_12 = interval_at(c->by_60_times_stribeck_velocity,
-            c->by_60_times_stribeck_velocity);
-        const interval span_13 = interval_difference(span_11, span_12);
-        bounds[5] = span_13;
+        const interval span_12 = interval_at(c->inverse_stribeck_velocity_or_by_1,
+            c->inverse_stribeck_velocity_or_by_1);
+        const interval span_13 = interval_product(span_12, span_11);
+        const interval span_14 = interval_at(broadcast(60.0), broadcast(60.0));
+        const interval span_15 = interval_difference(span_13, span_14);
+        bounds[5] = span_15;
     }
     if (watched >> 8 & 1) {
         const interval span_12 = interval_at(c->cosine, c->cosine);
@@ -1717,7 +1720,8 @@ static void guard_slip_falling_leaves_layer(const real *constants, const real *s
     const slip_falling_constants *c = (const void *)constants;
     const slip_falling_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, -(c->way * s->foot_vx[k]), c->by_61_times_stribeck_velocity);
+        g[k] = with_constant(k, -(c->inverse_stribeck_velocity_or_by_1 * c->way * s->foot_vx[k]),
+            broadcast(61.0));
     }
 }
 
@@ -1771,32 +1775,35 @@ static void bounds_slip_falling(const real *constants, const real *series, const
     bounds[1] = span_3;
     const interval span_4 = interval_of_series(s->normal, power, order);
     bounds[4] = span_4;
-    const interval span_5 = interval_at(c->by_61_times_stribeck_velocity, c->by_61_times_stribeck_velocity);
-    const interval span_6 = interval_at(c->way, c->way);
-    const interval span_7 = interval_of_series(s->foot_vx, power, order);
-    const interval span_8 = interval_product(span_6, span_7);
-    const interval span_9 = interval_difference(span_5, span_8);
-    bounds[5] = span_9;
-    bounds[6] = span_8;
+    const interval span_5 = interval_at(broadcast(61.0), broadcast(61.0));
+    const interval span_6 = interval_at(c->inverse_stribeck_velocity_or_by_1,
+        c->inverse_stribeck_velocity_or_by_1);
+    const interval span_7 = interval_at(c->way, c->way);
+    const interval span_8 = interval_of_series(s->foot_vx, power, order);
+    const interval span_9 = interval_product(span_7, span_8);
+    const interval span_10 = interval_product(span_6, span_9);
+    const interval span_11 = interval_difference(span_5, span_10);
+    bounds[5] = span_11;
+    bounds[6] = span_9;
     if (watched >> 2 & 1) {
-        const interval span_10 = interval_of_series(s->length_rate, power, order);
-        const interval span_11 = interval_at(-span_10.high, -span_10.low);
-        bounds[2] = span_11;
+        const interval span_12 = interval_of_series(s->length_rate, power, order);
+        const interval span_13 = interval_at(-span_12.high, -span_12.low);
+        bounds[2] = span_13;
     }
     if (watched >> 3 & 1) {
-        const interval span_10 = interval_of_series(s->seen_angle, power, order);
-        const interval span_11 = interval_at(c->winding, c->winding);
-        const interval span_12 = interval_sum(span_10, span_11);
-        bounds[3] = span_12;
+        const interval span_12 = interval_of_series(s->seen_angle, power, order);
+        const interval span_13 = interval_at(c->winding, c->winding);
+        const interval span_14 = interval_sum(span_12, span_13);
+        bounds[3] = span_14;
     }
     if (watched >> 8 & 1) {
-        const interval span_10 = interval_at(c->cosine, c->cosine);
-        const interval span_11 = interval_product(span_10, span_4);
-        const interval span_12 = interval_at(c->sine, c->sine);
-        const interval span_13 = interval_of_series(s->friction_force, power, order);
-        const interval span_14 = interval_product(span_12, span_13);
-        const interval span_15 = interval_difference(span_11, span_14);
-        bounds[8] = span_15;
+        const interval span_12 = interval_at(c->cosine, c->cosine);
+        const interval span_13 = interval_product(span_12, span_4);
+        const interval span_14 = interval_at(c->sine, c->sine);
+        const interval span_15 = interval_of_series(s->friction_force, power, order);
+        const interval span_16 = interval_product(span_14, span_15);
+        const interval span_17 = interval_difference(span_13, span_16);
+        bounds[8] = span_17;
     }
     if (watched >> 9 & 1) {
         bounds[9] = span_4;

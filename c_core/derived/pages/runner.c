@@ -217,6 +217,8 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
         const real slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_6, 0.0);
         const real friction_3 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_6,
             select(real_abs(sum_6 - 1.0) > 0.0, -1.0, p->patch_friction));
+        const real friction_or_friction = select(p->keeps_friction > 0.0, friction, friction_3);
+        const real friction_or_friction_2 = select(p->keeps_friction > 0.0, friction_2, friction_3);
         const real sum_7 = y_2 * sine - length_times_sin_of_angle * cosine;
         const real sum_8 = y_2 * cosine + length_times_sin_of_angle * sine;
         const real sum_9 = vx * cosine + vy * sine + along;
@@ -258,8 +260,8 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
                 y->segment_end = end_2;
                 y->segment_height = height;
                 y->segment_slope = slope;
-                y->friction_ahead = friction_3;
-                y->friction_behind = friction_3;
+                y->friction_ahead = friction_or_friction;
+                y->friction_behind = friction_or_friction_2;
                 y->way = way;
                 return next[0]; /* slip */
             }
@@ -282,8 +284,8 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
             y->segment_end = end_2;
             y->segment_height = height;
             y->segment_slope = slope;
-            y->friction_ahead = friction_3;
-            y->friction_behind = friction_3;
+            y->friction_ahead = friction_or_friction;
+            y->friction_behind = friction_or_friction_2;
             y->way = way;
             return next[0]; /* slip */
         }
@@ -418,8 +420,16 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
         const real d_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope,
             seed, sum_6, 0.0);
         const real d_friction = variation_looked_up(tables, TABLE_ground_segment,
+            COLUMN_ground_segment_friction, seed, segment_towards,
+            select(abs_of_segment_towards_minus_by_1 > 0.0, 0.0, dp->patch_friction));
+        const real d_friction_2 = variation_looked_up(tables, TABLE_ground_segment,
             COLUMN_ground_segment_friction, seed, sum_6, select(real_abs(sum_6 - 1.0) > 0.0, 0.0,
             dp->patch_friction));
+        const real d_friction_or_d_friction = select(p->keeps_friction > 0.0, d_friction, d_friction_2);
+        const real d_friction_3 = variation_looked_up(tables, TABLE_ground_segment,
+            COLUMN_ground_segment_friction, seed, sum_4, select(abs_of_sum_minus_by_1 > 0.0, 0.0,
+            dp->patch_friction));
+        const real d_friction_or_d_friction_2 = select(p->keeps_friction > 0.0, d_friction_3, d_friction_2);
         const real sum_7 = d_y * sine + y_2 * d_sine - (sum_2 * cosine
             - length_times_sin_of_angle * sine_times_d_set_slope);
         const real sum_plus_sum_2 = d_y * cosine - y_2 * sine_times_d_set_slope + (sum_2 * sine
@@ -428,15 +438,9 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
             + (dx->seen_vy * sine + x->seen_vy * d_sine);
         const real sum_plus_d_along = d_vx * cosine - vx * sine_times_d_set_slope + (d_vy * sine
             + vy * d_sine) + d_along;
-        const real d_friction_2 = variation_looked_up(tables, TABLE_ground_segment,
-            COLUMN_ground_segment_friction, seed, segment_towards,
-            select(abs_of_segment_towards_minus_by_1 > 0.0, 0.0, dp->patch_friction));
-        const real d_friction_3 = variation_looked_up(tables, TABLE_ground_segment,
-            COLUMN_ground_segment_friction, seed, sum_4, select(abs_of_sum_minus_by_1 > 0.0, 0.0,
-            dp->patch_friction));
         const real d_off = dx->seen_vy * cosine - x->seen_vy * sine_times_d_set_slope - (dx->seen_vx * sine
             + x->seen_vx * d_sine);
-        const real d_own = select(way > 0.0, d_friction_2, d_friction_3);
+        const real d_own = select(way > 0.0, d_friction, d_friction_3);
         const real d_friction_along = is_own * d_own + by_1_minus_is_own * dx->friction;
         const real sum_8 = d_friction_along * off + friction_along * d_off;
         const real way_times_d_along_plus_sum = way * d_along + sum_8;
@@ -502,12 +506,12 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
                 y->segment_end = d_end_2;
                 y->segment_height = d_height;
                 y->segment_slope = d_slope;
-                y->friction_ahead = d_friction;
-                y->friction_behind = d_friction;
+                y->friction_ahead = d_friction_or_d_friction;
+                y->friction_behind = d_friction_or_d_friction_2;
                 y->way = 0.0;
                 return;
             }
-            y->friction_ahead = d_friction_2;
+            y->friction_ahead = d_friction;
             y->friction_behind = d_friction_3;
             return;
         }
@@ -530,12 +534,12 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
             y->segment_end = d_end_2;
             y->segment_height = d_height;
             y->segment_slope = d_slope;
-            y->friction_ahead = d_friction;
-            y->friction_behind = d_friction;
+            y->friction_ahead = d_friction_or_d_friction;
+            y->friction_behind = d_friction_or_d_friction_2;
             y->way = 0.0;
             return;
         }
-        y->friction_ahead = d_friction_2;
+        y->friction_ahead = d_friction;
         y->friction_behind = d_friction_3;
         return;
     }
@@ -779,7 +783,8 @@ static void open_slip_constant(const real *parameters, const real *states, real 
     const real foot_mass_times_gravity_times_cosine = foot_mass_times_gravity * cosine;
     const real gravity_times_cosine = p->gravity * cosine;
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
-    const real by_60_times_stribeck_velocity = 60.0 * p->stribeck_velocity;
+    const real inverse_stribeck_velocity_or_by_1 = 1.0 / select(p->stribeck_velocity > 0.0,
+        p->stribeck_velocity, 1.0);
     const real segment_end_or_segment_begin = select(x->way > 0.0, x->segment_end, x->segment_begin);
     c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
@@ -805,7 +810,7 @@ static void open_slip_constant(const real *parameters, const real *states, real 
     c->external_torque_rate = x->external_torque_rate;
     c->least_length = p->least_length;
     c->winding = x->winding;
-    c->by_60_times_stribeck_velocity = by_60_times_stribeck_velocity;
+    c->inverse_stribeck_velocity_or_by_1 = inverse_stribeck_velocity_or_by_1;
     c->segment_end_or_segment_begin = segment_end_or_segment_begin;
 }
 
@@ -845,7 +850,10 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
     const real d_gravity_times_cosine = cosine * dp->gravity - p->gravity * sine_times_slope;
     const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
         + p->stiffness * dx->extension_rate;
-    const real d_by_60_times_stribeck_velocity = 60.0 * dp->stribeck_velocity;
+    const real stribeck_velocity_or_by_1 = select(p->stribeck_velocity > 0.0, p->stribeck_velocity, 1.0);
+    const real inverse_stribeck_velocity_or_by_1 = 1.0 / stribeck_velocity_or_by_1;
+    const real d_inverse_stribeck_velocity_or_by_1 = -(inverse_stribeck_velocity_or_by_1 *
+        select(p->stribeck_velocity > 0.0, dp->stribeck_velocity, 0.0) / stribeck_velocity_or_by_1);
     const real d_segment_end_or_segment_begin = select(x->way > 0.0, dx->segment_end, dx->segment_begin);
     c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
@@ -871,7 +879,7 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
     c->external_torque_rate = dx->external_torque_rate;
     c->least_length = dp->least_length;
     c->winding = dx->winding;
-    c->by_60_times_stribeck_velocity = d_by_60_times_stribeck_velocity;
+    c->inverse_stribeck_velocity_or_by_1 = d_inverse_stribeck_velocity_or_by_1;
     c->segment_end_or_segment_begin = d_segment_end_or_segment_begin;
 }
 
@@ -1133,7 +1141,8 @@ static real vary_guard_slip_constant_mid_stance(const real *parameters, const re
     return d_angle;
 }
 
-/* lift_off: Flight where the flight law lifts the foot too; graze where it would push the foot down again. */
+/* lift_off: Flight where the flight law lifts the foot too; graze where it would push the foot down again. A
+ * foot that is hardly lifted grazes, too: the guard of its flight decides by its rate. */
 static int react_slip_constant_lift_off(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
@@ -1160,7 +1169,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
     const real foot_mass_times_gravity_times_cosine = p->foot_mass * p->gravity * cosine;
-    const real product_2 = 1e-12 * (p->stiffness * p->free_length);
+    const real hardly = 1000.0 * (1e-12 * (p->stiffness * p->free_length));
+    const real minus_hardly = -hardly;
     const real x_2 = x->foot_x * cosine;
     const real x_plus_product = x_2 + share * (x->x_ * cosine - x->y_ * sine);
     const real y_2 = x->foot_x * sine;
@@ -1187,29 +1197,44 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         const real turning = swing_torque / square;
         const real off = axial_times_y_ + turning * x->x_;
         const real normal = off + foot_mass_times_gravity_times_cosine;
-        if (normal > product_2) {
-            return next[0]; /* graze */
+        if (normal < minus_hardly) {
+            y->length = length;
+            y->angle = angle;
+            y->length_rate = length_rate;
+            y->com_x = x_plus_product;
+            y->com_y = height_plus_y_plus_product;
+            y->com_vx = vx_plus_product;
+            y->com_vy = vy_plus_product;
+            y->momentum = moment;
+            y->thrusting = 0.0;
+            y->leg_work = leg_work_plus_work;
+            y->positive_leg_work = positive_leg_work_plus_work_or_begins;
+            return next[0]; /* flight */
         }
-        y->length = length;
-        y->angle = angle;
-        y->length_rate = length_rate;
-        y->com_x = x_plus_product;
-        y->com_y = height_plus_y_plus_product;
-        y->com_vx = vx_plus_product;
-        y->com_vy = vy_plus_product;
-        y->momentum = moment;
-        y->thrusting = 0.0;
-        y->leg_work = leg_work_plus_work;
-        y->positive_leg_work = positive_leg_work_plus_work_or_begins;
-        return next[1]; /* flight */
+        return next[1]; /* graze */
     }
     const real retracting_torque = -(p->kp * (angle - p->liftoff_factor * angle)) - p->kd * angle_rate;
     if (p->swing_clamp > 0.0 && retracting_torque <= 0.0) {
         const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
             + foot_mass_times_gravity_times_cosine;
-        if (flight_lifts > product_2) {
-            return next[2]; /* graze */
+        if (flight_lifts < minus_hardly) {
+            y->length = length;
+            y->angle = angle;
+            y->length_rate = length_rate;
+            y->com_x = x_plus_product;
+            y->com_y = height_plus_y_plus_product;
+            y->com_vx = vx_plus_product;
+            y->com_vy = vy_plus_product;
+            y->momentum = moment;
+            y->thrusting = 0.0;
+            y->leg_work = leg_work_plus_work;
+            y->positive_leg_work = positive_leg_work_plus_work_or_begins;
+            return next[2]; /* flight */
         }
+        return next[3]; /* graze */
+    }
+    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
+        + foot_mass_times_gravity_times_cosine < minus_hardly) {
         y->length = length;
         y->angle = angle;
         y->length_rate = length_rate;
@@ -1221,24 +1246,9 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         y->thrusting = 0.0;
         y->leg_work = leg_work_plus_work;
         y->positive_leg_work = positive_leg_work_plus_work_or_begins;
-        return next[3]; /* flight */
+        return next[4]; /* flight */
     }
-    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
-        + foot_mass_times_gravity_times_cosine > product_2) {
-        return next[4]; /* graze */
-    }
-    y->length = length;
-    y->angle = angle;
-    y->length_rate = length_rate;
-    y->com_x = x_plus_product;
-    y->com_y = height_plus_y_plus_product;
-    y->com_vx = vx_plus_product;
-    y->com_vy = vy_plus_product;
-    y->momentum = moment;
-    y->thrusting = 0.0;
-    y->leg_work = leg_work_plus_work;
-    y->positive_leg_work = positive_leg_work_plus_work_or_begins;
-    return next[5]; /* flight */
+    return next[5]; /* graze */
 }
 
 /* First variation of lift_off. */
@@ -1271,12 +1281,11 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
     const real foot_mass_times_gravity_times_cosine = p->foot_mass * p->gravity * cosine;
-    const real product_2 = 1e-12 * (p->stiffness * p->free_length);
-    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
-    const real d_goes_on = select(x->time <= x->touchdown_time, dx->was_placed, 0.0);
-    const real sum_2 = d_goes_on * x->placed_for + goes_on * dx->placed_for;
+    const real hardly = 1000.0 * (1e-12 * (p->stiffness * p->free_length));
+    const real minus_hardly = -hardly;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
+    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
     const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
         - length_rate * d_length) / length;
     const real sine_times_slope = sine * dx->slope;
@@ -1286,7 +1295,7 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real d_x_plus_product_plus_share_times_sum = d_x + (d_share * (x->x_ * cosine - x->y_ * sine)
         + share * (dx->x_ * cosine - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine)));
     const real d_y = dx->foot_x * sine + x->foot_x * d_sine;
-    const real sum_3 = dx->height + d_y + (d_share * (x->x_ * sine + x->y_ * cosine)
+    const real sum_2 = dx->height + d_y + (d_share * (x->x_ * sine + x->y_ * cosine)
         + share * (dx->x_ * sine + x->x_ * d_sine + (dx->y_ * cosine - x->y_ * sine_times_slope)));
     const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
     const real d_vx_plus_product_plus_share_times_sum = d_vx + (d_share * (x->vx * cosine - x->vy * sine)
@@ -1309,9 +1318,11 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real leg_work_plus_d_work = dx->leg_work + d_work;
     const real work = stiffness_times_jump * middle;
     const real d_begins = select(x->thrusting < 0.0, select(work >= 0.0, d_work, 0.0), 0.0);
-    const real sum_4 = dx->positive_leg_work + select(work > 0.0, d_work, d_begins);
+    const real sum_3 = dx->positive_leg_work + select(work > 0.0, d_work, d_begins);
+    const real d_goes_on = select(x->time <= x->touchdown_time, dx->was_placed, 0.0);
+    const real sum_4 = d_goes_on * x->placed_for + goes_on * dx->placed_for;
     y->liftoff_angle = d_angle;
-    y->placing = sum_2;
+    y->placing = sum_4;
     y->rises_again = d_goes_on;
     if (rise < 0.0 || goes_on > 0.0) {
         const real target = p->touchdown_angle + p->more_angle
@@ -1321,57 +1332,57 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         const real turning = swing_torque / square;
         const real off = axial_times_y_ + turning * x->x_;
         const real normal = off + foot_mass_times_gravity_times_cosine;
-        if (normal > product_2) {
+        if (normal < minus_hardly) {
+            y->length = d_length;
+            y->angle = d_angle;
+            y->length_rate = d_length_rate;
+            y->com_x = d_x_plus_product_plus_share_times_sum;
+            y->com_y = sum_2;
+            y->com_vx = d_vx_plus_product_plus_share_times_sum;
+            y->com_vy = d_vy_plus_product_plus_share_times_sum;
+            y->momentum = d_moment;
+            y->thrusting = 0.0;
+            y->leg_work = leg_work_plus_d_work;
+            y->positive_leg_work = sum_3;
             return;
         }
-        y->length = d_length;
-        y->angle = d_angle;
-        y->length_rate = d_length_rate;
-        y->com_x = d_x_plus_product_plus_share_times_sum;
-        y->com_y = sum_3;
-        y->com_vx = d_vx_plus_product_plus_share_times_sum;
-        y->com_vy = d_vy_plus_product_plus_share_times_sum;
-        y->momentum = d_moment;
-        y->thrusting = 0.0;
-        y->leg_work = leg_work_plus_d_work;
-        y->positive_leg_work = sum_4;
         return;
     }
     const real retracting_torque = -(p->kp * (angle - p->liftoff_factor * angle)) - p->kd * angle_rate;
     if (p->swing_clamp > 0.0 && retracting_torque <= 0.0) {
         const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
             + foot_mass_times_gravity_times_cosine;
-        if (flight_lifts > product_2) {
+        if (flight_lifts < minus_hardly) {
+            y->length = d_length;
+            y->angle = d_angle;
+            y->length_rate = d_length_rate;
+            y->com_x = d_x_plus_product_plus_share_times_sum;
+            y->com_y = sum_2;
+            y->com_vx = d_vx_plus_product_plus_share_times_sum;
+            y->com_vy = d_vy_plus_product_plus_share_times_sum;
+            y->momentum = d_moment;
+            y->thrusting = 0.0;
+            y->leg_work = leg_work_plus_d_work;
+            y->positive_leg_work = sum_3;
             return;
         }
+        return;
+    }
+    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
+        + foot_mass_times_gravity_times_cosine < minus_hardly) {
         y->length = d_length;
         y->angle = d_angle;
         y->length_rate = d_length_rate;
         y->com_x = d_x_plus_product_plus_share_times_sum;
-        y->com_y = sum_3;
+        y->com_y = sum_2;
         y->com_vx = d_vx_plus_product_plus_share_times_sum;
         y->com_vy = d_vy_plus_product_plus_share_times_sum;
         y->momentum = d_moment;
         y->thrusting = 0.0;
         y->leg_work = leg_work_plus_d_work;
-        y->positive_leg_work = sum_4;
+        y->positive_leg_work = sum_3;
         return;
     }
-    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
-        + foot_mass_times_gravity_times_cosine > product_2) {
-        return;
-    }
-    y->length = d_length;
-    y->angle = d_angle;
-    y->length_rate = d_length_rate;
-    y->com_x = d_x_plus_product_plus_share_times_sum;
-    y->com_y = sum_3;
-    y->com_vx = d_vx_plus_product_plus_share_times_sum;
-    y->com_vy = d_vy_plus_product_plus_share_times_sum;
-    y->momentum = d_moment;
-    y->thrusting = 0.0;
-    y->leg_work = leg_work_plus_d_work;
-    y->positive_leg_work = sum_4;
 }
 
 /* First variation of the guard of lift_off. */
@@ -1440,11 +1451,16 @@ static real watches_slip_constant_enters_layer(const real *parameters, const rea
 /* First variation of the guard of enters_layer. */
 static real vary_guard_slip_constant_enters_layer(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
+    const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
-    (void)parameters;
-    return dx->way * x->foot_vx + x->way * dx->foot_vx - 60.0 * dp->stribeck_velocity;
+    const real stribeck_velocity_or_by_1 = select(p->stribeck_velocity > 0.0, p->stribeck_velocity, 1.0);
+    const real speed_in_layer = x->way * x->foot_vx / stribeck_velocity_or_by_1;
+    const real d_speed_in_layer = (dx->way * x->foot_vx + x->way * dx->foot_vx
+        - speed_in_layer * select(p->stribeck_velocity > 0.0, dp->stribeck_velocity,
+        0.0)) / stribeck_velocity_or_by_1;
+    return d_speed_in_layer;
 }
 
 /* comes_to_rest: The slip velocity reaches 0: the foot sticks, or slips the other way. */
@@ -1474,14 +1490,16 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
     const real x_plus_by_1eminus_12_times_free_length = x_2 + by_1eminus_12_times_free_length;
     const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
         1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
-    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
-        segment_towards, select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real friction_ahead_or_friction = select(p->keeps_friction > 0.0, x->friction_ahead,
+        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
+        select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction)));
     const real x_minus_by_1eminus_12_times_free_length = x_2 - by_1eminus_12_times_free_length;
     const real sum_3 = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0,
         0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
-    const real friction_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3,
-        select(real_abs(sum_3 - 1.0) > 0.0, -1.0, p->patch_friction));
-    const real own = select(way > 0.0, friction, friction_2);
+    const real friction_behind_or_friction = select(p->keeps_friction > 0.0, x->friction_behind,
+        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3, select(real_abs(sum_3
+        - 1.0) > 0.0, -1.0, p->patch_friction)));
+    const real own = select(way > 0.0, friction_ahead_or_friction, friction_behind_or_friction);
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real friction_along = is_own * own + (1.0 - is_own) * x->friction;
     const real off = axial * x->y_ + turning * x->x_;
@@ -1489,8 +1507,8 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
     const real cone = p->static_ratio * friction_along * normal;
     y->foot_vx = 0.0;
     if (real_abs(sum_2) <= cone) {
-        y->friction_ahead = friction;
-        y->friction_behind = friction_2;
+        y->friction_ahead = friction_ahead_or_friction;
+        y->friction_behind = friction_behind_or_friction;
         return next[0]; /* stick */
     }
     const real x_plus_product = x_2 + by_1eminus_12_times_free_length * way;
@@ -1498,7 +1516,7 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
         - select(x_plus_product < x->segment_begin, 1.0, 0.0);
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
-    const real friction_3 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_4,
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_4,
         select(real_abs(sum_4 - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = sum_4;
     y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_4,
@@ -1507,8 +1525,8 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
         select(sum_4 > 0.0, select(sum_4 > 1.0, 1000000000000.0, end), begin));
     y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, sum_4, 0.0);
     y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_4, 0.0);
-    y->friction_ahead = friction_3;
-    y->friction_behind = friction_3;
+    y->friction_ahead = select(p->keeps_friction > 0.0, friction_ahead_or_friction, friction);
+    y->friction_behind = select(p->keeps_friction > 0.0, friction_behind_or_friction, friction);
     y->way = way;
     return next[1]; /* slip */
 }
@@ -1547,21 +1565,27 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     const real sum_3 = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0,
         0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real abs_of_sum_minus_by_1 = real_abs(sum_3 - 1.0);
-    const real own = select(way > 0.0, looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
-        segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, -1.0, p->patch_friction)),
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3,
-        select(abs_of_sum_minus_by_1 > 0.0, -1.0, p->patch_friction)));
+    const real own = select(way > 0.0, select(p->keeps_friction > 0.0, x->friction_ahead, looked_up(tables,
+        TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
+        select(abs_of_segment_towards_minus_by_1 > 0.0, -1.0, p->patch_friction))),
+        select(p->keeps_friction > 0.0, x->friction_behind, looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_friction, sum_3, select(abs_of_sum_minus_by_1 > 0.0, -1.0,
+        p->patch_friction))));
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real friction_along = is_own * own + (1.0 - is_own) * x->friction;
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + foot_mass_times_gravity * cosine;
     const real cone = p->static_ratio * friction_along * normal;
+    const real friction_ahead_or_d_friction = select(p->keeps_friction > 0.0, dx->friction_ahead,
+        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed,
+        segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, 0.0, dp->patch_friction)));
+    const real friction_behind_or_d_friction = select(p->keeps_friction > 0.0, dx->friction_behind,
+        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, sum_3,
+        select(abs_of_sum_minus_by_1 > 0.0, 0.0, dp->patch_friction)));
     y->foot_vx = 0.0;
     if (real_abs(sum_2) <= cone) {
-        y->friction_ahead = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
-            seed, segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, 0.0, dp->patch_friction));
-        y->friction_behind = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
-            seed, sum_3, select(abs_of_sum_minus_by_1 > 0.0, 0.0, dp->patch_friction));
+        y->friction_ahead = friction_ahead_or_d_friction;
+        y->friction_behind = friction_behind_or_d_friction;
         return;
     }
     const real x_plus_product = x_2 + by_1eminus_12_times_free_length * way;
@@ -1580,8 +1604,8 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
         sum_4, 0.0);
     y->segment_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
         sum_4, 0.0);
-    y->friction_ahead = d_friction;
-    y->friction_behind = d_friction;
+    y->friction_ahead = select(p->keeps_friction > 0.0, friction_ahead_or_d_friction, d_friction);
+    y->friction_behind = select(p->keeps_friction > 0.0, friction_behind_or_d_friction, d_friction);
     y->way = 0.0;
 }
 
@@ -1600,22 +1624,56 @@ static int react_slip_constant_crosses_border(const real *parameters, const real
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
-    const real segment_plus_way = x->segment + x->way;
+    const real number = x->segment + x->way;
+    const real slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, number, 0.0);
+    const real height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, number, 0.0);
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
-    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
-        segment_plus_way, select(real_abs(segment_plus_way - 1.0) > 0.0, -1.0, p->patch_friction));
-    y->segment = segment_plus_way;
-    y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_plus_way,
-        select(segment_plus_way > 0.0, select(segment_plus_way > 1.0, end, begin), -1000000000000.0));
-    y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_plus_way,
-        select(segment_plus_way > 0.0, select(segment_plus_way > 1.0, 1000000000000.0, end), begin));
-    y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
-        segment_plus_way, 0.0);
-    y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_plus_way,
-        0.0);
-    y->friction_ahead = friction;
-    y->friction_behind = friction;
+    const real begin_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, number,
+        select(number > 0.0, select(number > 1.0, end, begin), -1000000000000.0));
+    const real end_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, number,
+        select(number > 0.0, select(number > 1.0, 1000000000000.0, end), begin));
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, number,
+        select(real_abs(number - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real friction_ahead_or_friction = select(p->keeps_friction > 0.0, x->friction_ahead, friction);
+    const real friction_behind_or_friction = select(p->keeps_friction > 0.0, x->friction_behind, friction);
+    y->segment = number;
+    y->segment_begin = begin_2;
+    y->segment_end = end_2;
+    y->segment_height = height;
+    y->segment_slope = slope;
+    y->friction_ahead = friction_ahead_or_friction;
+    y->friction_behind = friction_behind_or_friction;
+    if (p->trips <= 0.0) {
+        return next[0]; /* slip */
+    }
+    const real set_slope = p->ground_slope + slope;
+    const real sine = real_sin(x->slope);
+    const real y_2 = x->foot_x * sine;
+    const real height_plus_y = x->height + y_2;
+    const real set_height = p->ground_height + height;
+    const real cosine = real_cos(x->slope);
+    const real x_2 = x->foot_x * cosine;
+    const real foot_above = real_cos(set_slope) * (height_plus_y - set_height) - real_sin(set_slope) * x_2;
+    if (foot_above < -(1e-12 * p->free_length)) {
+        const real square = x->x_ * x->x_ + x->y_ * x->y_;
+        const real length = real_sqrt(square);
+        const real angle = real_atan2(-x->x_, x->y_) + x->winding;
+        const real vx = x->foot_vx * cosine;
+        const real vy = x->foot_vx * sine;
+        const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+        const real moment = x->x_ * x->vy - x->y_ * x->vx;
+        const real angle_rate = moment / square;
+        y->seen_x = x_2;
+        y->seen_y = height_plus_y;
+        y->length = length;
+        y->angle = angle;
+        y->seen_vx = vx;
+        y->seen_vy = vy;
+        y->length_rate = length_rate;
+        y->angle_rate = angle_rate;
+        return next[1]; /* fallen */
+    }
     return next[0]; /* slip */
 }
 
@@ -1627,24 +1685,71 @@ static void vary_react_slip_constant_crosses_border(const real *parameters, cons
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
-    const real segment_plus_way = x->segment + x->way;
+    const real number = x->segment + x->way;
+    const real d_number = dx->segment + dx->way;
     const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
     const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
+    const real d_begin_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
+        seed, number, select(number > 0.0, select(number > 1.0, d_end, d_begin), 0.0));
+    const real d_end_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed,
+        number, select(number > 0.0, select(number > 1.0, 0.0, d_end), d_begin));
+    const real d_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        seed, number, 0.0);
+    const real d_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
+        number, 0.0);
     const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
-        seed, segment_plus_way, select(real_abs(segment_plus_way - 1.0) > 0.0, 0.0, dp->patch_friction));
-    y->segment = dx->segment + dx->way;
-    y->segment_begin = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed,
-        segment_plus_way, select(segment_plus_way > 0.0, select(segment_plus_way > 1.0, d_end, d_begin),
-        0.0));
-    y->segment_end = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed,
-        segment_plus_way, select(segment_plus_way > 0.0, select(segment_plus_way > 1.0, 0.0, d_end),
-        d_begin));
-    y->segment_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, seed,
-        segment_plus_way, 0.0);
-    y->segment_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
-        segment_plus_way, 0.0);
-    y->friction_ahead = d_friction;
-    y->friction_behind = d_friction;
+        seed, number, select(real_abs(number - 1.0) > 0.0, 0.0, dp->patch_friction));
+    const real friction_ahead_or_d_friction = select(p->keeps_friction > 0.0, dx->friction_ahead, d_friction);
+    const real friction_behind_or_d_friction = select(p->keeps_friction > 0.0, dx->friction_behind,
+        d_friction);
+    y->segment = d_number;
+    y->segment_begin = d_begin_2;
+    y->segment_end = d_end_2;
+    y->segment_height = d_height;
+    y->segment_slope = d_slope;
+    y->friction_ahead = friction_ahead_or_d_friction;
+    y->friction_behind = friction_behind_or_d_friction;
+    if (p->trips <= 0.0) {
+        return;
+    }
+    const real set_slope = p->ground_slope + looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_slope, number, 0.0);
+    const real sine = real_sin(x->slope);
+    const real y_2 = x->foot_x * sine;
+    const real set_height = p->ground_height + looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_height, number, 0.0);
+    const real cosine = real_cos(x->slope);
+    const real x_2 = x->foot_x * cosine;
+    const real foot_above = real_cos(set_slope) * (x->height + y_2 - set_height) - real_sin(set_slope) * x_2;
+    if (foot_above < -(1e-12 * p->free_length)) {
+        const real sine_times_slope = sine * dx->slope;
+        const real d_x = dx->foot_x * cosine - x->foot_x * sine_times_slope;
+        const real d_sine = cosine * dx->slope;
+        const real d_y = dx->foot_x * sine + x->foot_x * d_sine;
+        const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+        const real square = x->x_ * x->x_ + x->y_ * x->y_;
+        const real length = real_sqrt(square);
+        const real d_length = 0.5 * d_square / length;
+        const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
+        const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
+        const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
+        const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+        const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+            - length_rate * d_length) / length;
+        const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
+        const real moment = x->x_ * x->vy - x->y_ * x->vx;
+        const real angle_rate = moment / square;
+        const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
+        y->seen_x = d_x;
+        y->seen_y = dx->height + d_y;
+        y->length = d_length;
+        y->angle = d_angle;
+        y->seen_vx = d_vx;
+        y->seen_vy = d_vy;
+        y->length_rate = d_length_rate;
+        y->angle_rate = d_angle_rate;
+        return;
+    }
 }
 
 /* Whether crosses_border is watched. */
@@ -2405,8 +2510,8 @@ static int react_stick_slips_forward(const real *parameters, const real *states,
         0.0);
     y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_towards,
         0.0);
-    y->friction_ahead = friction;
-    y->friction_behind = friction;
+    y->friction_ahead = select(p->keeps_friction > 0.0, x->friction_ahead, friction);
+    y->friction_behind = select(p->keeps_friction > 0.0, x->friction_behind, friction);
     y->way = 1.0;
     return next[0]; /* slip */
 }
@@ -2437,8 +2542,8 @@ static void vary_react_stick_slips_forward(const real *parameters, const real *s
         segment_towards, 0.0);
     y->segment_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
         segment_towards, 0.0);
-    y->friction_ahead = d_friction;
-    y->friction_behind = d_friction;
+    y->friction_ahead = select(p->keeps_friction > 0.0, dx->friction_ahead, d_friction);
+    y->friction_behind = select(p->keeps_friction > 0.0, dx->friction_behind, d_friction);
     y->way = 0.0;
 }
 
@@ -2517,8 +2622,8 @@ static int react_stick_slips_backward(const real *parameters, const real *states
         0.0);
     y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_towards,
         0.0);
-    y->friction_ahead = friction;
-    y->friction_behind = friction;
+    y->friction_ahead = select(p->keeps_friction > 0.0, x->friction_ahead, friction);
+    y->friction_behind = select(p->keeps_friction > 0.0, x->friction_behind, friction);
     y->way = -1.0;
     return next[0]; /* slip */
 }
@@ -2549,8 +2654,8 @@ static void vary_react_stick_slips_backward(const real *parameters, const real *
         segment_towards, 0.0);
     y->segment_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
         segment_towards, 0.0);
-    y->friction_ahead = d_friction;
-    y->friction_behind = d_friction;
+    y->friction_ahead = select(p->keeps_friction > 0.0, dx->friction_ahead, d_friction);
+    y->friction_behind = select(p->keeps_friction > 0.0, dx->friction_behind, d_friction);
     y->way = 0.0;
 }
 
@@ -3104,22 +3209,123 @@ static int react_flight_place_calm_passes_end(const real *parameters, const real
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real segment_plus_by_1 = x->segment + 1.0;
+    const real slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_plus_by_1,
+        0.0);
+    const real height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        segment_plus_by_1, 0.0);
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
+    const real begin_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
+        segment_plus_by_1, select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, end, begin),
+        -1000000000000.0));
+    const real end_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_plus_by_1,
+        select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, 1000000000000.0, end), begin));
     const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
         segment_plus_by_1, select(real_abs(segment_plus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = segment_plus_by_1;
-    y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_plus_by_1,
-        select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, end, begin), -1000000000000.0));
-    y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_plus_by_1,
-        select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, 1000000000000.0, end), begin));
-    y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
-        segment_plus_by_1, 0.0);
-    y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_plus_by_1,
-        0.0);
+    y->segment_begin = begin_2;
+    y->segment_end = end_2;
+    y->segment_height = height;
+    y->segment_slope = slope;
     y->friction_ahead = friction;
     y->friction_behind = friction;
+    if (p->trips <= 0.0) {
+        return next[0]; /* flight */
+    }
+    const real set_slope = p->ground_slope + slope;
+    const real set_height = p->ground_height + height;
+    const real level = real_cos(set_slope) * (x->com_y - set_height) - real_sin(set_slope) * x->com_x;
+    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real above = level - share * x->length * real_cos(x->angle - set_slope);
+    if (above < -(1e-12 * p->free_length)) {
+        const real sine = real_sin(x->angle);
+        const real cosine = real_cos(x->angle);
+        const real y_2 = x->length * cosine;
+        const real turn = x->momentum / x->length;
+        const real vx = -(x->length_rate * sine) - turn * cosine;
+        const real vy = x->length_rate * cosine - turn * sine;
+        const real square = x->length * x->length;
+        const real rate = x->momentum / square;
+        y->seen_x = x->com_x + share * (x->length * sine);
+        y->seen_y = x->com_y - share * y_2;
+        y->seen_vx = x->com_vx - share * vx;
+        y->seen_vy = x->com_vy - share * vy;
+        y->angle_rate = rate;
+        return next[1]; /* fallen */
+    }
     return next[0]; /* flight */
+}
+
+/* First variation of passes_end. */
+static void vary_react_flight_place_calm_passes_end(const real *parameters, const real *states,
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
+    const runner_parameters *p = (const void *)parameters;
+    const runner_states *x = (const void *)states;
+    const runner_parameters *dp = (const void *)d_parameters;
+    const runner_states *dx = (const void *)d_states;
+    runner_states *y = (void *)after;
+    const real segment_plus_by_1 = x->segment + 1.0;
+    const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
+    const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
+    const real d_begin_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
+        seed, segment_plus_by_1, select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, d_end,
+        d_begin), 0.0));
+    const real d_end_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed,
+        segment_plus_by_1, select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, 0.0, d_end),
+        d_begin));
+    const real d_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        seed, segment_plus_by_1, 0.0);
+    const real d_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
+        segment_plus_by_1, 0.0);
+    const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        seed, segment_plus_by_1, select(real_abs(segment_plus_by_1 - 1.0) > 0.0, 0.0, dp->patch_friction));
+    y->segment = dx->segment;
+    y->segment_begin = d_begin_2;
+    y->segment_end = d_end_2;
+    y->segment_height = d_height;
+    y->segment_slope = d_slope;
+    y->friction_ahead = d_friction;
+    y->friction_behind = d_friction;
+    if (p->trips <= 0.0) {
+        return;
+    }
+    const real set_slope = p->ground_slope + looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_slope, segment_plus_by_1, 0.0);
+    const real set_height = p->ground_height + looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_height, segment_plus_by_1, 0.0);
+    const real level = real_cos(set_slope) * (x->com_y - set_height) - real_sin(set_slope) * x->com_x;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real above = level - share * x->length * real_cos(x->angle - set_slope);
+    if (above < -(1e-12 * p->free_length)) {
+        const real d_share = (dp->body_mass - share * (dp->body_mass
+            + dp->foot_mass)) / body_mass_plus_foot_mass;
+        const real sine = real_sin(x->angle);
+        const real cosine = real_cos(x->angle);
+        const real d_sine = cosine * dx->angle;
+        const real y_2 = x->length * cosine;
+        const real sine_times_angle = sine * dx->angle;
+        const real d_y = dx->length * cosine - x->length * sine_times_angle;
+        const real turn = x->momentum / x->length;
+        const real vx = -(x->length_rate * sine) - turn * cosine;
+        const real d_turn = (dx->momentum - turn * dx->length) / x->length;
+        const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+            - turn * sine_times_angle);
+        const real vy = x->length_rate * cosine - turn * sine;
+        const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+            + turn * d_sine);
+        const real square = x->length * x->length;
+        const real rate = x->momentum / square;
+        const real d_square = 2.0 * (x->length * dx->length);
+        const real d_rate = (dx->momentum - rate * d_square) / square;
+        y->seen_x = dx->com_x + (d_share * (x->length * sine) + share * (dx->length * sine
+            + x->length * d_sine));
+        y->seen_y = dx->com_y - (d_share * y_2 + share * d_y);
+        y->seen_vx = dx->com_vx - (d_share * vx + share * d_vx);
+        y->seen_vy = dx->com_vy - (d_share * vy + share * d_vy);
+        y->angle_rate = d_rate;
+        return;
+    }
 }
 
 /* Whether passes_end is watched. */
@@ -3156,23 +3362,123 @@ static int react_flight_place_calm_passes_begin(const real *parameters, const re
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real segment_minus_by_1 = x->segment - 1.0;
+    const real slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope,
+        segment_minus_by_1, 0.0);
+    const real height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        segment_minus_by_1, 0.0);
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
+    const real begin_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
+        segment_minus_by_1, select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, end, begin),
+        -1000000000000.0));
+    const real end_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_minus_by_1,
+        select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, 1000000000000.0, end), begin));
     const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
         segment_minus_by_1, select(real_abs(segment_minus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = segment_minus_by_1;
-    y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
-        segment_minus_by_1, select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, end, begin),
-        -1000000000000.0));
-    y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_minus_by_1,
-        select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, 1000000000000.0, end), begin));
-    y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
-        segment_minus_by_1, 0.0);
-    y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope,
-        segment_minus_by_1, 0.0);
+    y->segment_begin = begin_2;
+    y->segment_end = end_2;
+    y->segment_height = height;
+    y->segment_slope = slope;
     y->friction_ahead = friction;
     y->friction_behind = friction;
+    if (p->trips <= 0.0) {
+        return next[0]; /* flight */
+    }
+    const real set_slope = p->ground_slope + slope;
+    const real set_height = p->ground_height + height;
+    const real level = real_cos(set_slope) * (x->com_y - set_height) - real_sin(set_slope) * x->com_x;
+    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real above = level - share * x->length * real_cos(x->angle - set_slope);
+    if (above < -(1e-12 * p->free_length)) {
+        const real sine = real_sin(x->angle);
+        const real cosine = real_cos(x->angle);
+        const real y_2 = x->length * cosine;
+        const real turn = x->momentum / x->length;
+        const real vx = -(x->length_rate * sine) - turn * cosine;
+        const real vy = x->length_rate * cosine - turn * sine;
+        const real square = x->length * x->length;
+        const real rate = x->momentum / square;
+        y->seen_x = x->com_x + share * (x->length * sine);
+        y->seen_y = x->com_y - share * y_2;
+        y->seen_vx = x->com_vx - share * vx;
+        y->seen_vy = x->com_vy - share * vy;
+        y->angle_rate = rate;
+        return next[1]; /* fallen */
+    }
     return next[0]; /* flight */
+}
+
+/* First variation of passes_begin. */
+static void vary_react_flight_place_calm_passes_begin(const real *parameters, const real *states,
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
+    const runner_parameters *p = (const void *)parameters;
+    const runner_states *x = (const void *)states;
+    const runner_parameters *dp = (const void *)d_parameters;
+    const runner_states *dx = (const void *)d_states;
+    runner_states *y = (void *)after;
+    const real segment_minus_by_1 = x->segment - 1.0;
+    const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
+    const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
+    const real d_begin_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
+        seed, segment_minus_by_1, select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, d_end,
+        d_begin), 0.0));
+    const real d_end_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed,
+        segment_minus_by_1, select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, 0.0, d_end),
+        d_begin));
+    const real d_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        seed, segment_minus_by_1, 0.0);
+    const real d_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
+        segment_minus_by_1, 0.0);
+    const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        seed, segment_minus_by_1, select(real_abs(segment_minus_by_1 - 1.0) > 0.0, 0.0, dp->patch_friction));
+    y->segment = dx->segment;
+    y->segment_begin = d_begin_2;
+    y->segment_end = d_end_2;
+    y->segment_height = d_height;
+    y->segment_slope = d_slope;
+    y->friction_ahead = d_friction;
+    y->friction_behind = d_friction;
+    if (p->trips <= 0.0) {
+        return;
+    }
+    const real set_slope = p->ground_slope + looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_slope, segment_minus_by_1, 0.0);
+    const real set_height = p->ground_height + looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_height, segment_minus_by_1, 0.0);
+    const real level = real_cos(set_slope) * (x->com_y - set_height) - real_sin(set_slope) * x->com_x;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real above = level - share * x->length * real_cos(x->angle - set_slope);
+    if (above < -(1e-12 * p->free_length)) {
+        const real d_share = (dp->body_mass - share * (dp->body_mass
+            + dp->foot_mass)) / body_mass_plus_foot_mass;
+        const real sine = real_sin(x->angle);
+        const real cosine = real_cos(x->angle);
+        const real d_sine = cosine * dx->angle;
+        const real y_2 = x->length * cosine;
+        const real sine_times_angle = sine * dx->angle;
+        const real d_y = dx->length * cosine - x->length * sine_times_angle;
+        const real turn = x->momentum / x->length;
+        const real vx = -(x->length_rate * sine) - turn * cosine;
+        const real d_turn = (dx->momentum - turn * dx->length) / x->length;
+        const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
+            - turn * sine_times_angle);
+        const real vy = x->length_rate * cosine - turn * sine;
+        const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
+            + turn * d_sine);
+        const real square = x->length * x->length;
+        const real rate = x->momentum / square;
+        const real d_square = 2.0 * (x->length * dx->length);
+        const real d_rate = (dx->momentum - rate * d_square) / square;
+        y->seen_x = dx->com_x + (d_share * (x->length * sine) + share * (dx->length * sine
+            + x->length * d_sine));
+        y->seen_y = dx->com_y - (d_share * y_2 + share * d_y);
+        y->seen_vx = dx->com_vx - (d_share * vx + share * d_vx);
+        y->seen_vy = dx->com_vy - (d_share * vy + share * d_vy);
+        y->angle_rate = d_rate;
+        return;
+    }
 }
 
 /* Whether passes_begin is watched. */
@@ -3200,6 +3506,31 @@ static real vary_guard_flight_place_calm_passes_begin(const real *parameters, co
     const real d_sine = cosine * dx->angle;
     return dx->com_x + (d_share * (x->length * sine) + share * (dx->length * sine + x->length * d_sine))
         - dx->segment_begin;
+}
+
+/* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
+static int react_flight_place_calm_next_segment_comes(const real *parameters, const real *states,
+    const tdmf_table *tables, real *after, const int *next) {
+    const runner_parameters *p = (const void *)parameters;
+    const runner_states *x = (const void *)states;
+    runner_states *y = (void *)after;
+    const real segment_plus_by_1 = x->segment + 1.0;
+    const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
+    const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_plus_by_1, select(real_abs(segment_plus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
+    y->segment = segment_plus_by_1;
+    y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_plus_by_1,
+        select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, end, begin), -1000000000000.0));
+    y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_plus_by_1,
+        select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, 1000000000000.0, end), begin));
+    y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        segment_plus_by_1, 0.0);
+    y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_plus_by_1,
+        0.0);
+    y->friction_ahead = friction;
+    y->friction_behind = friction;
+    return next[0]; /* flight */
 }
 
 /* Whether next_segment_comes is watched. */
@@ -3614,6 +3945,8 @@ static int react_flight_place_calm_touchdown(const real *parameters, const real 
     const real slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_7, 0.0);
     const real friction_3 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_7,
         select(real_abs(sum_7 - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real friction_or_friction = select(p->keeps_friction > 0.0, friction, friction_3);
+    const real friction_or_friction_2 = select(p->keeps_friction > 0.0, friction_2, friction_3);
     const real sum_8 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
     const real sum_9 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
     const real sum_plus_along = vx * cos_of_slope + vy * sin_of_slope + along;
@@ -3656,8 +3989,8 @@ static int react_flight_place_calm_touchdown(const real *parameters, const real 
             y->segment_end = end_2;
             y->segment_height = height;
             y->segment_slope = slope;
-            y->friction_ahead = friction_3;
-            y->friction_behind = friction_3;
+            y->friction_ahead = friction_or_friction;
+            y->friction_behind = friction_or_friction_2;
             y->way = way;
             return next[0]; /* slip */
         }
@@ -3679,8 +4012,8 @@ static int react_flight_place_calm_touchdown(const real *parameters, const real 
         y->segment_end = end_2;
         y->segment_height = height;
         y->segment_slope = slope;
-        y->friction_ahead = friction_3;
-        y->friction_behind = friction_3;
+        y->friction_ahead = friction_or_friction;
+        y->friction_behind = friction_or_friction_2;
         y->way = way;
         return next[0]; /* slip */
     }
@@ -3761,7 +4094,15 @@ static void vary_react_flight_place_calm_touchdown(const real *parameters, const
     const real d_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
         sum_8, 0.0);
     const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
-        seed, sum_8, select(real_abs(sum_8 - 1.0) > 0.0, 0.0, dp->patch_friction));
+        seed, segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, 0.0, dp->patch_friction));
+    const real d_friction_2 = variation_looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_friction, seed, sum_8, select(real_abs(sum_8 - 1.0) > 0.0, 0.0,
+        dp->patch_friction));
+    const real d_friction_or_d_friction = select(p->keeps_friction > 0.0, d_friction, d_friction_2);
+    const real d_friction_3 = variation_looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_friction, seed, sum_5, select(abs_of_sum_minus_by_1 > 0.0, 0.0,
+        dp->patch_friction));
+    const real d_friction_or_d_friction_2 = select(p->keeps_friction > 0.0, d_friction_3, d_friction_2);
     const real sum_9 = d_y * sin_of_slope + y_2 * cos_of_slope_times_slope - (sum_7 * cos_of_slope
         - length_times_sine * sin_of_slope_times_slope);
     const real sum_10 = d_y * cos_of_slope - y_2 * sin_of_slope_times_slope + (sum_7 * sin_of_slope
@@ -3777,15 +4118,9 @@ static void vary_react_flight_place_calm_touchdown(const real *parameters, const
         + (sum_12 * sin_of_slope + com_vy_minus_share_times_vy * cos_of_slope_times_slope);
     const real sum_plus_sum_plus_d_along = d_vx * cos_of_slope - vx * sin_of_slope_times_slope
         + (d_vy * sin_of_slope + vy * cos_of_slope_times_slope) + d_along;
-    const real d_friction_2 = variation_looked_up(tables, TABLE_ground_segment,
-        COLUMN_ground_segment_friction, seed, segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0,
-        0.0, dp->patch_friction));
-    const real d_friction_3 = variation_looked_up(tables, TABLE_ground_segment,
-        COLUMN_ground_segment_friction, seed, sum_5, select(abs_of_sum_minus_by_1 > 0.0, 0.0,
-        dp->patch_friction));
     const real d_off = sum_12 * cos_of_slope - com_vy_minus_share_times_vy * sin_of_slope_times_slope
         - (sum_11 * sin_of_slope + com_vx_minus_share_times_vx * cos_of_slope_times_slope);
-    const real d_own = select(way > 0.0, d_friction_2, d_friction_3);
+    const real d_own = select(way > 0.0, d_friction, d_friction_3);
     const real d_friction_along = is_own * d_own + by_1_minus_is_own * dx->friction;
     const real sum_13 = d_friction_along * off + friction_along * d_off;
     const real way_times_d_along_plus_sum = way * d_along + sum_13;
@@ -3850,12 +4185,12 @@ static void vary_react_flight_place_calm_touchdown(const real *parameters, const
             y->segment_end = d_end_2;
             y->segment_height = d_height;
             y->segment_slope = d_slope;
-            y->friction_ahead = d_friction;
-            y->friction_behind = d_friction;
+            y->friction_ahead = d_friction_or_d_friction;
+            y->friction_behind = d_friction_or_d_friction_2;
             y->way = 0.0;
             return;
         }
-        y->friction_ahead = d_friction_2;
+        y->friction_ahead = d_friction;
         y->friction_behind = d_friction_3;
         return;
     }
@@ -3877,12 +4212,12 @@ static void vary_react_flight_place_calm_touchdown(const real *parameters, const
         y->segment_end = d_end_2;
         y->segment_height = d_height;
         y->segment_slope = d_slope;
-        y->friction_ahead = d_friction;
-        y->friction_behind = d_friction;
+        y->friction_ahead = d_friction_or_d_friction;
+        y->friction_behind = d_friction_or_d_friction_2;
         y->way = 0.0;
         return;
     }
-    y->friction_ahead = d_friction_2;
+    y->friction_ahead = d_friction;
     y->friction_behind = d_friction_3;
 }
 
@@ -4478,6 +4813,8 @@ static int react_flight_rest_calm_touchdown(const real *parameters, const real *
     const real slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_7, 0.0);
     const real friction_3 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_7,
         select(real_abs(sum_7 - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real friction_or_friction = select(p->keeps_friction > 0.0, friction, friction_3);
+    const real friction_or_friction_2 = select(p->keeps_friction > 0.0, friction_2, friction_3);
     const real sum_8 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
     const real sum_9 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
     const real sum_plus_along = vx * cos_of_slope + vy * sin_of_slope + along;
@@ -4520,8 +4857,8 @@ static int react_flight_rest_calm_touchdown(const real *parameters, const real *
             y->segment_end = end_2;
             y->segment_height = height;
             y->segment_slope = slope;
-            y->friction_ahead = friction_3;
-            y->friction_behind = friction_3;
+            y->friction_ahead = friction_or_friction;
+            y->friction_behind = friction_or_friction_2;
             y->way = way;
             return next[0]; /* slip */
         }
@@ -4543,8 +4880,8 @@ static int react_flight_rest_calm_touchdown(const real *parameters, const real *
         y->segment_end = end_2;
         y->segment_height = height;
         y->segment_slope = slope;
-        y->friction_ahead = friction_3;
-        y->friction_behind = friction_3;
+        y->friction_ahead = friction_or_friction;
+        y->friction_behind = friction_or_friction_2;
         y->way = way;
         return next[0]; /* slip */
     }
@@ -5429,22 +5766,130 @@ static int react_graze_place_passes_end(const real *parameters, const real *stat
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real segment_plus_by_1 = x->segment + 1.0;
+    const real slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_plus_by_1,
+        0.0);
+    const real height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        segment_plus_by_1, 0.0);
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
+    const real begin_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
+        segment_plus_by_1, select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, end, begin),
+        -1000000000000.0));
+    const real end_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_plus_by_1,
+        select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, 1000000000000.0, end), begin));
     const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
         segment_plus_by_1, select(real_abs(segment_plus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = segment_plus_by_1;
-    y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_plus_by_1,
-        select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, end, begin), -1000000000000.0));
-    y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_plus_by_1,
-        select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, 1000000000000.0, end), begin));
-    y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
-        segment_plus_by_1, 0.0);
-    y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_plus_by_1,
-        0.0);
+    y->segment_begin = begin_2;
+    y->segment_end = end_2;
+    y->segment_height = height;
+    y->segment_slope = slope;
     y->friction_ahead = friction;
     y->friction_behind = friction;
+    if (p->trips <= 0.0) {
+        return next[0]; /* graze */
+    }
+    const real set_slope = p->ground_slope + slope;
+    const real sine = real_sin(x->slope);
+    const real y_2 = x->foot_x * sine;
+    const real height_plus_y = x->height + y_2;
+    const real set_height = p->ground_height + height;
+    const real cosine = real_cos(x->slope);
+    const real x_2 = x->foot_x * cosine;
+    const real foot_above = real_cos(set_slope) * (height_plus_y - set_height) - real_sin(set_slope) * x_2;
+    if (foot_above < -(1e-12 * p->free_length)) {
+        const real square = x->x_ * x->x_ + x->y_ * x->y_;
+        const real length = real_sqrt(square);
+        const real angle = real_atan2(-x->x_, x->y_) + x->winding;
+        const real vx = x->foot_vx * cosine;
+        const real vy = x->foot_vx * sine;
+        const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+        const real moment = x->x_ * x->vy - x->y_ * x->vx;
+        const real angle_rate = moment / square;
+        y->seen_x = x_2;
+        y->seen_y = height_plus_y;
+        y->length = length;
+        y->angle = angle;
+        y->seen_vx = vx;
+        y->seen_vy = vy;
+        y->length_rate = length_rate;
+        y->angle_rate = angle_rate;
+        return next[1]; /* fallen */
+    }
     return next[0]; /* graze */
+}
+
+/* First variation of passes_end. */
+static void vary_react_graze_place_passes_end(const real *parameters, const real *states,
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
+    const runner_parameters *p = (const void *)parameters;
+    const runner_states *x = (const void *)states;
+    const runner_parameters *dp = (const void *)d_parameters;
+    const runner_states *dx = (const void *)d_states;
+    runner_states *y = (void *)after;
+    const real segment_plus_by_1 = x->segment + 1.0;
+    const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
+    const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
+    const real d_begin_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
+        seed, segment_plus_by_1, select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, d_end,
+        d_begin), 0.0));
+    const real d_end_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed,
+        segment_plus_by_1, select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, 0.0, d_end),
+        d_begin));
+    const real d_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        seed, segment_plus_by_1, 0.0);
+    const real d_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
+        segment_plus_by_1, 0.0);
+    const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        seed, segment_plus_by_1, select(real_abs(segment_plus_by_1 - 1.0) > 0.0, 0.0, dp->patch_friction));
+    y->segment = dx->segment;
+    y->segment_begin = d_begin_2;
+    y->segment_end = d_end_2;
+    y->segment_height = d_height;
+    y->segment_slope = d_slope;
+    y->friction_ahead = d_friction;
+    y->friction_behind = d_friction;
+    if (p->trips <= 0.0) {
+        return;
+    }
+    const real set_slope = p->ground_slope + looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_slope, segment_plus_by_1, 0.0);
+    const real sine = real_sin(x->slope);
+    const real y_2 = x->foot_x * sine;
+    const real set_height = p->ground_height + looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_height, segment_plus_by_1, 0.0);
+    const real cosine = real_cos(x->slope);
+    const real x_2 = x->foot_x * cosine;
+    const real foot_above = real_cos(set_slope) * (x->height + y_2 - set_height) - real_sin(set_slope) * x_2;
+    if (foot_above < -(1e-12 * p->free_length)) {
+        const real sine_times_slope = sine * dx->slope;
+        const real d_x = dx->foot_x * cosine - x->foot_x * sine_times_slope;
+        const real d_sine = cosine * dx->slope;
+        const real d_y = dx->foot_x * sine + x->foot_x * d_sine;
+        const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+        const real square = x->x_ * x->x_ + x->y_ * x->y_;
+        const real length = real_sqrt(square);
+        const real d_length = 0.5 * d_square / length;
+        const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
+        const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
+        const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
+        const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+        const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+            - length_rate * d_length) / length;
+        const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
+        const real moment = x->x_ * x->vy - x->y_ * x->vx;
+        const real angle_rate = moment / square;
+        const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
+        y->seen_x = d_x;
+        y->seen_y = dx->height + d_y;
+        y->length = d_length;
+        y->angle = d_angle;
+        y->seen_vx = d_vx;
+        y->seen_vy = d_vy;
+        y->length_rate = d_length_rate;
+        y->angle_rate = d_angle_rate;
+        return;
+    }
 }
 
 /* First variation of the guard of passes_end. */
@@ -5466,23 +5911,130 @@ static int react_graze_place_passes_begin(const real *parameters, const real *st
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real segment_minus_by_1 = x->segment - 1.0;
+    const real slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope,
+        segment_minus_by_1, 0.0);
+    const real height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        segment_minus_by_1, 0.0);
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
+    const real begin_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
+        segment_minus_by_1, select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, end, begin),
+        -1000000000000.0));
+    const real end_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_minus_by_1,
+        select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, 1000000000000.0, end), begin));
     const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
         segment_minus_by_1, select(real_abs(segment_minus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = segment_minus_by_1;
-    y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
-        segment_minus_by_1, select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, end, begin),
-        -1000000000000.0));
-    y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_minus_by_1,
-        select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, 1000000000000.0, end), begin));
-    y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
-        segment_minus_by_1, 0.0);
-    y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope,
-        segment_minus_by_1, 0.0);
+    y->segment_begin = begin_2;
+    y->segment_end = end_2;
+    y->segment_height = height;
+    y->segment_slope = slope;
     y->friction_ahead = friction;
     y->friction_behind = friction;
+    if (p->trips <= 0.0) {
+        return next[0]; /* graze */
+    }
+    const real set_slope = p->ground_slope + slope;
+    const real sine = real_sin(x->slope);
+    const real y_2 = x->foot_x * sine;
+    const real height_plus_y = x->height + y_2;
+    const real set_height = p->ground_height + height;
+    const real cosine = real_cos(x->slope);
+    const real x_2 = x->foot_x * cosine;
+    const real foot_above = real_cos(set_slope) * (height_plus_y - set_height) - real_sin(set_slope) * x_2;
+    if (foot_above < -(1e-12 * p->free_length)) {
+        const real square = x->x_ * x->x_ + x->y_ * x->y_;
+        const real length = real_sqrt(square);
+        const real angle = real_atan2(-x->x_, x->y_) + x->winding;
+        const real vx = x->foot_vx * cosine;
+        const real vy = x->foot_vx * sine;
+        const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+        const real moment = x->x_ * x->vy - x->y_ * x->vx;
+        const real angle_rate = moment / square;
+        y->seen_x = x_2;
+        y->seen_y = height_plus_y;
+        y->length = length;
+        y->angle = angle;
+        y->seen_vx = vx;
+        y->seen_vy = vy;
+        y->length_rate = length_rate;
+        y->angle_rate = angle_rate;
+        return next[1]; /* fallen */
+    }
     return next[0]; /* graze */
+}
+
+/* First variation of passes_begin. */
+static void vary_react_graze_place_passes_begin(const real *parameters, const real *states,
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
+    const runner_parameters *p = (const void *)parameters;
+    const runner_states *x = (const void *)states;
+    const runner_parameters *dp = (const void *)d_parameters;
+    const runner_states *dx = (const void *)d_states;
+    runner_states *y = (void *)after;
+    const real segment_minus_by_1 = x->segment - 1.0;
+    const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
+    const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
+    const real d_begin_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
+        seed, segment_minus_by_1, select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, d_end,
+        d_begin), 0.0));
+    const real d_end_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed,
+        segment_minus_by_1, select(segment_minus_by_1 > 0.0, select(segment_minus_by_1 > 1.0, 0.0, d_end),
+        d_begin));
+    const real d_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        seed, segment_minus_by_1, 0.0);
+    const real d_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
+        segment_minus_by_1, 0.0);
+    const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        seed, segment_minus_by_1, select(real_abs(segment_minus_by_1 - 1.0) > 0.0, 0.0, dp->patch_friction));
+    y->segment = dx->segment;
+    y->segment_begin = d_begin_2;
+    y->segment_end = d_end_2;
+    y->segment_height = d_height;
+    y->segment_slope = d_slope;
+    y->friction_ahead = d_friction;
+    y->friction_behind = d_friction;
+    if (p->trips <= 0.0) {
+        return;
+    }
+    const real set_slope = p->ground_slope + looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_slope, segment_minus_by_1, 0.0);
+    const real sine = real_sin(x->slope);
+    const real y_2 = x->foot_x * sine;
+    const real set_height = p->ground_height + looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_height, segment_minus_by_1, 0.0);
+    const real cosine = real_cos(x->slope);
+    const real x_2 = x->foot_x * cosine;
+    const real foot_above = real_cos(set_slope) * (x->height + y_2 - set_height) - real_sin(set_slope) * x_2;
+    if (foot_above < -(1e-12 * p->free_length)) {
+        const real sine_times_slope = sine * dx->slope;
+        const real d_x = dx->foot_x * cosine - x->foot_x * sine_times_slope;
+        const real d_sine = cosine * dx->slope;
+        const real d_y = dx->foot_x * sine + x->foot_x * d_sine;
+        const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+        const real square = x->x_ * x->x_ + x->y_ * x->y_;
+        const real length = real_sqrt(square);
+        const real d_length = 0.5 * d_square / length;
+        const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
+        const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
+        const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
+        const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+        const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
+            - length_rate * d_length) / length;
+        const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
+        const real moment = x->x_ * x->vy - x->y_ * x->vx;
+        const real angle_rate = moment / square;
+        const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
+        y->seen_x = d_x;
+        y->seen_y = dx->height + d_y;
+        y->length = d_length;
+        y->angle = d_angle;
+        y->seen_vx = d_vx;
+        y->seen_vy = d_vy;
+        y->length_rate = d_length_rate;
+        y->angle_rate = d_angle_rate;
+        return;
+    }
 }
 
 /* First variation of the guard of passes_begin. */
@@ -5525,25 +6077,37 @@ static int react_graze_place_graze_to_contact(const real *parameters, const real
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
+    const real x_plus_by_1eminus_12_times_free_length = x_2 + by_1eminus_12_times_free_length;
+    const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
+        1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real friction_ahead_or_friction = select(p->keeps_friction > 0.0, x->friction_ahead,
+        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
+        select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction)));
+    const real x_minus_by_1eminus_12_times_free_length = x_2 - by_1eminus_12_times_free_length;
+    const real sum_2 = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0,
+        0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real friction_behind_or_friction = select(p->keeps_friction > 0.0, x->friction_behind,
+        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_2, select(real_abs(sum_2
+        - 1.0) > 0.0, -1.0, p->patch_friction)));
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
     y->placing = 0.0;
     if (real_abs(x->foot_vx) > 0.0) {
         const real by_1_or_by_minus_1 = select(x->foot_vx > 0.0, 1.0, -1.0);
         const real x_plus_product = x_2 + by_1eminus_12_times_free_length * by_1_or_by_minus_1;
-        const real sum_2 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
+        const real sum_3 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
             - select(x_plus_product < x->segment_begin, 1.0, 0.0);
-        const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_2,
-            select(real_abs(sum_2 - 1.0) > 0.0, -1.0, p->patch_friction));
-        y->segment = sum_2;
-        y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_2,
-            select(sum_2 > 0.0, select(sum_2 > 1.0, end, begin), -1000000000000.0));
-        y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, sum_2,
-            select(sum_2 > 0.0, select(sum_2 > 1.0, 1000000000000.0, end), begin));
-        y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, sum_2, 0.0);
-        y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_2, 0.0);
-        y->friction_ahead = friction;
-        y->friction_behind = friction;
+        const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3,
+            select(real_abs(sum_3 - 1.0) > 0.0, -1.0, p->patch_friction));
+        y->segment = sum_3;
+        y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_3,
+            select(sum_3 > 0.0, select(sum_3 > 1.0, end, begin), -1000000000000.0));
+        y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, sum_3,
+            select(sum_3 > 0.0, select(sum_3 > 1.0, 1000000000000.0, end), begin));
+        y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, sum_3, 0.0);
+        y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_3, 0.0);
+        y->friction_ahead = select(p->keeps_friction > 0.0, friction_ahead_or_friction, friction);
+        y->friction_behind = select(p->keeps_friction > 0.0, friction_behind_or_friction, friction);
         y->way = by_1_or_by_minus_1;
         return next[0]; /* slip */
     }
@@ -5560,34 +6124,24 @@ static int react_graze_place_graze_to_contact(const real *parameters, const real
     const real along = axial * x->x_ - turning * x->y_;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real sine = real_sin(x->slope);
-    const real sum_2 = along + foot_mass_times_gravity * sine;
-    const real way = select(sum_2 > 0.0, -1.0, 1.0);
-    const real x_plus_by_1eminus_12_times_free_length = x_2 + by_1eminus_12_times_free_length;
-    const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
-        1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
-    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
-        segment_towards, select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
-    const real x_minus_by_1eminus_12_times_free_length = x_2 - by_1eminus_12_times_free_length;
-    const real sum_3 = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0,
-        0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
-    const real friction_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3,
-        select(real_abs(sum_3 - 1.0) > 0.0, -1.0, p->patch_friction));
-    const real own = select(way > 0.0, friction, friction_2);
+    const real sum_3 = along + foot_mass_times_gravity * sine;
+    const real way = select(sum_3 > 0.0, -1.0, 1.0);
+    const real own = select(way > 0.0, friction_ahead_or_friction, friction_behind_or_friction);
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real friction_along = is_own * own + (1.0 - is_own) * x->friction;
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + foot_mass_times_gravity * cosine;
     const real cone = p->static_ratio * friction_along * normal;
     y->foot_vx = 0.0;
-    if (real_abs(sum_2) <= cone) {
-        y->friction_ahead = friction;
-        y->friction_behind = friction_2;
+    if (real_abs(sum_3) <= cone) {
+        y->friction_ahead = friction_ahead_or_friction;
+        y->friction_behind = friction_behind_or_friction;
         return next[1]; /* stick */
     }
     const real x_plus_product = x_2 + by_1eminus_12_times_free_length * way;
     const real sum_4 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
         - select(x_plus_product < x->segment_begin, 1.0, 0.0);
-    const real friction_3 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_4,
+    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_4,
         select(real_abs(sum_4 - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = sum_4;
     y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_4,
@@ -5596,8 +6150,8 @@ static int react_graze_place_graze_to_contact(const real *parameters, const real
         select(sum_4 > 0.0, select(sum_4 > 1.0, 1000000000000.0, end), begin));
     y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, sum_4, 0.0);
     y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_4, 0.0);
-    y->friction_ahead = friction_3;
-    y->friction_behind = friction_3;
+    y->friction_ahead = select(p->keeps_friction > 0.0, friction_ahead_or_friction, friction);
+    y->friction_behind = select(p->keeps_friction > 0.0, friction_behind_or_friction, friction);
     y->way = way;
     return next[0]; /* slip */
 }
@@ -5613,28 +6167,42 @@ static void vary_react_graze_place_graze_to_contact(const real *parameters, cons
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
+    const real x_plus_by_1eminus_12_times_free_length = x_2 + by_1eminus_12_times_free_length;
+    const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
+        1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real abs_of_segment_towards_minus_by_1 = real_abs(segment_towards - 1.0);
+    const real x_minus_by_1eminus_12_times_free_length = x_2 - by_1eminus_12_times_free_length;
+    const real sum_2 = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0,
+        0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real abs_of_sum_minus_by_1 = real_abs(sum_2 - 1.0);
     const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
     const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
+    const real friction_ahead_or_d_friction = select(p->keeps_friction > 0.0, dx->friction_ahead,
+        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed,
+        segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, 0.0, dp->patch_friction)));
+    const real friction_behind_or_d_friction = select(p->keeps_friction > 0.0, dx->friction_behind,
+        variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, sum_2,
+        select(abs_of_sum_minus_by_1 > 0.0, 0.0, dp->patch_friction)));
     y->placing = 0.0;
     if (real_abs(x->foot_vx) > 0.0) {
         const real x_plus_product = x_2 + by_1eminus_12_times_free_length * select(x->foot_vx > 0.0, 1.0,
             -1.0);
-        const real sum_2 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
+        const real sum_3 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
             - select(x_plus_product < x->segment_begin, 1.0, 0.0);
         const real d_friction = variation_looked_up(tables, TABLE_ground_segment,
-            COLUMN_ground_segment_friction, seed, sum_2, select(real_abs(sum_2 - 1.0) > 0.0, 0.0,
+            COLUMN_ground_segment_friction, seed, sum_3, select(real_abs(sum_3 - 1.0) > 0.0, 0.0,
             dp->patch_friction));
         y->segment = dx->segment;
         y->segment_begin = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
-            seed, sum_2, select(sum_2 > 0.0, select(sum_2 > 1.0, d_end, d_begin), 0.0));
+            seed, sum_3, select(sum_3 > 0.0, select(sum_3 > 1.0, d_end, d_begin), 0.0));
         y->segment_end = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed,
-            sum_2, select(sum_2 > 0.0, select(sum_2 > 1.0, 0.0, d_end), d_begin));
+            sum_3, select(sum_3 > 0.0, select(sum_3 > 1.0, 0.0, d_end), d_begin));
         y->segment_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
-            seed, sum_2, 0.0);
+            seed, sum_3, 0.0);
         y->segment_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope,
-            seed, sum_2, 0.0);
-        y->friction_ahead = d_friction;
-        y->friction_behind = d_friction;
+            seed, sum_3, 0.0);
+        y->friction_ahead = select(p->keeps_friction > 0.0, friction_ahead_or_d_friction, d_friction);
+        y->friction_behind = select(p->keeps_friction > 0.0, friction_behind_or_d_friction, d_friction);
         y->way = 0.0;
         return;
     }
@@ -5651,31 +6219,23 @@ static void vary_react_graze_place_graze_to_contact(const real *parameters, cons
     const real along = axial * x->x_ - turning * x->y_;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real sine = real_sin(x->slope);
-    const real sum_2 = along + foot_mass_times_gravity * sine;
-    const real way = select(sum_2 > 0.0, -1.0, 1.0);
-    const real x_plus_by_1eminus_12_times_free_length = x_2 + by_1eminus_12_times_free_length;
-    const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
-        1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
-    const real abs_of_segment_towards_minus_by_1 = real_abs(segment_towards - 1.0);
-    const real x_minus_by_1eminus_12_times_free_length = x_2 - by_1eminus_12_times_free_length;
-    const real sum_3 = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0,
-        0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
-    const real abs_of_sum_minus_by_1 = real_abs(sum_3 - 1.0);
-    const real own = select(way > 0.0, looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
-        segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, -1.0, p->patch_friction)),
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3,
-        select(abs_of_sum_minus_by_1 > 0.0, -1.0, p->patch_friction)));
+    const real sum_3 = along + foot_mass_times_gravity * sine;
+    const real way = select(sum_3 > 0.0, -1.0, 1.0);
+    const real own = select(way > 0.0, select(p->keeps_friction > 0.0, x->friction_ahead, looked_up(tables,
+        TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
+        select(abs_of_segment_towards_minus_by_1 > 0.0, -1.0, p->patch_friction))),
+        select(p->keeps_friction > 0.0, x->friction_behind, looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_friction, sum_2, select(abs_of_sum_minus_by_1 > 0.0, -1.0,
+        p->patch_friction))));
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real friction_along = is_own * own + (1.0 - is_own) * x->friction;
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + foot_mass_times_gravity * cosine;
     const real cone = p->static_ratio * friction_along * normal;
     y->foot_vx = 0.0;
-    if (real_abs(sum_2) <= cone) {
-        y->friction_ahead = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
-            seed, segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, 0.0, dp->patch_friction));
-        y->friction_behind = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
-            seed, sum_3, select(abs_of_sum_minus_by_1 > 0.0, 0.0, dp->patch_friction));
+    if (real_abs(sum_3) <= cone) {
+        y->friction_ahead = friction_ahead_or_d_friction;
+        y->friction_behind = friction_behind_or_d_friction;
         return;
     }
     const real x_plus_product = x_2 + by_1eminus_12_times_free_length * way;
@@ -5692,8 +6252,8 @@ static void vary_react_graze_place_graze_to_contact(const real *parameters, cons
         sum_4, 0.0);
     y->segment_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
         sum_4, 0.0);
-    y->friction_ahead = d_friction;
-    y->friction_behind = d_friction;
+    y->friction_ahead = select(p->keeps_friction > 0.0, friction_ahead_or_d_friction, d_friction);
+    y->friction_behind = select(p->keeps_friction > 0.0, friction_behind_or_d_friction, d_friction);
     y->way = 0.0;
 }
 
@@ -6700,7 +7260,8 @@ static void open_slip_falling(const real *parameters, const real *states, real *
     const real foot_mass_times_gravity_times_cosine = foot_mass_times_gravity * cosine;
     const real gravity_times_cosine = p->gravity * cosine;
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
-    const real by_61_times_stribeck_velocity = 61.0 * p->stribeck_velocity;
+    const real inverse_stribeck_velocity_or_by_1 = 1.0 / select(p->stribeck_velocity > 0.0,
+        p->stribeck_velocity, 1.0);
     const real segment_end_or_segment_begin = select(x->way > 0.0, x->segment_end, x->segment_begin);
     c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
@@ -6728,7 +7289,7 @@ static void open_slip_falling(const real *parameters, const real *states, real *
     c->external_torque_rate = x->external_torque_rate;
     c->least_length = p->least_length;
     c->winding = x->winding;
-    c->by_61_times_stribeck_velocity = by_61_times_stribeck_velocity;
+    c->inverse_stribeck_velocity_or_by_1 = inverse_stribeck_velocity_or_by_1;
     c->segment_end_or_segment_begin = segment_end_or_segment_begin;
 }
 
@@ -6771,7 +7332,10 @@ static void vary_open_slip_falling(const real *parameters, const real *states, c
     const real d_gravity_times_cosine = cosine * dp->gravity - p->gravity * sine_times_slope;
     const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
         + p->stiffness * dx->extension_rate;
-    const real d_by_61_times_stribeck_velocity = 61.0 * dp->stribeck_velocity;
+    const real stribeck_velocity_or_by_1 = select(p->stribeck_velocity > 0.0, p->stribeck_velocity, 1.0);
+    const real inverse_stribeck_velocity_or_by_1 = 1.0 / stribeck_velocity_or_by_1;
+    const real d_inverse_stribeck_velocity_or_by_1 = -(inverse_stribeck_velocity_or_by_1 *
+        select(p->stribeck_velocity > 0.0, dp->stribeck_velocity, 0.0) / stribeck_velocity_or_by_1);
     const real d_segment_end_or_segment_begin = select(x->way > 0.0, dx->segment_end, dx->segment_begin);
     c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
@@ -6799,18 +7363,23 @@ static void vary_open_slip_falling(const real *parameters, const real *states, c
     c->external_torque_rate = dx->external_torque_rate;
     c->least_length = dp->least_length;
     c->winding = dx->winding;
-    c->by_61_times_stribeck_velocity = d_by_61_times_stribeck_velocity;
+    c->inverse_stribeck_velocity_or_by_1 = d_inverse_stribeck_velocity_or_by_1;
     c->segment_end_or_segment_begin = d_segment_end_or_segment_begin;
 }
 
 /* First variation of the guard of leaves_layer. */
 static real vary_guard_slip_falling_leaves_layer(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
+    const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
-    (void)parameters;
-    return 61.0 * dp->stribeck_velocity - (dx->way * x->foot_vx + x->way * dx->foot_vx);
+    const real stribeck_velocity_or_by_1 = select(p->stribeck_velocity > 0.0, p->stribeck_velocity, 1.0);
+    const real speed_in_layer = x->way * x->foot_vx / stribeck_velocity_or_by_1;
+    const real d_speed_in_layer = (dx->way * x->foot_vx + x->way * dx->foot_vx
+        - speed_in_layer * select(p->stribeck_velocity > 0.0, dp->stribeck_velocity,
+        0.0)) / stribeck_velocity_or_by_1;
+    return -d_speed_in_layer;
 }
 
 /* Outputs in slip_falling. */
@@ -8322,8 +8891,8 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_events[EVENT_greatest_compression] = p->free_length * sqrt_of_stiffness_over_body_mass;
     of_events[EVENT_mid_stance] = 1.0;
     of_events[EVENT_lift_off] = p->stiffness * p->free_length;
-    of_events[EVENT_enters_layer] = p->free_length * sqrt_of_stiffness_over_body_mass;
-    of_events[EVENT_leaves_layer] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_events[EVENT_enters_layer] = 1.0;
+    of_events[EVENT_leaves_layer] = 1.0;
     of_events[EVENT_slips_forward] = p->stiffness * p->free_length;
     of_events[EVENT_slips_backward] = p->stiffness * p->free_length;
     of_events[EVENT_comes_to_rest] = p->free_length * sqrt_of_stiffness_over_body_mass;
@@ -8365,8 +8934,8 @@ static const tdmf_guard_kind guards_slip_constant[] = {
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_constant}},
     {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
         .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
-        .next = {MODE_graze_place, MODE_flight_place_calm, MODE_graze_rest, MODE_flight_rest_calm,
-        MODE_graze_retract, MODE_flight_retract_calm}},
+        .next = {MODE_flight_place_calm, MODE_graze_place, MODE_flight_rest_calm, MODE_graze_rest,
+        MODE_flight_retract_calm, MODE_graze_retract}},
     {.event = EVENT_enters_layer, .react = react_slip_constant_enters_layer,
         .vary_react = vary_react_slip_constant_enters_layer, .is_watched = watches_slip_constant_enters_layer,
         .vary_guard = vary_guard_slip_constant_enters_layer, .next = {MODE_slip_falling}},
@@ -8376,7 +8945,7 @@ static const tdmf_guard_kind guards_slip_constant[] = {
     {.event = EVENT_crosses_border, .is_counted = true, .react = react_slip_constant_crosses_border,
         .vary_react = vary_react_slip_constant_crosses_border,
         .is_watched = watches_slip_constant_crosses_border,
-        .vary_guard = vary_guard_slip_constant_crosses_border, .next = {MODE_slip_constant}},
+        .vary_guard = vary_guard_slip_constant_crosses_border, .next = {MODE_slip_constant, MODE_fallen}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_slip_constant[] = {
@@ -8405,8 +8974,8 @@ static const tdmf_guard_kind guards_stick[] = {
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_stick}},
     {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
         .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
-        .next = {MODE_graze_place, MODE_flight_place_calm, MODE_graze_rest, MODE_flight_rest_calm,
-        MODE_graze_retract, MODE_flight_retract_calm}},
+        .next = {MODE_flight_place_calm, MODE_graze_place, MODE_flight_rest_calm, MODE_graze_rest,
+        MODE_flight_retract_calm, MODE_graze_retract}},
     {.event = EVENT_slips_forward, .is_counted = true, .react = react_stick_slips_forward,
         .vary_react = vary_react_stick_slips_forward, .vary_guard = vary_guard_stick_slips_forward,
         .next = {MODE_slip_constant}},
@@ -8424,13 +8993,15 @@ static const tdmf_watch_kind watches_stick[] = {
 };
 static const tdmf_guard_kind guards_flight_place_calm[] = {
     {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
-        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_place_calm}},
+        .vary_react = vary_react_flight_place_calm_passes_end,
+        .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_place_calm, MODE_fallen}},
     {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
-        .vary_react = vary_react_start_of_run_passes_begin,
+        .vary_react = vary_react_flight_place_calm_passes_begin,
         .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_place_calm}},
-    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_place_calm,
+        MODE_fallen}},
+    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_next_segment_comes,
         .vary_react = vary_react_start_of_run_passes_end,
         .is_watched = watches_flight_place_calm_next_segment_comes,
         .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_place_calm}},
@@ -8468,13 +9039,15 @@ static const tdmf_watch_kind watches_flight_place_calm[] = {
 };
 static const tdmf_guard_kind guards_flight_rest_calm[] = {
     {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
-        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_rest_calm}},
+        .vary_react = vary_react_flight_place_calm_passes_end,
+        .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_rest_calm, MODE_fallen}},
     {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
-        .vary_react = vary_react_start_of_run_passes_begin,
+        .vary_react = vary_react_flight_place_calm_passes_begin,
         .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_rest_calm}},
-    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_rest_calm,
+        MODE_fallen}},
+    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_next_segment_comes,
         .vary_react = vary_react_start_of_run_passes_end,
         .is_watched = watches_flight_place_calm_next_segment_comes,
         .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_rest_calm}},
@@ -8514,13 +9087,16 @@ static const tdmf_watch_kind watches_flight_rest_calm[] = {
 };
 static const tdmf_guard_kind guards_flight_retract_calm[] = {
     {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
-        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_retract_calm}},
+        .vary_react = vary_react_flight_place_calm_passes_end,
+        .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_retract_calm,
+        MODE_fallen}},
     {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
-        .vary_react = vary_react_start_of_run_passes_begin,
+        .vary_react = vary_react_flight_place_calm_passes_begin,
         .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_retract_calm}},
-    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_retract_calm,
+        MODE_fallen}},
+    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_next_segment_comes,
         .vary_react = vary_react_start_of_run_passes_end,
         .is_watched = watches_flight_place_calm_next_segment_comes,
         .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_retract_calm}},
@@ -8566,12 +9142,12 @@ static const tdmf_watch_kind watches_fallen[] = {
 };
 static const tdmf_guard_kind guards_graze_place[] = {
     {.event = EVENT_passes_end, .react = react_graze_place_passes_end,
-        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_graze_place_passes_end, .next = {MODE_graze_place}},
+        .vary_react = vary_react_graze_place_passes_end, .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_graze_place_passes_end, .next = {MODE_graze_place, MODE_fallen}},
     {.event = EVENT_passes_begin, .react = react_graze_place_passes_begin,
-        .vary_react = vary_react_start_of_run_passes_begin,
+        .vary_react = vary_react_graze_place_passes_begin,
         .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_graze_place_passes_begin, .next = {MODE_graze_place}},
+        .vary_guard = vary_guard_graze_place_passes_begin, .next = {MODE_graze_place, MODE_fallen}},
     {.event = EVENT_ramp_ends, .react = react_graze_place_ramp_ends,
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
         .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_graze_place}},
@@ -8598,12 +9174,12 @@ static const tdmf_watch_kind watches_graze_place[] = {
 };
 static const tdmf_guard_kind guards_graze_rest[] = {
     {.event = EVENT_passes_end, .react = react_graze_place_passes_end,
-        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_graze_place_passes_end, .next = {MODE_graze_rest}},
+        .vary_react = vary_react_graze_place_passes_end, .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_graze_place_passes_end, .next = {MODE_graze_rest, MODE_fallen}},
     {.event = EVENT_passes_begin, .react = react_graze_place_passes_begin,
-        .vary_react = vary_react_start_of_run_passes_begin,
+        .vary_react = vary_react_graze_place_passes_begin,
         .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_graze_place_passes_begin, .next = {MODE_graze_rest}},
+        .vary_guard = vary_guard_graze_place_passes_begin, .next = {MODE_graze_rest, MODE_fallen}},
     {.event = EVENT_ramp_ends, .react = react_graze_place_ramp_ends,
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
         .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_graze_rest}},
@@ -8636,12 +9212,12 @@ static const tdmf_watch_kind watches_graze_rest[] = {
 };
 static const tdmf_guard_kind guards_graze_retract[] = {
     {.event = EVENT_passes_end, .react = react_graze_place_passes_end,
-        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_graze_place_passes_end, .next = {MODE_graze_retract}},
+        .vary_react = vary_react_graze_place_passes_end, .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_graze_place_passes_end, .next = {MODE_graze_retract, MODE_fallen}},
     {.event = EVENT_passes_begin, .react = react_graze_place_passes_begin,
-        .vary_react = vary_react_start_of_run_passes_begin,
+        .vary_react = vary_react_graze_place_passes_begin,
         .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_graze_place_passes_begin, .next = {MODE_graze_retract}},
+        .vary_guard = vary_guard_graze_place_passes_begin, .next = {MODE_graze_retract, MODE_fallen}},
     {.event = EVENT_ramp_ends, .react = react_graze_place_ramp_ends,
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
         .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_graze_retract}},
@@ -8690,8 +9266,8 @@ static const tdmf_guard_kind guards_slip_falling[] = {
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_falling}},
     {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
         .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
-        .next = {MODE_graze_place, MODE_flight_place_calm, MODE_graze_rest, MODE_flight_rest_calm,
-        MODE_graze_retract, MODE_flight_retract_calm}},
+        .next = {MODE_flight_place_calm, MODE_graze_place, MODE_flight_rest_calm, MODE_graze_rest,
+        MODE_flight_retract_calm, MODE_graze_retract}},
     {.event = EVENT_leaves_layer, .react = react_slip_constant_enters_layer,
         .vary_react = vary_react_slip_constant_enters_layer,
         .vary_guard = vary_guard_slip_falling_leaves_layer, .next = {MODE_slip_constant}},
@@ -8701,7 +9277,7 @@ static const tdmf_guard_kind guards_slip_falling[] = {
     {.event = EVENT_crosses_border, .is_counted = true, .react = react_slip_constant_crosses_border,
         .vary_react = vary_react_slip_constant_crosses_border,
         .is_watched = watches_slip_constant_crosses_border,
-        .vary_guard = vary_guard_slip_constant_crosses_border, .next = {MODE_slip_falling}},
+        .vary_guard = vary_guard_slip_constant_crosses_border, .next = {MODE_slip_falling, MODE_fallen}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_slip_falling[] = {
@@ -8714,13 +9290,16 @@ static const tdmf_watch_kind watches_slip_falling[] = {
 };
 static const tdmf_guard_kind guards_flight_place_pushed[] = {
     {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
-        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_place_pushed}},
+        .vary_react = vary_react_flight_place_calm_passes_end,
+        .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_place_pushed,
+        MODE_fallen}},
     {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
-        .vary_react = vary_react_start_of_run_passes_begin,
+        .vary_react = vary_react_flight_place_calm_passes_begin,
         .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_place_pushed,
+        MODE_fallen}},
+    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_next_segment_comes,
         .vary_react = vary_react_start_of_run_passes_end,
         .is_watched = watches_flight_place_calm_next_segment_comes,
         .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_place_pushed}},
@@ -8753,13 +9332,16 @@ static const tdmf_watch_kind watches_flight_place_pushed[] = {
 };
 static const tdmf_guard_kind guards_flight_rest_pushed[] = {
     {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
-        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_rest_pushed}},
+        .vary_react = vary_react_flight_place_calm_passes_end,
+        .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_rest_pushed,
+        MODE_fallen}},
     {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
-        .vary_react = vary_react_start_of_run_passes_begin,
+        .vary_react = vary_react_flight_place_calm_passes_begin,
         .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_rest_pushed}},
-    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_rest_pushed,
+        MODE_fallen}},
+    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_next_segment_comes,
         .vary_react = vary_react_start_of_run_passes_end,
         .is_watched = watches_flight_place_calm_next_segment_comes,
         .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_rest_pushed}},
@@ -8795,13 +9377,16 @@ static const tdmf_watch_kind watches_flight_rest_pushed[] = {
 };
 static const tdmf_guard_kind guards_flight_retract_pushed[] = {
     {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
-        .vary_react = vary_react_start_of_run_passes_end, .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_retract_pushed}},
+        .vary_react = vary_react_flight_place_calm_passes_end,
+        .is_watched = watches_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_retract_pushed,
+        MODE_fallen}},
     {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
-        .vary_react = vary_react_start_of_run_passes_begin,
+        .vary_react = vary_react_flight_place_calm_passes_begin,
         .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_retract_pushed}},
-    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_passes_end,
+        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_retract_pushed,
+        MODE_fallen}},
+    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_next_segment_comes,
         .vary_react = vary_react_start_of_run_passes_end,
         .is_watched = watches_flight_place_calm_next_segment_comes,
         .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_retract_pushed}},
@@ -8965,8 +9550,8 @@ static const tdmf_mode_kind modes[] = {
 
 static const tdmf_set_kind sets[] = {
     {.is_state = true, .index = 56, .set = set_extension},
-    {.is_state = false, .index = 13, .set = set_thrust},
-    {.is_state = false, .index = 15, .set = set_more_thrust},
+    {.is_state = false, .index = 15, .set = set_thrust},
+    {.is_state = false, .index = 17, .set = set_more_thrust},
     {.index = -1},
 };
 static const tdmf_section_kind sections[] = {
@@ -8994,10 +9579,10 @@ static const char *const state_names[] = {"time", "events", "last_event", "great
     "way", "friction_loss", "impact_loss", "friction_rate", "external_torque", "liftoff_angle", "driving",
     "placing", "touchdown_time", "was_placed", "placed_for", "rises_again", "work", "external_torque_rate"};
 static const char *const parameter_names[] = {"ground_height", "ground_slope", "patch_begin", "patch_end",
-    "patch_friction", "by_stride", "body_mass", "foot_mass", "stiffness", "damping", "free_length",
-    "least_length", "gravity", "thrust", "notes_compression", "more_thrust", "static_ratio",
-    "stribeck_velocity", "drive_torque", "kp", "kd", "touchdown_angle", "liftoff_factor", "retraction_rate",
-    "swing_clamp", "more_angle", "more_torque"};
+    "patch_friction", "by_stride", "trips", "keeps_friction", "body_mass", "foot_mass", "stiffness",
+    "damping", "free_length", "least_length", "gravity", "thrust", "notes_compression", "more_thrust",
+    "static_ratio", "stribeck_velocity", "drive_torque", "kp", "kd", "touchdown_angle", "liftoff_factor",
+    "retraction_rate", "swing_clamp", "more_angle", "more_torque"};
 static const char *const event_names[] = {"passes_end", "passes_begin", "next_segment_comes", "ramp_ends",
     "begins", "wind_rises", "new_ground", "falls", "collapses", "apex", "apex_in_graze", "touchdown", "clamp",
     "release", "greatest_compression", "mid_stance", "lift_off", "enters_layer", "leaves_layer",
@@ -9017,16 +9602,17 @@ static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 
     1.1268102275039307e-06, 4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.0, 0.0};
-static const double parameter_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01,
-    0.0, 1.0, 0.0, 1.0, 0.0, 0.2, 0.1, 0.1, 0.6981317007977318, 1.2, 0.0, 0.0, 0.0, 0.0};
+static const double parameter_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 1.0, 0.1, 1.0, 0.2, 1.0,
+    0.05, 0.01, 0.0, 1.0, 0.0, 1.0, 0.0, 0.2, 0.1, 0.1, 0.6981317007977318, 1.2, 0.0, 0.0, 0.0, 0.0};
 static const double parameter_least[] = {-1000000000.0, -1.0, -1000000000.0, -1000000000.0, 0.0,
-    -1.7976931348623157e+308, 1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09, 0.0, -1.7976931348623157e+308,
-    -1000000.0, 1.0, 0.0, -1e+18, 0.0, 0.0, -1.5707963267948966, 0.0, -1000000000.0, -1.7976931348623157e+308,
-    -3.141592653589793, -1e+18};
+    -1.7976931348623157e+308, -1.7976931348623157e+308, -1.7976931348623157e+308, 1e-09, 1e-12, 1e-09, 0.0,
+    1e-06, 1e-09, 1e-09, 0.0, -1.7976931348623157e+308, -1000000.0, 1.0, 0.0, -1e+18, 0.0, 0.0,
+    -1.5707963267948966, 0.0, -1000000000.0, -1.7976931348623157e+308, -3.141592653589793, -1e+18};
 static const double parameter_most[] = {1000000000.0, 1.0, 1000000000.0, 1000000000.0, 1000000.0,
-    1.7976931348623157e+308, 1000000000.0, 1000000000.0, 1000000000000.0, 1000000000000.0, 1000000.0,
-    1000000.0, 1000000.0, 1000000.0, 1.7976931348623157e+308, 1000000.0, 1000000.0, 1000000000.0, 1e+18,
-    1e+18, 1e+18, 1.5707963267948966, 100.0, 1000000000.0, 1.7976931348623157e+308, 3.141592653589793, 1e+18};
+    1.7976931348623157e+308, 1.7976931348623157e+308, 1.7976931348623157e+308, 1000000000.0, 1000000000.0,
+    1000000000000.0, 1000000000000.0, 1000000.0, 1000000.0, 1000000.0, 1000000.0, 1.7976931348623157e+308,
+    1000000.0, 1000000.0, 1000000000.0, 1e+18, 1e+18, 1e+18, 1.5707963267948966, 100.0, 1000000000.0,
+    1.7976931348623157e+308, 3.141592653589793, 1e+18};
 
 const tdmf_model_kind tdmf_runner_model = {
     .modes = modes,
@@ -9043,7 +9629,7 @@ const tdmf_model_kind tdmf_runner_model = {
     .mode_names = mode_names,
     .state_count = 102,
     .state_names = state_names,
-    .parameter_count = 27,
+    .parameter_count = 29,
     .parameter_names = parameter_names,
     .event_count = 25,
     .event_names = event_names,

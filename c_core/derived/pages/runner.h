@@ -30,6 +30,8 @@ typedef struct {
     real patch_end; /* m: Position where the patch ends; at most ground.patch_begin for no patch */
     real patch_friction; /* 1: Friction coefficient on the patch, mu_p */
     real by_stride; /* 1: Whether a new segment comes at each apex, and not at its border */
+    real trips; /* 1: Whether a foot that meets the face of a higher segment falls */
+    real keeps_friction; /* 1: Whether a stance keeps the friction of the segment on which it began */
     real body_mass; /* kg: Mass of the body, m */
     real foot_mass; /* kg: Mass of the foot, m_f */
     real stiffness; /* N/m: Stiffness of the leg spring, k */
@@ -172,7 +174,7 @@ typedef struct {
         cosine, sine, gravity_times_sine, inverse_foot_mass, foot_mass_times_gravity_times_sine, way,
         is_own_times_own, by_1_minus_is_own, foot_mass_times_gravity_times_cosine, gravity_times_cosine,
         extension_rate, stiffness_times_extension_rate, external_fx_rate, external_fy_rate, friction_rate,
-        external_torque_rate, least_length, winding, by_60_times_stribeck_velocity,
+        external_torque_rate, least_length, winding, inverse_stribeck_velocity_or_by_1,
         segment_end_or_segment_begin;
 } slip_constant_constants;
 
@@ -243,7 +245,7 @@ typedef struct {
         is_own_times_own, by_1_minus_is_own, static_ratio_minus_by_1, inverse_stribeck_velocity,
         foot_mass_times_gravity_times_cosine, gravity_times_cosine, extension_rate,
         stiffness_times_extension_rate, external_fx_rate, external_fy_rate, friction_rate,
-        external_torque_rate, least_length, winding, by_61_times_stribeck_velocity,
+        external_torque_rate, least_length, winding, inverse_stribeck_velocity_or_by_1,
         segment_end_or_segment_begin;
 } slip_falling_constants;
 

@@ -52,17 +52,18 @@ int64_t tdmf_next_run(tdmf_batch_share *share) {
     return number < share->batch->count ? number : -1;
 }
 
-bool tdmf_goes_on(const tdmf_batch *batch, int64_t number, tdmf_run_outcome outcome, double *memory) {
+tdmf_continuation tdmf_go_on_from(const tdmf_batch *batch, int64_t number, tdmf_run_outcome outcome,
+                                  double *memory) {
     tdmf_page_run *r = &batch->runs[number];
     double *own = r->memory;
     batch->outcomes[number] = outcome;
-    if (outcome != TDMF_RUN_STOPPED || !batch->at_stop) {
-        return false;
+    if (!batch->at_end) {
+        return TDMF_IS_OVER;
     }
     r->memory = memory;
-    const bool goes_on = batch->at_stop(batch->context, number, r);
+    const tdmf_continuation next = batch->at_end(batch->context, number, r, outcome);
     r->memory = own;
-    return goes_on;
+    return next;
 }
 
 /* Runs to the next stop, in memory of the batch. */
@@ -83,7 +84,7 @@ static bool run_one_by_one(tdmf_batch_share *share, tdmf_batch_work *work) {
         bool goes_on = true;
         while (goes_on) {
             const tdmf_run_outcome outcome = memory ? run_to_stop(share, i, memory) : TDMF_RUN_NO_MEMORY;
-            goes_on = tdmf_goes_on(batch, i, outcome, memory);
+            goes_on = tdmf_go_on_from(batch, i, outcome, memory) != TDMF_IS_OVER;
             if (goes_on && tdmf_is_raised(batch->cancel)) {
                 batch->outcomes[i] = TDMF_RUN_CANCELLED;
                 goes_on = false;

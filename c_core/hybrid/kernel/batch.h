@@ -10,9 +10,19 @@
 
 #include <stdint.h>
 
-/* Called where a run has stopped at its stop event, in the thread that runs it. It may change the states and
- * the parameters of the run, also by tdmf_page_set, and returns whether the run goes on. */
-typedef bool tdmf_at_stop(void *context, int64_t number, tdmf_page_run *run);
+/* Runs that a thread has under way at once for each lane: enough that a full batch waits, few enough for the
+ * cache. */
+enum { TDMF_RUNS_OF_A_LANE = 20 };
+
+/* How a run goes on. TDMF_GOES_ON_UNCHANGED: nothing of it has changed but its stop event, its limits and its
+ * time in `until`. */
+typedef enum { TDMF_IS_OVER, TDMF_GOES_ON_CHANGED, TDMF_GOES_ON_UNCHANGED } tdmf_continuation;
+
+/* Called where a run has ended, unless the batch is cancelled, in the thread that runs it. It may change the
+ * run, also by tdmf_page_set, and its time in `until`, or put another run in its place. The counters of steps
+ * and events never fall. */
+typedef tdmf_continuation tdmf_at_end(void *context, int64_t number, tdmf_page_run *run,
+                                      tdmf_run_outcome outcome);
 
 /* The runs have equal orders, tolerances and numbers of seeds, and either all or none observe. */
 typedef struct {
@@ -20,7 +30,7 @@ typedef struct {
     int64_t count;
     const double *until;        /* of each run */
     tdmf_run_outcome *outcomes; /* of each run, written */
-    tdmf_at_stop *at_stop;      /* NULL: a run that has stopped has ended */
+    tdmf_at_end *at_end;        /* or NULL */
     void *context;
     const int *cancel; /* once this is not 0, all runs end where they are; NULL */
     int width;         /* lanes: 1, 2, 4 or 8; 0: as many as pay for so many runs, build and processor */
@@ -53,9 +63,9 @@ typedef struct {
 /* The number of the next run; -1: there is none, or the batch is cancelled. */
 int64_t tdmf_next_run(tdmf_batch_share *share);
 
-/* Whether a run that has come to this outcome goes on. Writes the outcome if not. A callback may use the
- * memory. */
-bool tdmf_goes_on(const tdmf_batch *batch, int64_t number, tdmf_run_outcome outcome, double *memory);
+/* How a run that has come to this outcome goes on. Writes the outcome. A callback may use the memory. */
+tdmf_continuation tdmf_go_on_from(const tdmf_batch *batch, int64_t number, tdmf_run_outcome outcome,
+                                  double *memory);
 
 /* Makes runs until there are no more. False without memory: nothing has been done. */
 typedef bool tdmf_run_lanes(tdmf_batch_share *share, tdmf_batch_work *work);

@@ -14,8 +14,8 @@
 #include <string.h>
 
 enum {
-    UNDER_WAY = 40 * LANES, /* runners at once: enough that a full batch waits, few enough for the cache */
-    FEWEST = LANES > 4 ? 4 : 2, /* runners for which a step in lanes pays */
+    UNDER_WAY = TDMF_RUNS_OF_A_LANE * LANES,
+    FEWEST = 2, /* runners for which a step in lanes pays */
     NOBODY = -1
 };
 
@@ -93,6 +93,15 @@ static tdmf_run_outcome conclude(lane_pool *w, int index, tdmf_run_outcome outco
     return outcome;
 }
 
+/* Begins a run that has stopped or ended anew, or the next one. False where there is none. */
+static bool begin_again(lane_pool *w, int index, tdmf_continuation next) {
+    if (next == TDMF_IS_OVER && !take_next_run(w, index)) {
+        return false;
+    }
+    begin_run(w, index);
+    return true;
+}
+
 /* Goes on with a runner whose mode begins, or concludes its run and takes the next. */
 static void go_on(lane_pool *w, int index, tdmf_run_outcome outcome) {
     for (;;) {
@@ -108,11 +117,10 @@ static void go_on(lane_pool *w, int index, tdmf_run_outcome outcome) {
             wait_for_lane(w, index);
             return;
         }
-        const bool is_stopped = !tdmf_goes_on(w->share->batch, w->runners[index].number, outcome, w->at.c);
-        if (is_stopped && !take_next_run(w, index)) {
+        if (!begin_again(w, index,
+                         tdmf_go_on_from(w->share->batch, w->runners[index].number, outcome, w->at.c))) {
             return;
         }
-        begin_run(w, index);
         outcome = TDMF_RUN_GOES_ON;
     }
 }
@@ -176,10 +184,10 @@ static void unload_states(const lane_batch *b, int lane, const real *changing, d
     }
 }
 
-/* Copies the numbers of a lane to its runner, and those of its guards to `at`, and empties the lane. */
-static int leave_lane(lane_pool *w, lane_batch *b, int lane) {
-    const int index = b->runner_in[lane], count = changing_count(&b->step);
-    tdmf_page_run *r = run_of(w, index);
+/* Copies the numbers of a lane to its runner, and those of its guards to `at`. */
+static void unload_runner(lane_pool *w, const lane_batch *b, int lane) {
+    const int count = changing_count(&b->step);
+    tdmf_page_run *r = run_of(w, b->runner_in[lane]);
     unload_states(b, lane, b->x, r->x);
     for (int seed = 0; seed < w->seed_count; ++seed) {
         unload_states(b, lane, b->dx + seed * count, r->dx + seed * w->model->state_count);
@@ -194,9 +202,19 @@ static int leave_lane(lane_pool *w, lane_batch *b, int lane) {
         r->taken = 0;
     }
     keep_guards(&b->step, lane, &w->at);
+}
+
+static void empty_lane(lane_batch *b, int lane) {
     b->runner_in[lane] = NOBODY;
     set_mask(&b->live, lane, false);
     --b->count;
+}
+
+/* Takes a runner out of its lane. */
+static int leave_lane(lane_pool *w, lane_batch *b, int lane) {
+    const int index = b->runner_in[lane];
+    unload_runner(w, b, lane);
+    empty_lane(b, lane);
     return index;
 }
 
@@ -257,6 +275,14 @@ static real longest_step(const lane_pool *w, const lane_batch *b, const tdmf_mod
         }
     }
     return longest;
+}
+
+static void count_limited(const lane_pool *w, const lane_batch *b, mask lanes) {
+    for (int lane = 0; lane < LANES; ++lane) {
+        if (has_lane(&lanes, lane)) {
+            ++run_of(w, b->runner_in[lane])->limited_steps;
+        }
+    }
 }
 
 /* Moves variations from the guard of the last event back to a fixed time. */
@@ -487,7 +513,7 @@ static void take_event(lane_pool *w, lane_batch *b, int lane, bool shifts) {
  * stops or arrives, an event is taken (`shifts`: variations are moved onto its guard), the step limit is
  * reached. */
 typedef struct {
-    mask overflows, fails, stops, arrives, takes, shifts, is_late;
+    mask overflows, fails, arrives, takes, shifts, is_late;
 } lane_ends;
 
 /* Expands the series of all lanes. */
@@ -504,24 +530,71 @@ static void expand_lanes(lane_pool *w, lane_batch *b, int number) {
     step->motion->expand(step->c, w->order, w->s[0]);
 }
 
+/* Whether a run that has stopped goes on in its lane, because neither the run changes nor its step. If not,
+ * it leaves the lane. */
+static bool go_on_in_lane(lane_pool *w, lane_batch *b, int lane) {
+    const int index = b->runner_in[lane];
+    const runner *of = &w->runners[index];
+    const double *until = &w->share->batch->until[of->number];
+    const double reach = lane_of(&b->step.reach, lane), before = *until;
+    unload_runner(w, b, lane);
+    tdmf_keep_guards(&w->runners[index].state, &w->at);
+    const tdmf_continuation next = tdmf_go_on_from(w->share->batch, of->number, TDMF_RUN_STOPPED, w->at.c);
+    const tdmf_page_run *r = of->state.r;
+    const double nearer = *until < before ? *until : before;
+    if (next == TDMF_GOES_ON_UNCHANGED && r->step_limit > 0 && nearer - r->time - r->time_rest > reach) {
+        tdmf_begin_call(&w->runners[index].state);
+        set_lane(&b->until, lane, *until);
+        set_lane(&b->last_step, lane, (double)of->state.last_step);
+        set_mask(&b->stops, lane, false);
+        return true;
+    }
+    empty_lane(b, lane);
+    if (begin_again(w, index, next)) {
+        go_on(w, index, TDMF_RUN_GOES_ON);
+    }
+    return false;
+}
+
+/* The lanes in which runs that have stopped go on. */
+static mask go_on_in_lanes(lane_pool *w, lane_batch *b, mask stops) {
+    const unsigned stopped = movemask(stops);
+    mask goes = mask_of(false);
+    end_lanes();
+    for (int lane = 0; stopped >> lane != 0; ++lane) {
+        if (stopped >> lane & 1) {
+            set_mask(&goes, lane, go_on_in_lane(w, b, lane));
+        }
+    }
+    return goes;
+}
+
 /* Makes a step whose series are expanded, as the driver does. */
-static lane_ends make_step(const lane_pool *w, lane_batch *b, const tdmf_mode_kind *mode) {
+static lane_ends make_step(lane_pool *w, lane_batch *b, const tdmf_mode_kind *mode) {
     page_step *step = &b->step;
     lane_ends ends;
     series_remainder remainder;
     ends.overflows = b->live & mask_not(judge_series(step, &remainder));
-    const real left = b->until - b->time - b->time_rest;
-    choose_size(step, &remainder, longest_step(w, b, mode), real_max(left, broadcast(0.0)));
+    real left = b->until - b->time - b->time_rest;
+    const real longest = longest_step(w, b, mode);
+    choose_size(step, &remainder, longest, real_max(left, broadcast(0.0)));
     ends.fails = b->live & mask_not(ends.overflows | (step->size >= 0.0));
     mask goes = b->live & mask_not(ends.overflows | ends.fails);
     search_events(step, goes);
-    ends.stops = goes & b->stops & mask_not(step->is_due);
-    goes &= mask_not(step->is_due | b->stops);
+    const mask stops = goes & b->stops & mask_not(step->is_due);
+    goes &= mask_not(step->is_due);
+    if (any(stops)) {
+        goes &= mask_not(stops) | go_on_in_lanes(w, b, stops);
+        left = select(stops, b->until - b->time - b->time_rest, left);
+    }
     const mask after_event = goes & b->is_shifted;
     shift_back(w, b, after_event);
     sample_here(w, b, goes);
     ends.arrives = goes & mask_not(left > 0.0);
     goes &= mask_not(ends.arrives);
+    if (mode->time_scale) {
+        count_limited(w, b, goes & (step->reach == longest));
+    }
     advance(w, b, left, goes, after_event);
     mask reaches = goes & (step->end <= 1.0) & (step->first != NO_EVENT);
     reaches &= mask_not(looks_again(step, reaches));
@@ -547,7 +620,6 @@ static void end_in_lane(lane_pool *w, lane_batch *b, int lane, const lane_ends *
         tdmf_keep_guards(&w->runners[index].state, &w->at);
         go_on(w, index,
               has_lane(&ends->fails, lane)     ? TDMF_RUN_NO_PROGRESS
-              : has_lane(&ends->stops, lane)   ? TDMF_RUN_STOPPED
               : has_lane(&ends->arrives, lane) ? TDMF_RUN_ARRIVED
                                                : TDMF_RUN_TOO_MANY_STEPS);
     }
@@ -559,8 +631,7 @@ static void step_lanes(lane_pool *w, int number) {
     w->work->lane_steps += LANES;
     expand_lanes(w, b, number);
     const lane_ends ends = make_step(w, b, &w->model->modes[number]);
-    const unsigned leaving =
-        movemask(ends.overflows | ends.fails | ends.takes | ends.stops | ends.arrives | ends.is_late);
+    const unsigned leaving = movemask(ends.overflows | ends.fails | ends.takes | ends.arrives | ends.is_late);
     end_lanes();
     for (int lane = 0; leaving >> lane != 0; ++lane) {
         if (leaving >> lane & 1) {

@@ -27,6 +27,7 @@ struct tdmf_driver {
     tdmf_seed_lanes lanes; /* their memory is NULL where one seed is varied after the other */
     bool fills_lanes;      /* they hold the constants and the series of the step */
     const tdmf_mode_kind *mode;
+    bool is_limited;     /* the step, by the time scale of the mode */
     bool is_after_event; /* the step begins at an event, whose time varies by `shift` */
 };
 
@@ -75,6 +76,7 @@ static bool begin_step(work *w, double left) {
     }
     choose_size(&w->step, &remainder, longest, left);
     w->state->reach = w->step.reach;
+    w->is_limited = w->step.reach == longest;
     return w->step.size >= 0.0;
 }
 
@@ -234,6 +236,7 @@ static void advance(work *w) {
     }
     tdmf_pass_time(r, elapsed);
     ++r->steps;
+    r->limited_steps += w->is_limited;
     w->step.begins = false;
 }
 

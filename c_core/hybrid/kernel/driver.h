@@ -203,6 +203,7 @@ typedef struct {
     int sample_count, sampled;
     /* Counters, and the events so far of a chain in zero time. */
     long steps, events;
+    long limited_steps; /* of the steps, those that a mode's time scale limited */
     int chain;
     /* Memory between calls: a saved run is a copy of the struct and of the states. Sets of events have a bit
      * for each event. */

@@ -25,13 +25,6 @@ static inline real in_each_lane(double function(double), real x) {
 #define real_expm1(x) in_each_lane(expm1, x)
 #define real_log1p(x) in_each_lane(log1p, x)
 
-static inline real real_atan2(real y, real x) {
-    for (int lane = 0; lane < LANES; ++lane) {
-        y[lane] = atan2(y[lane], x[lane]);
-    }
-    return y;
-}
-
 static inline void portable_sine_and_cosine(real x, real *sine, real *cosine) {
     sine_and_cosine(x, sine, cosine);
 }
@@ -43,7 +36,6 @@ static inline void portable_sine_and_cosine(real x, real *sine, real *cosine) {
 #define real_log   log
 #define real_expm1 expm1
 #define real_log1p log1p
-#define real_atan2 atan2
 
 /* The bits are those of lane_math.h. */
 static inline void portable_sine_and_cosine(real x, real *sine, real *cosine) {

@@ -14,14 +14,17 @@ bool tdmf_is_order(int order) {
     return order % 2 == 0 && order >= LEAST_ORDER && order <= SERIES_ORDER_LIMIT;
 }
 
+void tdmf_begin_call(run_state *state) {
+    state->last_step = state->r->steps + state->r->step_limit;
+    state->last_event = state->r->events + state->r->event_limit;
+    state->stops = false;
+}
+
 void tdmf_begin_run(run_state *state, const tdmf_model_kind *model, tdmf_page_run *r, double *memory) {
-    const run_state begun = {.model = model,
-                             .r = r,
-                             .scales = memory,
-                             .event_scales = memory + model->state_count,
-                             .last_step = r->steps + r->step_limit,
-                             .last_event = r->events + r->event_limit};
+    const run_state begun = {
+        .model = model, .r = r, .scales = memory, .event_scales = memory + model->state_count};
     *state = begun;
+    tdmf_begin_call(state);
     model->scales(r->p, state->scales, state->event_scales);
 }
 
@@ -85,30 +88,31 @@ void tdmf_shift_to_event(run_state *state, const tdmf_guard_kind *kind, const mo
     r->is_shifted = true;
 }
 
-/* Applies the decision of an event, and its variation; `room` is working memory for the states. */
-static void apply(const tdmf_model_kind *model, const tdmf_guard_kind *kind, tdmf_page_run *r, double *room) {
+/* Applies the decision of an event, and its variation. What it reads is a copy, because it writes in place.
+ */
+static void apply(const tdmf_model_kind *model, const tdmf_guard_kind *kind, tdmf_page_run *r,
+                  const mode_start *at) {
     const tdmf_mode_kind *left = &model->modes[r->mode];
-    const size_t size = (size_t)model->state_count * sizeof *room;
+    const size_t size = (size_t)model->state_count * sizeof *r->x;
     const double counted = kind->is_counted ? 1.0 : 0.0;
+    double *x = at->room, *dx = at->rates;
     for (int part = left->leave ? 0 : 1; part < 2; ++part) { /* `leave`, then the decision */
+        memcpy(x, r->x, size);
         for (int seed = 0; seed < r->seed_count; ++seed) {
             const double *dp = r->dp + seed * model->parameter_count;
-            double *dx = r->dx + seed * model->state_count;
-            memcpy(room, dx, size);
+            double *after = r->dx + seed * model->state_count;
+            memcpy(dx, after, size);
             if (part == 0) {
-                left->vary_leave(r->p, r->x, dp, dx, counted, room);
+                left->vary_leave(r->p, x, dp, dx, counted, after);
             } else {
-                kind->vary_react(r->p, r->x, dp, dx, r->tables, seed, room);
+                kind->vary_react(r->p, x, dp, dx, r->tables, seed, after);
             }
-            memcpy(dx, room, size);
         }
-        memcpy(room, r->x, size);
         if (part == 0) {
-            left->leave(r->p, r->x, counted, room);
+            left->leave(r->p, x, counted, r->x);
         } else {
-            r->mode = kind->react(r->p, r->x, r->tables, room, kind->next);
+            r->mode = kind->react(r->p, x, r->tables, r->x, kind->next);
         }
-        memcpy(r->x, room, size);
     }
 }
 
@@ -154,7 +158,7 @@ bool tdmf_take_event(run_state *state, const tdmf_guard_kind *kind, const mode_s
         memcpy(r->log_states + r->log_count * count, r->x, (size_t)count * sizeof *r->x);
     }
     tdmf_keep_guards(state, at);
-    apply(state->model, kind, r, at->room);
+    apply(state->model, kind, r, at);
     if (r->log_count < r->log_size) {
         const tdmf_event_row row = {r->time, kind->event, before, r->mode};
         r->log[r->log_count++] = row;

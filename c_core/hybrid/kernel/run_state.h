@@ -42,6 +42,9 @@ static inline int tdmf_observed_count(const tdmf_mode_kind *mode, tdmf_observati
 /* Whether series can have this order. */
 bool tdmf_is_order(int order);
 
+/* Begins another call of a run that has not changed but for its limits and its stop event. */
+void tdmf_begin_call(run_state *state);
+
 /* Begins a run in memory for its arrays. */
 void tdmf_begin_run(run_state *state, const tdmf_model_kind *model, tdmf_page_run *r, double *memory);
 void tdmf_place_mode_start(mode_start *at, const tdmf_model_kind *model, int seed_count, double *memory);

@@ -12,14 +12,13 @@
 extern "C" {
 #endif
 
-/* How runners are stepped: one by one, which is the native solver, or so many of them side by side, in the
- * lanes of an instruction set. Results are not the same bit for bit: they differ by rounding, after a stride
- * near a gait by some 1e-14 of the section's scales, and by more where a stride magnifies the least error. */
+/* How runners are stepped: one by one, or so many of them side by side, in the lanes of an instruction set.
+ * Results are the same, bit for bit. */
 typedef enum {
     TDMF_BEST_INSTRUCTIONS, /* the best that this processor and this build have */
-    TDMF_ONE_BY_ONE,        /* the native solver */
+    TDMF_ONE_BY_ONE,        /* without lanes */
     TDMF_TWO_LANES,         /* two lanes, on any processor */
-    TDMF_AVX2,              /* four lanes, with fused multiply-add */
+    TDMF_AVX2,              /* four lanes */
     TDMF_AVX512,            /* eight */
     TDMF_INSTRUCTIONS_COUNT
 } tdmf_instructions;
@@ -140,12 +139,16 @@ typedef struct {
     double set[TDMF_SETTING_LIMIT];                 /* there by the law, in the order of its settings */
 } tdmf_ensemble_stride;
 
-/* Where a runner stands that has made the most strides, to go on from. */
+/* Where a runner stands that has made the most strides, to go on from. Its states are of use to the library
+ * only. */
+enum { TDMF_CHECKPOINT_STATES = 112 };
 typedef struct {
-    bool stands;           /* else its run is over */
-    tdmf_motion motion;    /* at the apex */
-    double ground_height;  /* m, that the ground has come to */
-    double seen_x, seen_y; /* m, where the foot was when the terrain below it was looked at last */
+    bool stands;                        /* else its run is over */
+    int mode, chain;                    /* at the apex */
+    double time, time_rest;             /* s */
+    double ground_height, ground_slope; /* m and rad, that the ground has come to */
+    uint64_t taken, above, late;
+    double states[TDMF_CHECKPOINT_STATES];
 } tdmf_ensemble_checkpoint;
 
 /* What is to be run, and how. */
@@ -228,7 +231,7 @@ typedef struct {
  *   - terrain comes with a slope, a push, gaits to settle on, the reduced map, or settings of height, slope
  * or push;
  *   - a number of a law or a ball is beyond 1e100, or a law's limits are not a range;
- *   - a checkpoint to resume from has a contact or phase that is not an enumerator. */
+ *   - a checkpoint to resume from is in a mode that its page does not have. */
 TDMF_API bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends,
                                 tdmf_ensemble_work *work);
 

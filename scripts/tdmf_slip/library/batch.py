@@ -232,8 +232,8 @@ class Batch(Given):
         Threads of the engine, by default one for each processor, and one within a block of work. Results do
         not depend on it.
     instructions : str, optional
-        One of `instruction_sets()`, by which results differ by rounding. By default the fastest, and for
-        apices of shape (n,), a single runner, the native solver.
+        One of `instruction_sets()`, which all give the same results, bit for bit. By default the fastest,
+        but for apices of shape (n,), a single runner, `one by one`.
 
     Raises
     ------

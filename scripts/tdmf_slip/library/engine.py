@@ -29,7 +29,7 @@ ONE_BY_ONE: int = c.TDMF_ONE_BY_ONE
 
 
 def instruction_sets() -> tuple[str, ...]:
-    """Instruction sets that can be used here, the slowest first; `one by one` is the native solver."""
+    """Instruction sets that can be used here, the slowest first."""
     return tuple(name for name, number in INSTRUCTIONS.items() if c.tdmf_has_instructions(number))
 
 
@@ -195,7 +195,7 @@ class Engine:
     def resume(self, states: NDArray[Any], stride: int) -> None:
         """Put every runner where a state was saved, at the apex where a stride of this number begins."""
         self.ends[:], self.keep_checkpoints()[:] = states["end"], states["checkpoint"]
-        self.ends["strides"] = self.checkpoints["motion"]["record"]["stride"]["count"] = stride  # type: ignore[index]
+        self.ends["strides"] = stride
         self.made = stride
         self._request.goes_on = True
 
