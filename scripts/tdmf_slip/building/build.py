@@ -49,7 +49,9 @@ class Source:
     """A file to compile, and its flags."""
 
     path: Path
+    """Of the C file."""
     flags: tuple[str, ...]
+    """Of the compiler, beside those that all files have."""
 
 
 def build(

@@ -33,15 +33,22 @@ for _outcome, _fate in (
 
 @dataclass
 class Work:
-    """What was done."""
+    """What a call cost, with the fields of the C library's structure; only strides and events are counted."""
 
     strides: int = 0
+    """Strides made."""
     events: int = 0
+    """Events on the way."""
     steps: int = 0
+    """0: not counted."""
     lane_steps: int = 0
+    """0: not counted."""
     evaluations: int = 0
+    """0: not counted."""
     layer_steps: int = 0
+    """0: not counted."""
     begun: int = 0
+    """Runners that were begun."""
 
 
 class OwnEngine:

@@ -31,6 +31,7 @@ class OwnRunner(Runner):
     """A runner of a model of one's own."""
 
     model: OwnModel
+    """The model."""
     parameters: NDArray[np.float64]  # type: ignore[assignment]
     """Parameters in the order of their numbers, shape (1, number of them)."""
     states: NDArray[np.float64]
@@ -147,6 +148,7 @@ class OwnMap(Map):
     """The return map of a model of one's own."""
 
     runner: OwnRunner
+    """The runner."""
 
     def __init__(self, runner: OwnRunner) -> None:
         self.runner = runner

@@ -47,6 +47,7 @@ class OwnStrides:
     """One stride of each of some runners."""
 
     model: OwnModel
+    """The model of the runners."""
     points: NDArray[np.float64]
     """Where they begin, shape (runners, n)."""
     ends: NDArray[Any]
