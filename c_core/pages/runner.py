@@ -272,9 +272,11 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
     def lift_off(r):
         """Flight where the flight law lifts the foot too; graze where it would push the foot down again.
 
-        A foot that is hardly lifted grazes, too: the guard of its flight decides by its rate.
+        A foot that is hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below
+        an upright leg, whose torque does not act along the normal.
         """
-        off, hardly = r.swinging(), 1000 * r.margin_of("N")
+        leans = r.x**2 > (1e-6 * r.free_length) ** 2
+        off, hardly = r.swinging(), select(leans, 1000, -1) * r.margin_of("N")
         if off.flight_lifts() < -hardly:
             return off.fly()
         return off.to("graze")

@@ -207,7 +207,7 @@ static void test_a_run_that_is_cut_goes_on_as_one_that_is_not(void **state) {
         strides += whole.record.stride.count;
         falls += whole.mode.fallen;
     }
-    assert_true(strides > RUNS / 3 && falls > RUNS / 20);
+    assert_true(strides > RUNS / 3 && falls > RUNS / 50);
 }
 
 /* A thrust that is set later acts at once, no matter how often the leg has been shortened since. */

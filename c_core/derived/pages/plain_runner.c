@@ -482,7 +482,8 @@ static real vary_guard_slip_constant_mid_stance(const real *parameters, const re
 }
 
 /* lift_off: Flight where the flight law lifts the foot too; graze where it would push the foot down again. A
- * foot that is hardly lifted grazes, too: the guard of its flight decides by its rate. */
+ * foot that is hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below an
+ * upright leg, whose torque does not act along the normal. */
 static int react_slip_constant_lift_off(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
@@ -492,7 +493,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real rise = share * x->vy;
     const real goes_on = select(x->time <= x->touchdown_time, x->was_placed, 0.0);
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real x__times_x_ = x->x_ * x->x_;
+    const real square = x__times_x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
     const real middle = p->free_length - length;
@@ -504,7 +506,9 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     const real angle_rate = moment / square;
     const real kd_times_angle_rate = p->kd * angle_rate;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
-    const real hardly = 1000.0 * (1e-12 * (p->stiffness * p->free_length));
+    const real by_1eminus_06_times_free_length = 1e-06 * p->free_length;
+    const real hardly = 1e-12 * (p->stiffness * p->free_length) * select(x__times_x_ >
+        by_1eminus_06_times_free_length * by_1eminus_06_times_free_length, 1000.0, -1.0);
     const real minus_hardly = -hardly;
     const real x_2 = x->foot_x + share * x->x_;
     const real y_2 = share * x->y_;
@@ -580,7 +584,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real rise = share * x->vy;
     const real goes_on = select(x->time <= x->touchdown_time, x->was_placed, 0.0);
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real x__times_x_ = x->x_ * x->x_;
+    const real square = x__times_x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
     const real middle = p->free_length - length;
@@ -592,7 +597,9 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real angle_rate = moment / square;
     const real kd_times_angle_rate = p->kd * angle_rate;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
-    const real hardly = 1000.0 * (1e-12 * (p->stiffness * p->free_length));
+    const real by_1eminus_06_times_free_length = 1e-06 * p->free_length;
+    const real hardly = 1e-12 * (p->stiffness * p->free_length) * select(x__times_x_ >
+        by_1eminus_06_times_free_length * by_1eminus_06_times_free_length, 1000.0, -1.0);
     const real minus_hardly = -hardly;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;

@@ -1142,7 +1142,8 @@ static real vary_guard_slip_constant_mid_stance(const real *parameters, const re
 }
 
 /* lift_off: Flight where the flight law lifts the foot too; graze where it would push the foot down again. A
- * foot that is hardly lifted grazes, too: the guard of its flight decides by its rate. */
+ * foot that is hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below an
+ * upright leg, whose torque does not act along the normal. */
 static int react_slip_constant_lift_off(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
@@ -1158,7 +1159,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
     const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real x__times_x_ = x->x_ * x->x_;
+    const real square = x__times_x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
     const real spring = p->stiffness * (rest_length - length) - p->damping * length_rate;
@@ -1169,7 +1171,9 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
     const real foot_mass_times_gravity_times_cosine = p->foot_mass * p->gravity * cosine;
-    const real hardly = 1000.0 * (1e-12 * (p->stiffness * p->free_length));
+    const real by_1eminus_06_times_free_length = 1e-06 * p->free_length;
+    const real hardly = 1e-12 * (p->stiffness * p->free_length) * select(x__times_x_ >
+        by_1eminus_06_times_free_length * by_1eminus_06_times_free_length, 1000.0, -1.0);
     const real minus_hardly = -hardly;
     const real x_2 = x->foot_x * cosine;
     const real x_plus_product = x_2 + share * (x->x_ * cosine - x->y_ * sine);
@@ -1271,7 +1275,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0 * x->thrusting;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real x__times_x_ = x->x_ * x->x_;
+    const real square = x__times_x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
     const real spring = p->stiffness * (rest_length - length) - p->damping * length_rate;
@@ -1281,7 +1286,9 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
     const real foot_mass_times_gravity_times_cosine = p->foot_mass * p->gravity * cosine;
-    const real hardly = 1000.0 * (1e-12 * (p->stiffness * p->free_length));
+    const real by_1eminus_06_times_free_length = 1e-06 * p->free_length;
+    const real hardly = 1e-12 * (p->stiffness * p->free_length) * select(x__times_x_ >
+        by_1eminus_06_times_free_length * by_1eminus_06_times_free_length, 1000.0, -1.0);
     const real minus_hardly = -hardly;
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
