@@ -18,18 +18,9 @@ void tdmf_take_slip_velocity_zero(tdmf_run *run);
 void tdmf_take_patch_border(tdmf_run *run);
 void tdmf_take_graze_to_contact(tdmf_run *run);
 void tdmf_take_graze_to_flight(tdmf_run *run);
-void tdmf_vary_take_apex(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
-                         const double before[TDMF_STATE_COUNT], const tdmf_local_seed *d,
-                         double d_state[TDMF_STATE_COUNT]);
-void tdmf_vary_take_touchdown(const tdmf_model *model, const tdmf_inputs *inputs,
-                              const tdmf_ground_line *ground, const double before[TDMF_STATE_COUNT],
-                              const tdmf_local_seed *d, double d_state[TDMF_STATE_COUNT]);
 double tdmf_armed_new_ground(const tdmf_evaluation *at);
 double tdmf_armed_patch_border(const tdmf_evaluation *at);
 double tdmf_armed_force_peak(const tdmf_evaluation *at);
 double tdmf_armed_vertical_force_peak(const tdmf_evaluation *at);
-double tdmf_vary_armed_new_ground(const tdmf_evaluation *at, const tdmf_evaluation *d);
-double tdmf_vary_armed_patch_border(const tdmf_evaluation *at, const tdmf_evaluation *d);
-double tdmf_vary_armed_graze_to_flight(const tdmf_evaluation *at, const tdmf_evaluation *d);
 
 #endif

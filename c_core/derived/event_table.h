@@ -5,53 +5,29 @@
 #include "event_declarations.h"
 #include "guard_laws.h"
 
-static const tdmf_event_kind kinds[TDMF_GUARD_COUNT] = {
-    [TDMF_GUARD_NEW_GROUND] = {.guard = tdmf_armed_new_ground,
-                               .vary_guard = tdmf_vary_armed_new_ground,
-                               .reset = tdmf_take_new_ground},
+static const event_kind kinds[TDMF_GUARD_COUNT] = {
+    [TDMF_GUARD_NEW_GROUND] = {.guard = tdmf_armed_new_ground, .reset = tdmf_take_new_ground},
     [TDMF_GUARD_BODY_DOWN] = {.guard = tdmf_body_down_guard, .reset = tdmf_take_fall},
     [TDMF_GUARD_LEG_TOO_SHORT] = {.guard = tdmf_leg_too_short_guard, .reset = tdmf_take_fall},
-    [TDMF_GUARD_APEX] = {.guard = tdmf_apex_guard,
-                         .vary_guard = tdmf_vary_apex_guard,
-                         .reset = tdmf_take_apex,
-                         .vary_reset = tdmf_vary_take_apex},
-    [TDMF_GUARD_TOUCHDOWN] = {.guard = tdmf_touchdown_guard,
-                              .vary_guard = tdmf_vary_touchdown_guard,
-                              .reset = tdmf_take_touchdown,
-                              .vary_reset = tdmf_vary_take_touchdown,
-                              .is_impact = true},
-    [TDMF_GUARD_CLAMP] = {.guard = tdmf_clamp_guard,
-                          .vary_guard = tdmf_vary_clamp_guard,
-                          .reset = tdmf_take_clamp},
+    [TDMF_GUARD_APEX] = {.guard = tdmf_apex_guard, .reset = tdmf_take_apex},
+    [TDMF_GUARD_TOUCHDOWN] = {.guard = tdmf_touchdown_guard, .reset = tdmf_take_touchdown},
+    [TDMF_GUARD_CLAMP] = {.guard = tdmf_clamp_guard, .reset = tdmf_take_clamp},
     [TDMF_GUARD_GREATEST_COMPRESSION] = {.guard = tdmf_greatest_compression_guard,
-                                         .vary_guard = tdmf_vary_greatest_compression_guard,
                                          .reset = tdmf_take_greatest_compression},
-    [TDMF_GUARD_MID_STANCE] = {.guard = tdmf_mid_stance_guard,
-                               .vary_guard = tdmf_vary_mid_stance_guard,
-                               .reset = tdmf_take_mid_stance},
-    [TDMF_GUARD_LIFT_OFF] = {.guard = tdmf_lift_off_guard,
-                             .vary_guard = tdmf_vary_lift_off_guard,
-                             .reset = tdmf_take_lift_off},
+    [TDMF_GUARD_MID_STANCE] = {.guard = tdmf_mid_stance_guard, .reset = tdmf_take_mid_stance},
+    [TDMF_GUARD_LIFT_OFF] = {.guard = tdmf_lift_off_guard, .reset = tdmf_take_lift_off},
     [TDMF_GUARD_SLIP_ONSET_POSITIVE] = {.guard = tdmf_slip_onset_positive_guard,
-                                        .vary_guard = tdmf_vary_slip_onset_positive_guard,
                                         .reset = tdmf_take_slip_onset_positive},
     [TDMF_GUARD_SLIP_ONSET_NEGATIVE] = {.guard = tdmf_slip_onset_negative_guard,
-                                        .vary_guard = tdmf_vary_slip_onset_negative_guard,
                                         .reset = tdmf_take_slip_onset_negative},
     [TDMF_GUARD_SLIP_VELOCITY_ZERO] = {.guard = tdmf_slip_velocity_zero_guard,
-                                       .vary_guard = tdmf_vary_slip_velocity_zero_guard,
                                        .reset = tdmf_take_slip_velocity_zero},
-    [TDMF_GUARD_PATCH_BORDER] = {.guard = tdmf_armed_patch_border,
-                                 .vary_guard = tdmf_vary_armed_patch_border,
-                                 .reset = tdmf_take_patch_border},
+    [TDMF_GUARD_PATCH_BORDER] = {.guard = tdmf_armed_patch_border, .reset = tdmf_take_patch_border},
     [TDMF_GUARD_FORCE_PEAK] = {.guard = tdmf_armed_force_peak},
     [TDMF_GUARD_VERTICAL_FORCE_PEAK] = {.guard = tdmf_armed_vertical_force_peak},
     [TDMF_GUARD_GRAZE_TO_CONTACT] = {.guard = tdmf_graze_to_contact_guard,
-                                     .vary_guard = tdmf_vary_graze_to_contact_guard,
                                      .reset = tdmf_take_graze_to_contact},
-    [TDMF_GUARD_GRAZE_TO_FLIGHT] = {.guard = tdmf_graze_to_flight_guard,
-                                    .vary_guard = tdmf_vary_armed_graze_to_flight,
-                                    .reset = tdmf_take_graze_to_flight},
+    [TDMF_GUARD_GRAZE_TO_FLIGHT] = {.guard = tdmf_graze_to_flight_guard, .reset = tdmf_take_graze_to_flight},
 };
 
 /* In the order in which they are taken at one instant. */
@@ -60,26 +36,24 @@ static const watched in_flight[] = {
     {TDMF_GUARD_APEX, RETRACT | PLACE}, {TDMF_GUARD_TOUCHDOWN, ALWAYS}, {TDMF_GUARD_CLAMP, RETRACT},
 };
 
-static tdmf_guard first_due_in_flight(const tdmf_evaluation *at, int phase, tdmf_guard reached) {
+static tdmf_guard first_due_in_flight(const tdmf_evaluation *at, int phase) {
     (void)phase;
-    if (is_due(tdmf_armed_new_ground(at), reached == TDMF_GUARD_NEW_GROUND, TDMF_REACH_WITHIN_DEAD_BAND)) {
+    if (tdmf_armed_new_ground(at) <= 0.0) {
         return TDMF_GUARD_NEW_GROUND;
     }
-    if (is_due(tdmf_body_down_guard(at), reached == TDMF_GUARD_BODY_DOWN, TDMF_REACH_WITHIN_MARGIN)) {
+    if (tdmf_body_down_guard(at) <= 0.0) {
         return TDMF_GUARD_BODY_DOWN;
     }
-    if (is_due(tdmf_leg_too_short_guard(at), reached == TDMF_GUARD_LEG_TOO_SHORT, TDMF_REACH_WITHIN_MARGIN)) {
+    if (tdmf_leg_too_short_guard(at) <= 0.0) {
         return TDMF_GUARD_LEG_TOO_SHORT;
     }
-    if ((phase & (RETRACT | PLACE)) != 0 &&
-        is_due(tdmf_apex_guard(at), reached == TDMF_GUARD_APEX, TDMF_REACH_WITHIN_DEAD_BAND)) {
+    if ((phase & (RETRACT | PLACE)) != 0 && tdmf_apex_guard(at) <= 0.0) {
         return TDMF_GUARD_APEX;
     }
-    if (is_due(tdmf_touchdown_guard(at), reached == TDMF_GUARD_TOUCHDOWN, TDMF_REACH_WITHIN_DEAD_BAND)) {
+    if (tdmf_touchdown_guard(at) <= 0.0) {
         return TDMF_GUARD_TOUCHDOWN;
     }
-    if ((phase & (RETRACT)) != 0 &&
-        is_due(tdmf_clamp_guard(at), reached == TDMF_GUARD_CLAMP, TDMF_REACH_WITHIN_DEAD_BAND)) {
+    if ((phase & (RETRACT)) != 0 && tdmf_clamp_guard(at) <= 0.0) {
         return TDMF_GUARD_CLAMP;
     }
     return TDMF_GUARD_COUNT;
@@ -97,30 +71,27 @@ static const watched in_stick[] = {
     {TDMF_GUARD_VERTICAL_FORCE_PEAK, ALWAYS},
 };
 
-static tdmf_guard first_due_in_stick(const tdmf_evaluation *at, int phase, tdmf_guard reached) {
+static tdmf_guard first_due_in_stick(const tdmf_evaluation *at, int phase) {
     (void)phase;
-    if (is_due(tdmf_body_down_guard(at), reached == TDMF_GUARD_BODY_DOWN, TDMF_REACH_WITHIN_MARGIN)) {
+    if (tdmf_body_down_guard(at) <= 0.0) {
         return TDMF_GUARD_BODY_DOWN;
     }
-    if (is_due(tdmf_leg_too_short_guard(at), reached == TDMF_GUARD_LEG_TOO_SHORT, TDMF_REACH_WITHIN_MARGIN)) {
+    if (tdmf_leg_too_short_guard(at) <= 0.0) {
         return TDMF_GUARD_LEG_TOO_SHORT;
     }
-    if (is_due(tdmf_greatest_compression_guard(at), reached == TDMF_GUARD_GREATEST_COMPRESSION,
-               TDMF_REACH_WITHIN_DEAD_BAND)) {
+    if (tdmf_greatest_compression_guard(at) <= 0.0) {
         return TDMF_GUARD_GREATEST_COMPRESSION;
     }
-    if (is_due(tdmf_mid_stance_guard(at), reached == TDMF_GUARD_MID_STANCE, TDMF_REACH_WITHIN_DEAD_BAND)) {
+    if (tdmf_mid_stance_guard(at) <= 0.0) {
         return TDMF_GUARD_MID_STANCE;
     }
-    if (is_due(tdmf_lift_off_guard(at), reached == TDMF_GUARD_LIFT_OFF, TDMF_REACH_WITHIN_MARGIN)) {
+    if (tdmf_lift_off_guard(at) <= 0.0) {
         return TDMF_GUARD_LIFT_OFF;
     }
-    if (is_due(tdmf_slip_onset_positive_guard(at), reached == TDMF_GUARD_SLIP_ONSET_POSITIVE,
-               TDMF_REACH_WITHIN_DEAD_BAND)) {
+    if (tdmf_slip_onset_positive_guard(at) <= 0.0) {
         return TDMF_GUARD_SLIP_ONSET_POSITIVE;
     }
-    if (is_due(tdmf_slip_onset_negative_guard(at), reached == TDMF_GUARD_SLIP_ONSET_NEGATIVE,
-               TDMF_REACH_WITHIN_DEAD_BAND)) {
+    if (tdmf_slip_onset_negative_guard(at) <= 0.0) {
         return TDMF_GUARD_SLIP_ONSET_NEGATIVE;
     }
     return TDMF_GUARD_COUNT;
@@ -138,30 +109,27 @@ static const watched in_slip[] = {
     {TDMF_GUARD_VERTICAL_FORCE_PEAK, ALWAYS},
 };
 
-static tdmf_guard first_due_in_slip(const tdmf_evaluation *at, int phase, tdmf_guard reached) {
+static tdmf_guard first_due_in_slip(const tdmf_evaluation *at, int phase) {
     (void)phase;
-    if (is_due(tdmf_body_down_guard(at), reached == TDMF_GUARD_BODY_DOWN, TDMF_REACH_WITHIN_MARGIN)) {
+    if (tdmf_body_down_guard(at) <= 0.0) {
         return TDMF_GUARD_BODY_DOWN;
     }
-    if (is_due(tdmf_leg_too_short_guard(at), reached == TDMF_GUARD_LEG_TOO_SHORT, TDMF_REACH_WITHIN_MARGIN)) {
+    if (tdmf_leg_too_short_guard(at) <= 0.0) {
         return TDMF_GUARD_LEG_TOO_SHORT;
     }
-    if (is_due(tdmf_greatest_compression_guard(at), reached == TDMF_GUARD_GREATEST_COMPRESSION,
-               TDMF_REACH_WITHIN_DEAD_BAND)) {
+    if (tdmf_greatest_compression_guard(at) <= 0.0) {
         return TDMF_GUARD_GREATEST_COMPRESSION;
     }
-    if (is_due(tdmf_mid_stance_guard(at), reached == TDMF_GUARD_MID_STANCE, TDMF_REACH_WITHIN_DEAD_BAND)) {
+    if (tdmf_mid_stance_guard(at) <= 0.0) {
         return TDMF_GUARD_MID_STANCE;
     }
-    if (is_due(tdmf_lift_off_guard(at), reached == TDMF_GUARD_LIFT_OFF, TDMF_REACH_WITHIN_MARGIN)) {
+    if (tdmf_lift_off_guard(at) <= 0.0) {
         return TDMF_GUARD_LIFT_OFF;
     }
-    if (is_due(tdmf_slip_velocity_zero_guard(at), reached == TDMF_GUARD_SLIP_VELOCITY_ZERO,
-               TDMF_REACH_WITHIN_DEAD_BAND)) {
+    if (tdmf_slip_velocity_zero_guard(at) <= 0.0) {
         return TDMF_GUARD_SLIP_VELOCITY_ZERO;
     }
-    if (is_due(tdmf_armed_patch_border(at), reached == TDMF_GUARD_PATCH_BORDER,
-               TDMF_REACH_WITHIN_DEAD_BAND)) {
+    if (tdmf_armed_patch_border(at) <= 0.0) {
         return TDMF_GUARD_PATCH_BORDER;
     }
     return TDMF_GUARD_COUNT;
@@ -176,27 +144,24 @@ static const watched in_graze[] = {
     {TDMF_GUARD_GRAZE_TO_FLIGHT, ALWAYS},
 };
 
-static tdmf_guard first_due_in_graze(const tdmf_evaluation *at, int phase, tdmf_guard reached) {
+static tdmf_guard first_due_in_graze(const tdmf_evaluation *at, int phase) {
     (void)phase;
-    if (is_due(tdmf_body_down_guard(at), reached == TDMF_GUARD_BODY_DOWN, TDMF_REACH_WITHIN_MARGIN)) {
+    if (tdmf_body_down_guard(at) <= 0.0) {
         return TDMF_GUARD_BODY_DOWN;
     }
-    if (is_due(tdmf_leg_too_short_guard(at), reached == TDMF_GUARD_LEG_TOO_SHORT, TDMF_REACH_WITHIN_MARGIN)) {
+    if (tdmf_leg_too_short_guard(at) <= 0.0) {
         return TDMF_GUARD_LEG_TOO_SHORT;
     }
-    if ((phase & (RETRACT)) != 0 &&
-        is_due(tdmf_apex_guard(at), reached == TDMF_GUARD_APEX, TDMF_REACH_WITHIN_DEAD_BAND)) {
+    if ((phase & (RETRACT)) != 0 && tdmf_apex_guard(at) <= 0.0) {
         return TDMF_GUARD_APEX;
     }
-    if (is_due(tdmf_mid_stance_guard(at), reached == TDMF_GUARD_MID_STANCE, TDMF_REACH_WITHIN_DEAD_BAND)) {
+    if (tdmf_mid_stance_guard(at) <= 0.0) {
         return TDMF_GUARD_MID_STANCE;
     }
-    if (is_due(tdmf_graze_to_contact_guard(at), reached == TDMF_GUARD_GRAZE_TO_CONTACT,
-               TDMF_REACH_WITHIN_MARGIN)) {
+    if (tdmf_graze_to_contact_guard(at) <= 0.0) {
         return TDMF_GUARD_GRAZE_TO_CONTACT;
     }
-    if (is_due(tdmf_graze_to_flight_guard(at), reached == TDMF_GUARD_GRAZE_TO_FLIGHT,
-               TDMF_REACH_WITHIN_DEAD_BAND)) {
+    if (tdmf_graze_to_flight_guard(at) <= 0.0) {
         return TDMF_GUARD_GRAZE_TO_FLIGHT;
     }
     return TDMF_GUARD_COUNT;

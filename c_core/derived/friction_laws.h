@@ -6,25 +6,6 @@
 
 #include <math.h>
 
-/* mu below a foot: a patch of ground has a friction of its own. */
-static inline double tdmf_friction_below(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_zone zone) {
-    return (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction);
-}
-
-/* x of the border of the patch that a foot slips to, forward or backward. */
-static inline double tdmf_border_ahead(const tdmf_model *model, tdmf_zone zone, bool forward) {
-    if (forward) {
-        if (zone == TDMF_ZONE_BEFORE) {
-            return model->parameters.ground.patch_begin;
-        }
-        return model->parameters.ground.patch_end;
-    }
-    if (zone == TDMF_ZONE_PATCH) {
-        return model->parameters.ground.patch_begin;
-    }
-    return model->parameters.ground.patch_end;
-}
-
 /* rho mu, of a foot at rest and an impact that sticks: the cone is |f_t| <= rho mu f_n (2). */
 static inline double tdmf_static_friction(const tdmf_model *model, const tdmf_inputs *inputs,
                                           tdmf_zone zone) {
@@ -32,32 +13,11 @@ static inline double tdmf_static_friction(const tdmf_model *model, const tdmf_in
            (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction);
 }
 
-/* Its change. */
-static inline double tdmf_vary_static_friction(const tdmf_model *model, const tdmf_inputs *inputs,
-                                               tdmf_zone zone, const tdmf_model *d_model,
-                                               const tdmf_inputs *d_inputs) {
-    return d_model->parameters.ground.static_friction_ratio *
-               (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction) +
-           model->parameters.ground.static_friction_ratio * (zone == TDMF_ZONE_PATCH
-                                                                 ? d_model->parameters.ground.patch_friction
-                                                                 : d_inputs->ground.friction);
-}
-
 /* mu of a foot that slips, with the sign of its velocity. */
 static inline double tdmf_signed_friction(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_zone zone,
                                           double sign) {
     return sign *
            (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction);
-}
-
-/* Its change. */
-static inline double tdmf_vary_signed_friction(const tdmf_model *model, const tdmf_inputs *inputs,
-                                               tdmf_zone zone, double sign, const tdmf_model *d_model,
-                                               const tdmf_inputs *d_inputs) {
-    (void)model;
-    (void)inputs;
-    return sign *
-           (zone == TDMF_ZONE_PATCH ? d_model->parameters.ground.patch_friction : d_inputs->ground.friction);
 }
 
 /* rho - 1, by what share more a foot at rest is held than one that slips fast. */

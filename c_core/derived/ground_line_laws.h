@@ -11,13 +11,6 @@ static inline double tdmf_velocity_along(const tdmf_ground_line *line, double x,
     return line->cosine * x + line->sine * y;
 }
 
-/* Its change. */
-static inline double tdmf_vary_velocity_along(const tdmf_ground_line *line, double x, double y,
-                                              const tdmf_ground_line *d_line, double d_x, double d_y) {
-    return -(line->sine * d_line->slope) * x + line->cosine * d_x +
-           (line->cosine * d_line->slope * y + line->sine * d_y);
-}
-
 /* n.(x, y), what of a vector is across the line. */
 static inline double tdmf_velocity_off(const tdmf_ground_line *line, double x, double y) {
     return line->cosine * y - line->sine * x;
@@ -26,13 +19,6 @@ static inline double tdmf_velocity_off(const tdmf_ground_line *line, double x, d
 /* t.(p - (0, h)), from the pivot along the line. */
 static inline double tdmf_offset_along(const tdmf_ground_line *line, double x, double y) {
     return line->cosine * x + line->sine * (y - line->height);
-}
-
-/* Its change. */
-static inline double tdmf_vary_offset_along(const tdmf_ground_line *line, double x, double y,
-                                            const tdmf_ground_line *d_line, double d_x, double d_y) {
-    return -(line->sine * d_line->slope) * x + line->cosine * d_x +
-           (line->cosine * d_line->slope * (y - line->height) + line->sine * (d_y - d_line->height));
 }
 
 /* n.(p - (0, h)), the distance from the line, negative below. */
@@ -54,17 +40,6 @@ static inline double tdmf_vary_ground_height_at(const tdmf_ground_line *line, do
                  line->cosine));
 }
 
-/* x/cos sigma, the way along the line to what is above x. */
-static inline double tdmf_path_to(const tdmf_ground_line *line, double x) {
-    return x / line->cosine;
-}
-
-/* Its change. */
-static inline double tdmf_vary_path_to(const tdmf_ground_line *line, double x, const tdmf_ground_line *d_line,
-                                       double d_x) {
-    return (d_x - x / line->cosine * -(line->sine * d_line->slope)) / line->cosine;
-}
-
 /* The point at a distance from the pivot that moves along the line. */
 static inline tdmf_point tdmf_point_on(const tdmf_ground_line *line, double along, double velocity) {
     const tdmf_point result = {
@@ -72,19 +47,6 @@ static inline tdmf_point tdmf_point_on(const tdmf_ground_line *line, double alon
         .y = line->height + line->sine * along,
         .vx = line->cosine * velocity,
         .vy = line->sine * velocity,
-    };
-    return result;
-}
-
-/* Its change. */
-static inline tdmf_point tdmf_vary_point_on(const tdmf_ground_line *line, double along, double velocity,
-                                            const tdmf_ground_line *d_line, double d_along,
-                                            double d_velocity) {
-    const tdmf_point result = {
-        .x = -(line->sine * d_line->slope) * along + line->cosine * d_along,
-        .y = d_line->height + (line->cosine * d_line->slope * along + line->sine * d_along),
-        .vx = -(line->sine * d_line->slope) * velocity + line->cosine * d_velocity,
-        .vy = line->cosine * d_line->slope * velocity + line->sine * d_velocity,
     };
     return result;
 }

@@ -12,14 +12,6 @@ static inline double tdmf_new_ground_guard(const tdmf_evaluation *at, const tdmf
     return -(line->cosine * (at->state[TDMF_FOOT_Y] - line->height) - line->sine * at->state[TDMF_FOOT_X]);
 }
 
-/* Its change. */
-static inline double tdmf_vary_new_ground_guard(const tdmf_evaluation *at, const tdmf_ground_line *line,
-                                                const tdmf_evaluation *d_at, const tdmf_ground_line *d_line) {
-    return -(-(line->sine * d_line->slope) * (at->state[TDMF_FOOT_Y] - line->height) +
-             line->cosine * (d_at->state[TDMF_FOOT_Y] - d_line->height) -
-             (line->cosine * d_line->slope * at->state[TDMF_FOOT_X] + line->sine * d_at->state[TDMF_FOOT_X]));
-}
-
 /* d + r cos theta', the height of the body over the ground: a fall. */
 static inline double tdmf_body_down_guard(const tdmf_evaluation *at) {
     const double foot = at->mode->ground.cosine * (at->state[TDMF_FOOT_Y] - at->mode->ground.height) -
@@ -47,45 +39,12 @@ static inline double tdmf_apex_guard(const tdmf_evaluation *at) {
     return -rate / at->model->scales.speed + TDMF_DEAD_BAND;
 }
 
-/* Its change. */
-static inline double tdmf_vary_apex_guard(const tdmf_evaluation *at, const tdmf_evaluation *d_at) {
-    if (at->mode->rises) {
-        const double across = at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE];
-        const double vy = at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine - across * at->leg.sine;
-        const double d_across = d_at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE] +
-                                at->state[TDMF_LEG_LENGTH] * d_at->state[TDMF_LEG_ANGLE_RATE];
-        const double d_vy = d_at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine +
-                            at->state[TDMF_LEG_LENGTH_RATE] * d_at->leg.cosine -
-                            (d_across * at->leg.sine + across * d_at->leg.sine);
-        return d_at->state[TDMF_FOOT_VY] + (d_at->model->body_share * vy + at->model->body_share * d_vy);
-    }
-    const double across = at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE];
-    const double vy = at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine - across * at->leg.sine;
-    const double d_across = d_at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE] +
-                            at->state[TDMF_LEG_LENGTH] * d_at->state[TDMF_LEG_ANGLE_RATE];
-    const double d_vy = d_at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine +
-                        at->state[TDMF_LEG_LENGTH_RATE] * d_at->leg.cosine -
-                        (d_across * at->leg.sine + across * d_at->leg.sine);
-    const double d_rate =
-        d_at->state[TDMF_FOOT_VY] + (d_at->model->body_share * vy + at->model->body_share * d_vy);
-    return -d_rate;
-}
-
 /* d, the height of the foot over the ground. */
 static inline double tdmf_touchdown_guard(const tdmf_evaluation *at) {
     return (at->mode->ground.cosine * (at->state[TDMF_FOOT_Y] - at->mode->ground.height) -
             at->mode->ground.sine * at->state[TDMF_FOOT_X] + tdmf_rounding_at_foot(at)) /
                at->model->scales.length +
            TDMF_GUARD_MARGIN;
-}
-
-/* Its change. */
-static inline double tdmf_vary_touchdown_guard(const tdmf_evaluation *at, const tdmf_evaluation *d_at) {
-    return -(at->mode->ground.sine * d_at->mode->ground.slope) *
-               (at->state[TDMF_FOOT_Y] - at->mode->ground.height) +
-           at->mode->ground.cosine * (d_at->state[TDMF_FOOT_Y] - d_at->mode->ground.height) -
-           (at->mode->ground.cosine * d_at->mode->ground.slope * at->state[TDMF_FOOT_X] +
-            at->mode->ground.sine * d_at->state[TDMF_FOOT_X]);
 }
 
 /* The servo's torque, which closes the clamp of (12) by falling through 0, and opens it by rising. */
@@ -105,40 +64,12 @@ static inline double tdmf_clamp_guard(const tdmf_evaluation *at) {
     return 1.0;
 }
 
-/* Its change. */
-static inline double tdmf_vary_clamp_guard(const tdmf_evaluation *at, const tdmf_evaluation *d_at) {
-    if (at->mode->clamp_closed) {
-        const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
-        const double d_target = d_at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle +
-                                at->model->parameters.hip.liftoff_angle_factor * d_at->mode->liftoff_angle;
-        const double d_servo = d_at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) +
-                               at->model->parameters.hip.kp * (d_target - d_at->state[TDMF_LEG_ANGLE]) -
-                               (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
-                                at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]);
-        return -d_servo;
-    }
-    const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
-    const double d_target = d_at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle +
-                            at->model->parameters.hip.liftoff_angle_factor * d_at->mode->liftoff_angle;
-    return d_at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) +
-           at->model->parameters.hip.kp * (d_target - d_at->state[TDMF_LEG_ANGLE]) -
-           (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
-            at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]);
-}
-
 /* -rdot, of a leg that has not been compressed most in this stance. */
 static inline double tdmf_greatest_compression_guard(const tdmf_evaluation *at) {
     if (at->mode->thrusts) {
         return 1.0;
     }
     return -at->leg.length_rate / at->model->scales.speed + TDMF_GUARD_MARGIN;
-}
-
-/* Its change. */
-static inline double tdmf_vary_greatest_compression_guard(const tdmf_evaluation *at,
-                                                          const tdmf_evaluation *d_at) {
-    (void)at;
-    return -d_at->leg.length_rate;
 }
 
 /* theta: the leg falls through the vertical. */
@@ -149,21 +80,9 @@ static inline double tdmf_mid_stance_guard(const tdmf_evaluation *at) {
     return 1.0;
 }
 
-/* Its change. */
-static inline double tdmf_vary_mid_stance_guard(const tdmf_evaluation *at, const tdmf_evaluation *d_at) {
-    (void)at;
-    return d_at->state[TDMF_LEG_ANGLE];
-}
-
 /* f_n, the ground's normal force (10). */
 static inline double tdmf_lift_off_guard(const tdmf_evaluation *at) {
     return at->force.normal / at->model->scales.force + TDMF_GUARD_MARGIN;
-}
-
-/* Its change. */
-static inline double tdmf_vary_lift_off_guard(const tdmf_evaluation *at, const tdmf_evaluation *d_at) {
-    (void)at;
-    return d_at->force.normal;
 }
 
 /* rho mu f_n + f_t: a foot at rest that reaches the edge of the cone (2) here slips forward. */
@@ -177,26 +96,6 @@ static inline double tdmf_slip_onset_positive_guard(const tdmf_evaluation *at) {
            TDMF_GUARD_MARGIN;
 }
 
-/* Its change. */
-static inline double tdmf_vary_slip_onset_positive_guard(const tdmf_evaluation *at,
-                                                         const tdmf_evaluation *d_at) {
-    return (d_at->model->parameters.ground.static_friction_ratio *
-                (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], 1.0) == TDMF_ZONE_PATCH
-                     ? at->model->parameters.ground.patch_friction
-                     : at->inputs->ground.friction) +
-            at->model->parameters.ground.static_friction_ratio *
-                (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], 1.0) == TDMF_ZONE_PATCH
-                     ? d_at->model->parameters.ground.patch_friction
-                     : d_at->inputs->ground.friction)) *
-               at->force.normal +
-           at->model->parameters.ground.static_friction_ratio *
-               (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], 1.0) == TDMF_ZONE_PATCH
-                    ? at->model->parameters.ground.patch_friction
-                    : at->inputs->ground.friction) *
-               d_at->force.normal +
-           d_at->force.tangential;
-}
-
 /* rho mu f_n - f_t: the same, and the foot slips backward. */
 static inline double tdmf_slip_onset_negative_guard(const tdmf_evaluation *at) {
     const double largest = at->model->parameters.ground.static_friction_ratio *
@@ -208,26 +107,6 @@ static inline double tdmf_slip_onset_negative_guard(const tdmf_evaluation *at) {
            TDMF_GUARD_MARGIN;
 }
 
-/* Its change. */
-static inline double tdmf_vary_slip_onset_negative_guard(const tdmf_evaluation *at,
-                                                         const tdmf_evaluation *d_at) {
-    return (d_at->model->parameters.ground.static_friction_ratio *
-                (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], -1.0) == TDMF_ZONE_PATCH
-                     ? at->model->parameters.ground.patch_friction
-                     : at->inputs->ground.friction) +
-            at->model->parameters.ground.static_friction_ratio *
-                (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], -1.0) == TDMF_ZONE_PATCH
-                     ? d_at->model->parameters.ground.patch_friction
-                     : d_at->inputs->ground.friction)) *
-               at->force.normal +
-           at->model->parameters.ground.static_friction_ratio *
-               (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], -1.0) == TDMF_ZONE_PATCH
-                    ? at->model->parameters.ground.patch_friction
-                    : at->inputs->ground.friction) *
-               d_at->force.normal -
-           d_at->force.tangential;
-}
-
 /* sgn(v_t) v_t, the speed of a foot that slips. */
 static inline double tdmf_slip_velocity_zero_guard(const tdmf_evaluation *at) {
     return tdmf_sign_of_slip(at->mode) *
@@ -235,16 +114,6 @@ static inline double tdmf_slip_velocity_zero_guard(const tdmf_evaluation *at) {
                 at->mode->ground.sine * at->state[TDMF_FOOT_VY]) /
                at->model->scales.speed +
            TDMF_GUARD_MARGIN;
-}
-
-/* Its change. */
-static inline double tdmf_vary_slip_velocity_zero_guard(const tdmf_evaluation *at,
-                                                        const tdmf_evaluation *d_at) {
-    return tdmf_sign_of_slip(at->mode) *
-           (-(at->mode->ground.sine * d_at->mode->ground.slope) * at->state[TDMF_FOOT_VX] +
-            at->mode->ground.cosine * d_at->state[TDMF_FOOT_VX] +
-            (at->mode->ground.cosine * d_at->mode->ground.slope * at->state[TDMF_FOOT_VY] +
-             at->mode->ground.sine * d_at->state[TDMF_FOOT_VY]));
 }
 
 /* How far the foot is from the border of the patch that it slips to, in x. */
@@ -261,21 +130,6 @@ static inline double tdmf_patch_border_guard(const tdmf_evaluation *at, bool for
     return at->state[TDMF_FOOT_X] - at->model->parameters.ground.patch_end;
 }
 
-/* Its change. */
-static inline double tdmf_vary_patch_border_guard(const tdmf_evaluation *at, bool forward,
-                                                  const tdmf_evaluation *d_at) {
-    if (forward) {
-        if (at->mode->zone == TDMF_ZONE_BEFORE) {
-            return d_at->model->parameters.ground.patch_begin - d_at->state[TDMF_FOOT_X];
-        }
-        return d_at->model->parameters.ground.patch_end - d_at->state[TDMF_FOOT_X];
-    }
-    if (at->mode->zone == TDMF_ZONE_PATCH) {
-        return d_at->state[TDMF_FOOT_X] - d_at->model->parameters.ground.patch_begin;
-    }
-    return d_at->state[TDMF_FOOT_X] - d_at->model->parameters.ground.patch_end;
-}
-
 /* -N of the stance law: it loads the foot again. */
 static inline double tdmf_graze_to_contact_guard(const tdmf_evaluation *at) {
     const double drive = (at->mode->mid_stance_pending
@@ -287,30 +141,6 @@ static inline double tdmf_graze_to_contact_guard(const tdmf_evaluation *at) {
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
     const double normal = off + weight * at->mode->ground.cosine;
     return -normal / at->model->scales.force + TDMF_GUARD_MARGIN;
-}
-
-/* Its change. */
-static inline double tdmf_vary_graze_to_contact_guard(const tdmf_evaluation *at,
-                                                      const tdmf_evaluation *d_at) {
-    const double d_drive = (at->mode->mid_stance_pending ? d_at->model->parameters.hip.stance_torque +
-                                                               d_at->inputs->control.stance_torque
-                                                         : 0.0);
-    const double d_torque = d_at->inputs->hip.external_torque - d_drive;
-    const double drive = (at->mode->mid_stance_pending
-                              ? at->model->parameters.hip.stance_torque + at->inputs->control.stance_torque
-                              : 0.0);
-    const double torque = at->inputs->hip.external_torque - drive;
-    const double d_across = d_torque * at->leg.inverse_length + torque * d_at->leg.inverse_length;
-    const double across = torque * at->leg.inverse_length;
-    const double d_off = d_at->leg.axial_force * at->leg.ground_cosine +
-                         at->leg.axial_force * d_at->leg.ground_cosine +
-                         (d_across * -at->leg.ground_sine + across * -d_at->leg.ground_sine);
-    const double d_weight = d_at->model->parameters.foot.mass * at->model->parameters.gravity +
-                            at->model->parameters.foot.mass * d_at->model->parameters.gravity;
-    const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-    const double d_normal = d_off + (d_weight * at->mode->ground.cosine +
-                                     weight * -(at->mode->ground.sine * d_at->mode->ground.slope));
-    return -d_normal;
 }
 
 /* N of the flight law: it lifts the foot. */
@@ -337,62 +167,6 @@ static inline double tdmf_graze_to_flight_guard(const tdmf_evaluation *at) {
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
     const double normal = off + weight * at->mode->ground.cosine;
     return normal / at->model->scales.force + TDMF_GUARD_MARGIN;
-}
-
-/* Its change. */
-static inline double tdmf_vary_graze_to_flight_guard(const tdmf_evaluation *at, const tdmf_evaluation *d_at) {
-    if (at->mode->phase == TDMF_PHASE_PLACE) {
-        const double target = at->model->parameters.hip.touchdown_angle +
-                              at->inputs->control.touchdown_angle -
-                              at->model->parameters.hip.retraction_rate * at->state[TDMF_HIP_PLACE_TIME];
-        const double d_target =
-            d_at->model->parameters.hip.touchdown_angle + d_at->inputs->control.touchdown_angle -
-            (d_at->model->parameters.hip.retraction_rate * at->state[TDMF_HIP_PLACE_TIME] +
-             at->model->parameters.hip.retraction_rate * d_at->state[TDMF_HIP_PLACE_TIME]);
-        const double d_torque = -d_at->model->parameters.hip.kd * at->model->parameters.hip.retraction_rate +
-                                -at->model->parameters.hip.kd * d_at->model->parameters.hip.retraction_rate;
-        const double d_servo = d_at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) +
-                               at->model->parameters.hip.kp * (d_target - d_at->state[TDMF_LEG_ANGLE]) -
-                               (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
-                                at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]) +
-                               d_torque;
-        const double torque = -at->model->parameters.hip.kd * at->model->parameters.hip.retraction_rate;
-        const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
-                             at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] + torque;
-        const double d_across = (d_servo + d_at->inputs->hip.external_torque) * at->leg.inverse_length +
-                                (servo + at->inputs->hip.external_torque) * d_at->leg.inverse_length;
-        const double across = (servo + at->inputs->hip.external_torque) * at->leg.inverse_length;
-        const double d_off = d_at->leg.axial_force * at->leg.ground_cosine +
-                             at->leg.axial_force * d_at->leg.ground_cosine +
-                             (d_across * -at->leg.ground_sine + across * -d_at->leg.ground_sine);
-        const double d_weight = d_at->model->parameters.foot.mass * at->model->parameters.gravity +
-                                at->model->parameters.foot.mass * d_at->model->parameters.gravity;
-        const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-        return d_off + (d_weight * at->mode->ground.cosine +
-                        weight * -(at->mode->ground.sine * d_at->mode->ground.slope));
-    }
-    const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
-    const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
-                         at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE];
-    const double d_target = d_at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle +
-                            at->model->parameters.hip.liftoff_angle_factor * d_at->mode->liftoff_angle;
-    const double d_servo = d_at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) +
-                           at->model->parameters.hip.kp * (d_target - d_at->state[TDMF_LEG_ANGLE]) -
-                           (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
-                            at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]);
-    const double d_swing = (at->model->parameters.hip.swing_clamp ? (servo >= 0.0 ? d_servo : 0.0) : d_servo);
-    const double swing = (at->model->parameters.hip.swing_clamp ? (servo >= 0.0 ? servo : 0.0) : servo);
-    const double d_across = (d_swing + d_at->inputs->hip.external_torque) * at->leg.inverse_length +
-                            (swing + at->inputs->hip.external_torque) * d_at->leg.inverse_length;
-    const double across = (swing + at->inputs->hip.external_torque) * at->leg.inverse_length;
-    const double d_off = d_at->leg.axial_force * at->leg.ground_cosine +
-                         at->leg.axial_force * d_at->leg.ground_cosine +
-                         (d_across * -at->leg.ground_sine + across * -d_at->leg.ground_sine);
-    const double d_weight = d_at->model->parameters.foot.mass * at->model->parameters.gravity +
-                            at->model->parameters.foot.mass * d_at->model->parameters.gravity;
-    const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-    return d_off + (d_weight * at->mode->ground.cosine +
-                    weight * -(at->mode->ground.sine * d_at->mode->ground.slope));
 }
 
 #endif

@@ -6,107 +6,6 @@
 
 #include <math.h>
 
-/* A law of the hip as data, with t counted from now; gains in N.m/rad and N.m.s/rad.
- *
- * tau = gain (target + target_rate t - theta) - rate_gain thetadot + torque + torque_rate t */
-typedef struct {
-    double gain;
-    double rate_gain;
-    double target;
-    double target_rate;
-    double torque;
-    double torque_rate;
-} tdmf_hip_law;
-
-/* On the ground: the law of stance, and in graze the torque from outside. */
-static inline tdmf_hip_law tdmf_ground_law(const tdmf_model *model, const tdmf_inputs *inputs,
-                                           const tdmf_inputs *rates, const tdmf_mode *mode) {
-    if (mode->contact == TDMF_CONTACT_GRAZE) {
-        const tdmf_hip_law result = {
-            .torque = inputs->hip.external_torque,
-            .torque_rate = rates->hip.external_torque,
-        };
-        return result;
-    }
-    const double drive =
-        (mode->mid_stance_pending ? model->parameters.hip.stance_torque + inputs->control.stance_torque
-                                  : 0.0);
-    const tdmf_hip_law result = {
-        .torque = inputs->hip.external_torque - drive,
-        .torque_rate = rates->hip.external_torque,
-    };
-    return result;
-}
-
-/* -tau0 while the stance drives, then 0 (11), and the torque from outside. */
-static inline tdmf_hip_law tdmf_stance_law(const tdmf_model *model, const tdmf_inputs *inputs,
-                                           const tdmf_inputs *rates, const tdmf_mode *mode) {
-    const double drive =
-        (mode->mid_stance_pending ? model->parameters.hip.stance_torque + inputs->control.stance_torque
-                                  : 0.0);
-    const tdmf_hip_law result = {
-        .torque = inputs->hip.external_torque - drive,
-        .torque_rate = rates->hip.external_torque,
-    };
-    return result;
-}
-
-/* The servo of the flight's law, without clamp and external torque. */
-static inline tdmf_hip_law tdmf_servo(const tdmf_model *model, const tdmf_inputs *inputs,
-                                      const tdmf_mode *mode, double place_time) {
-    if (mode->phase == TDMF_PHASE_PLACE) {
-        const tdmf_hip_law result = {
-            .gain = model->parameters.hip.kp,
-            .rate_gain = model->parameters.hip.kd,
-            .target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
-                      model->parameters.hip.retraction_rate * place_time,
-            .target_rate = -model->parameters.hip.retraction_rate,
-            .torque = -model->parameters.hip.kd * model->parameters.hip.retraction_rate,
-        };
-        return result;
-    }
-    const tdmf_hip_law result = {
-        .gain = model->parameters.hip.kp,
-        .rate_gain = model->parameters.hip.kd,
-        .target = model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle,
-    };
-    return result;
-}
-
-/* Law off the ground: the servo, 0 where the clamp of (12) is closed, plus the external torque. */
-static inline tdmf_hip_law tdmf_flight_law(const tdmf_model *model, const tdmf_inputs *inputs,
-                                           const tdmf_inputs *rates, const tdmf_mode *mode,
-                                           double place_time) {
-    if (mode->phase == TDMF_PHASE_PLACE) {
-        const double torque = -model->parameters.hip.kd * model->parameters.hip.retraction_rate;
-        const tdmf_hip_law result = {
-            .gain = model->parameters.hip.kp,
-            .rate_gain = model->parameters.hip.kd,
-            .target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
-                      model->parameters.hip.retraction_rate * place_time,
-            .target_rate = -model->parameters.hip.retraction_rate,
-            .torque = torque + inputs->hip.external_torque,
-            .torque_rate = rates->hip.external_torque,
-        };
-        return result;
-    }
-    if (mode->clamp_closed) {
-        const tdmf_hip_law result = {
-            .torque = inputs->hip.external_torque,
-            .torque_rate = rates->hip.external_torque,
-        };
-        return result;
-    }
-    const tdmf_hip_law result = {
-        .gain = model->parameters.hip.kp,
-        .rate_gain = model->parameters.hip.kd,
-        .target = model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle,
-        .torque = inputs->hip.external_torque,
-        .torque_rate = rates->hip.external_torque,
-    };
-    return result;
-}
-
 /* The torque of the servo alone; with swing_clamp its sign decides the clamp of (12). */
 static inline double tdmf_servo_torque(const tdmf_model *model, const tdmf_inputs *inputs,
                                        const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
@@ -120,34 +19,6 @@ static inline double tdmf_servo_torque(const tdmf_model *model, const tdmf_input
     const double target = model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle;
     return model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
            model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE];
-}
-
-/* Its change. */
-static inline double tdmf_vary_servo_torque(const tdmf_model *model, const tdmf_inputs *inputs,
-                                            const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
-                                            const tdmf_model *d_model, const tdmf_inputs *d_inputs,
-                                            const tdmf_mode *d_mode, const double d_state[TDMF_STATE_COUNT]) {
-    if (mode->phase == TDMF_PHASE_PLACE) {
-        const double target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
-                              model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME];
-        const double d_target = d_model->parameters.hip.touchdown_angle + d_inputs->control.touchdown_angle -
-                                (d_model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME] +
-                                 model->parameters.hip.retraction_rate * d_state[TDMF_HIP_PLACE_TIME]);
-        const double d_torque = -d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
-                                -model->parameters.hip.kd * d_model->parameters.hip.retraction_rate;
-        return d_model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) +
-               model->parameters.hip.kp * (d_target - d_state[TDMF_LEG_ANGLE]) -
-               (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
-                model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]) +
-               d_torque;
-    }
-    const double target = model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle;
-    const double d_target = d_model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle +
-                            model->parameters.hip.liftoff_angle_factor * d_mode->liftoff_angle;
-    return d_model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) +
-           model->parameters.hip.kp * (d_target - d_state[TDMF_LEG_ANGLE]) -
-           (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
-            model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]);
 }
 
 /* The total torque: of flight or stance, and in graze what keeps the foot at the ground. */
@@ -249,24 +120,6 @@ static inline double tdmf_vary_torque_in(const tdmf_evaluation *at, bool upright
     return d_at->inputs->hip.external_torque - d_drive;
 }
 
-/* The law as it is some time later. */
-static inline tdmf_hip_law tdmf_law_after(const tdmf_hip_law *law, double elapsed) {
-    const tdmf_hip_law result = {
-        .gain = law->gain,
-        .rate_gain = law->rate_gain,
-        .target = law->target + elapsed * law->target_rate,
-        .target_rate = law->target_rate,
-        .torque = law->torque + elapsed * law->torque_rate,
-        .torque_rate = law->torque_rate,
-    };
-    return result;
-}
-
-/* The rate of the torque while the leg stands still. */
-static inline double tdmf_law_drift(const tdmf_hip_law *law) {
-    return law->torque_rate + law->gain * law->target_rate;
-}
-
 /* The clock of place runs while that lasts. */
 static inline double tdmf_place_time_rate(const tdmf_mode *mode) {
     return (mode->phase == TDMF_PHASE_PLACE ? 1.0 : 0.0);
@@ -277,18 +130,8 @@ static inline void tdmf_begin_place(double written[TDMF_STATE_COUNT]) {
     written[TDMF_HIP_PLACE_TIME] = 0.0;
 }
 
-/* Its change. */
-static inline void tdmf_vary_begin_place(double written[TDMF_STATE_COUNT]) {
-    written[TDMF_HIP_PLACE_TIME] = 0.0;
-}
-
 /* In any other phase, too. */
 static inline void tdmf_end_place(double written[TDMF_STATE_COUNT]) {
-    written[TDMF_HIP_PLACE_TIME] = 0.0;
-}
-
-/* Its change. */
-static inline void tdmf_vary_end_place(double written[TDMF_STATE_COUNT]) {
     written[TDMF_HIP_PLACE_TIME] = 0.0;
 }
 

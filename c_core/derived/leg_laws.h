@@ -6,15 +6,6 @@
 
 #include <math.h>
 
-/* epsilon, with what the control adds to it, but no less than 0.
- *
- * A leg that grew shorter would leave a ground that it comes down to at once, for ever. */
-static inline double tdmf_leg_thrust(const tdmf_model *model, const tdmf_inputs *inputs) {
-    return (model->parameters.leg.thrust + inputs->control.thrust >= 0.0
-                ? model->parameters.leg.thrust + inputs->control.thrust
-                : 0.0);
-}
-
 /* l0 + u and, from the greatest compression to the end of the stance, epsilon. */
 static inline double tdmf_rest_length(const tdmf_model *model, const tdmf_inputs *inputs,
                                       const tdmf_mode *mode) {

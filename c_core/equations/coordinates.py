@@ -4,8 +4,7 @@ x_m = x - r sin theta,   y_m = y + r cos theta
 """
 
 from . import ground_line
-from .functions import Record, atan2, sqrt
-from .leg import direction_over
+from .functions import Record
 
 
 def way_from_foot(length, direction):
@@ -59,11 +58,6 @@ def foot_below(model, center, state, direction):
     )
 
 
-def foot_at(point):
-    """A foot that is there and moves so, as the state has it."""
-    return Record(foot_x=point.x, foot_y=point.y, foot_vx=point.vx, foot_vy=point.vy)
-
-
 def foot_over_ground(line, state):
     """The foot in the axes of the ground."""
     return Record(
@@ -71,25 +65,6 @@ def foot_over_ground(line, state):
         y=ground_line.height_over(line, state.foot_x, state.foot_y),
         vx=ground_line.along(line, state.foot_vx, state.foot_vy),
         vy=ground_line.off(line, state.foot_vx, state.foot_vy),
-    )
-
-
-def angle_seen(x, y, slope):
-    """theta = atan2(-x, y) + sigma, of a body there as seen from the foot, in axes turned by a slope."""
-    return atan2(-x, y) + slope
-
-
-def leg_to(body, slope):
-    """The leg to a body that is there and moves so as seen from the foot, in axes turned by a slope.
-
-    r = |(x, y)|, theta = atan2(-x, y) + sigma, and their rates.
-    """
-    length = sqrt(body.x * body.x + body.y * body.y)
-    return Record(
-        length=length,
-        angle=angle_seen(body.x, body.y, slope),
-        length_rate=(body.x * body.vx + body.y * body.vy) / length,
-        angle_rate=(body.x * body.vy - body.y * body.vx) / (length * length),
     )
 
 
@@ -107,54 +82,3 @@ def with_foot_velocity(state, direction, vx, vy):
     """The same, as the state has it; the leg's rates come first, so that it may be written over its own."""
     leg = leg_rates_with_foot(state, direction, vx, vy)
     return Record(leg_length_rate=leg.length, leg_angle_rate=leg.angle, foot_vx=vx, foot_vy=vy)
-
-
-def in_flight(state):
-    """The leg, as flight has it."""
-    return Record(
-        length=state.leg_length,
-        angle=state.leg_angle,
-        length_rate=state.leg_length_rate,
-        angle_rate=state.leg_angle_rate,
-    )
-
-
-def from_flight(flying):
-    """The same, as the state has it."""
-    return Record(
-        leg_length=flying.length,
-        leg_angle=flying.angle,
-        leg_length_rate=flying.length_rate,
-        leg_angle_rate=flying.angle_rate,
-    )
-
-
-def on_ground(line, state, direction):
-    """The body as seen from the foot, its velocity, and the foot along the line, in the ground's axes."""
-    body = body_from_foot(state, direction_over(line, direction))
-    foot_vx = ground_line.along(line, state.foot_vx, state.foot_vy)
-    return Record(
-        x=body.x,
-        y=body.y,
-        vx=foot_vx + body.vx,
-        vy=body.vy,
-        foot_x=ground_line.offset_along(line, state.foot_x, state.foot_y),
-        foot_vx=foot_vx,
-    )
-
-
-def from_ground(line, at, winding):
-    """The state that coordinates on the ground stand for; the leg has wound by `winding`, in radians."""
-    body = Record(x=at.x, y=at.y, vx=at.vx - at.foot_vx, vy=at.vy)
-    leg = leg_to(body, line.slope)
-    foot = ground_line.point_on(line, at.foot_x, at.foot_vx)
-    return Record(
-        foot_x=foot.x,
-        foot_y=foot.y,
-        leg_length=leg.length,
-        leg_angle=leg.angle + winding,
-        foot_vx=foot.vx,
-        foot_vy=foot.vy,
-        leg_length_rate=leg.length_rate,
-        leg_angle_rate=leg.angle_rate,
-    )

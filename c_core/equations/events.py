@@ -107,13 +107,10 @@ class Event(NamedTuple):
     `law` is the guard (None: only C has it), `scale` what divides it; `watched` tells for each contact
     the phases in which it is watched, `only_while` a flag of mode or model that must be set, or with "not"
     must not. `band` is the margin by which a guard is armed: "dead" for a sign that is remembered, "apex"
-    for either, with a margin of its own, "by hand" where C arms it. `reach` tells how near to its zero it
-    is due where a solver has come there: within half of its margin, or of the dead band where nothing
-    depends on what is left of it. `slack` is what C adds to the guard, `width` the law of a further scale,
-    `arguments` are further ones of both laws, with what C hands in. `takes` names the reset where
-    it has not the event's name; it is "" where the record alone knows of the event. `jumps` tells that a
-    variation of the state jumps, by a function of C. `varied` is False where no variation outlives the event,
-    and "by hand" where C has the change of the guard.
+    for either, with a margin of its own, "by hand" where C arms it. `slack` is what C adds to the guard,
+    `width` the law of a further scale, `arguments` are further ones of both laws, with what C hands in.
+    `takes` names the reset where it has not the event's name; it is "" where the record alone knows of the
+    event.
     """
 
     name: str
@@ -126,10 +123,6 @@ class Event(NamedTuple):
     width: Callable[..., Any] | None = None
     arguments: tuple[tuple[str, str], ...] = ()
     takes: str | None = None
-    jumps: bool = False
-    is_impact: bool = False
-    varied: bool | str = True
-    reach: str = "dead"
 
 
 ALL = ("drive", "coast", "retract", "place")
@@ -139,19 +132,17 @@ CONTACT = {"stick": ALL, "slip": ALL}
 FLIGHT, STICK, SLIP, GRAZE = ({mode: ALL} for mode in ("flight", "stick", "slip", "graze"))
 FORWARD, BACKWARD = (f"tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], {s})" for s in ("1.0", "-1.0"))
 
-# In the order in which those are taken that are due at one instant. Of one force the sign tells contact and
-# graze apart, and a fall has to be seen by whoever looks at it: those are due within their margin only.
+# In the order in which those are taken that are due at one instant.
 EVENTS = [
     Event("new_ground", new_ground, "length", FLIGHT, band="by hand", arguments=(("line", "&line"),)),
-    Event("body_down", body_down, "length", ANYWHERE, takes="fall", varied=False, reach="margin"),
-    Event("leg_too_short", leg_too_short, "length", ANYWHERE, takes="fall", varied=False, reach="margin"),
+    Event("body_down", body_down, "length", ANYWHERE, takes="fall"),
+    Event("leg_too_short", leg_too_short, "length", ANYWHERE, takes="fall"),
     Event(
         "apex",
         apex,
         "speed",
         {"flight": ("retract", "place"), "graze": ("retract",)},
         band="apex",
-        jumps=True,
     ),
     Event(
         "touchdown",
@@ -159,8 +150,6 @@ EVENTS = [
         "length",
         FLIGHT,
         slack="tdmf_rounding_at_foot(at)",
-        jumps=True,
-        is_impact=True,
     ),
     Event(
         "clamp",
@@ -172,7 +161,7 @@ EVENTS = [
     ),
     Event("greatest_compression", greatest_compression, "speed", CONTACT, only_while="not mode.thrusts"),
     Event("mid_stance", mid_stance, "", ON_GROUND, only_while="mode.mid_stance_pending"),
-    Event("lift_off", lift_off, "force", CONTACT, reach="margin"),
+    Event("lift_off", lift_off, "force", CONTACT),
     Event(
         "slip_onset_positive",
         slip_onset_positive,
@@ -197,20 +186,16 @@ EVENTS = [
         arguments=(("sign", "tdmf_sign_of_slip(at->mode)"),),
     ),
     Event("patch_border", patch_border, "length", SLIP, band="by hand", arguments=(("forward", ""),)),
-    Event("force_peak", None, "", CONTACT, band="by hand", takes="", varied=False),
-    Event("vertical_force_peak", None, "", CONTACT, band="by hand", takes="", varied=False),
-    Event("graze_to_contact", graze_to_contact, "force", GRAZE, reach="margin"),
-    Event("graze_to_flight", graze_to_flight, "force", GRAZE, varied="by hand"),
+    Event("force_peak", None, "", CONTACT, band="by hand", takes=""),
+    Event("vertical_force_peak", None, "", CONTACT, band="by hand", takes=""),
+    Event("graze_to_contact", graze_to_contact, "force", GRAZE),
+    Event("graze_to_flight", graze_to_flight, "force", GRAZE),
 ]
 
 # C of a row: functions that are written by hand, margins, and the modes of each contact.
 BY_HAND = {
     "reset": "void tdmf_take_{}(tdmf_run *run)",
-    "vary_reset": "void tdmf_vary_take_{}(const tdmf_model *model, const tdmf_inputs *inputs, "
-    "const tdmf_ground_line *ground, const double before[TDMF_STATE_COUNT], "
-    "const tdmf_local_seed *d, double d_state[TDMF_STATE_COUNT])",
     "guard": "double tdmf_armed_{}(const tdmf_evaluation *at)",
-    "vary_guard": "double tdmf_vary_armed_{}(const tdmf_evaluation *at, const tdmf_evaluation *d)",
 }
 BANDS = {"": "TDMF_GUARD_MARGIN", "dead": "TDMF_DEAD_BAND", "apex": "TDMF_APEX_MARGIN"}
 CONTACTS = {

@@ -9,7 +9,7 @@ rest to that of one that slips:
 it stays smooth for a trial step that goes past v = 0.
 """
 
-from .functions import Record, exp, expm1, larger, log1p, where
+from .functions import exp, expm1, larger, log1p, where
 
 
 def below(model, inputs, zone):
@@ -75,22 +75,6 @@ def width(model, friction):
     """max(1, rho mu), by which the room in a cone is measured: so a wide one has the forces' own rounding."""
     largest = static(model, friction)
     return larger(1, largest)
-
-
-def cone(friction, rate, time):
-    """The weights of f_n, of what drifts with it and of |f_t| in the room of a cone, by its largest width.
-
-    Its friction, rho mu, drifts at a rate for a time.
-    """
-    last = friction + rate * time
-    largest = larger(friction, last)
-    widest = larger(1, largest)
-    return Record(normal=friction / widest, normal_rate=rate / widest, tangential=1 / widest)
-
-
-def smallest_room(cone, normal, drifted, tangential):
-    """rho mu f_n - |f_t|, by the cone's width: what is left up to its nearer edge; `drifted` is t f_n."""
-    return cone.normal * normal + cone.normal_rate * drifted - cone.tangential * abs(tangential)
 
 
 # ---- impact: dv = -s mu(v) dP, P from 0 to |v_n-|, by the foot's mass --------------------------------------

@@ -15,7 +15,6 @@ __all__ = [
     "expm1",
     "larger",
     "log1p",
-    "plus_unless_zero",
     "serve",
     "sin",
     "sqrt",
@@ -47,13 +46,6 @@ atan2 = _function("atan2")
 exp = _function("exp")
 expm1 = _function("expm1")
 log1p = _function("log1p")
-
-
-def plus_unless_zero(total, factor, value):
-    """total + factor value, of which C makes the value only where the factor is not 0, as it mostly is."""
-    if hasattr(total, "plus_unless_zero"):
-        return total.plus_unless_zero(factor, value)
-    return total + factor * value
 
 
 def where(word, is_, then, other):

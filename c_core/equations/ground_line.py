@@ -47,8 +47,3 @@ def vector_on(line, tangential, normal):
         x=tangential * line.cosine - normal * line.sine,
         y=tangential * line.sine + normal * line.cosine,
     )
-
-
-def path_to(line, x):
-    """x/cos sigma, the way along the line to what is above x."""
-    return x / line.cosine

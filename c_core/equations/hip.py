@@ -81,11 +81,6 @@ def flight(model, inputs, rates, phase, clamp_closed, liftoff_angle, place_time)
     return law
 
 
-def on_ground(model, inputs, rates, contact, drives):
-    """On the ground: the law of stance, and in graze the torque from outside."""
-    return external(inputs, rates) if contact == "graze" else stance(model, inputs, rates, drives)
-
-
 def place_time_rate(phase):
     """The clock of place runs while that lasts."""
     return where(phase, "place", 1, 0)
@@ -109,34 +104,6 @@ def end_place():
 def torque(law, angle, angle_rate):
     """gain (target - theta) - rate_gain thetadot + torque, now."""
     return law.gain * (law.target - angle) - law.rate_gain * angle_rate + law.torque
-
-
-def drift(law):
-    """The rate of the torque while the leg stands still."""
-    return law.torque_rate + law.gain * law.target_rate
-
-
-def signed(law, sign):
-    """The law times a sign, as guards have it while it drifts: its target stays, its torque moves."""
-    return Record(
-        gain=sign * law.gain,
-        rate_gain=sign * law.rate_gain,
-        target=law.target,
-        torque=sign * law.torque,
-        torque_rate=sign * drift(law),
-    )
-
-
-def after(law, elapsed):
-    """The law as it is some time later."""
-    return law_of(
-        law.gain,
-        law.rate_gain,
-        law.target + elapsed * law.target_rate,
-        law.target_rate,
-        law.torque + elapsed * law.torque_rate,
-        law.torque_rate,
-    )
 
 
 def servo_torque(model, inputs, state, phase, liftoff_angle):

@@ -7,20 +7,17 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from . import (
-    constants,
     coordinates,
     dynamics,
     energy,
     free_fall,
     friction,
     graze,
-    ground,
     ground_force,
     ground_line,
     hip,
     impact,
     leg,
-    prescribed_flight,
     runner,
 )
 
@@ -50,13 +47,12 @@ FUNCTIONS = {
         ),
     ],
     "ground_line": [
-        InC("double velocity_along", ground_line.along),
+        InC("double velocity_along", ground_line.along, varied=False),
         InC("double velocity_off", ground_line.off, varied=False),
-        InC("double offset_along", ground_line.offset_along),
+        InC("double offset_along", ground_line.offset_along, varied=False),
         InC("double height_over", ground_line.height_over, varied=False),
         InC("double ground_height_at", ground_line.height_at),
-        InC("double path_to", ground_line.path_to),
-        InC("tdmf_point point_on", ground_line.point_on),
+        InC("tdmf_point point_on", ground_line.point_on, varied=False),
         InC(
             "tdmf_vector vector_on",
             ground_line.vector_on,
@@ -65,57 +61,17 @@ FUNCTIONS = {
     ],
     "hip": [
         InC(
-            "tdmf_hip_law ground_law",
-            hip.on_ground,
-            lambda model, inputs, rates, mode: (model, inputs, rates, mode.contact, mode.mid_stance_pending),
-            varied=False,
-        ),
-        InC(
-            "tdmf_hip_law stance_law",
-            hip.stance,
-            lambda model, inputs, rates, mode: (model, inputs, rates, mode.mid_stance_pending),
-            varied=False,
-        ),
-        InC(
-            "tdmf_hip_law servo",
-            hip.servo,
-            lambda model, inputs, mode, place_time: (
-                model,
-                inputs,
-                mode.phase,
-                mode.liftoff_angle,
-                place_time,
-            ),
-            varied=False,
-        ),
-        InC(
-            "tdmf_hip_law flight_law",
-            hip.flight,
-            lambda model, inputs, rates, mode, place_time: (
-                model,
-                inputs,
-                rates,
-                mode.phase,
-                mode.clamp_closed,
-                mode.liftoff_angle,
-                place_time,
-            ),
-            varied=False,
-        ),
-        InC(
             "double servo_torque",
             hip.servo_torque,
             lambda model, inputs, mode, state: (model, inputs, state, mode.phase, mode.liftoff_angle),
+            varied=False,
         ),
         InC("double torque_in", hip.torque_in_mode, value="torque"),
-        InC("tdmf_hip_law law_after", hip.after, varied=False),
-        InC("double law_drift", hip.drift, varied=False),
         InC("double place_time_rate", hip.place_time_rate, lambda mode: (mode.phase,), varied=False),
-        InC("void begin_place", hip.begin_place),
-        InC("void end_place", hip.end_place),
+        InC("void begin_place", hip.begin_place, varied=False),
+        InC("void end_place", hip.end_place, varied=False),
     ],
     "leg": [
-        InC("double leg_thrust", leg.thrust, varied=False),
         InC(
             "double rest_length",
             leg.rest_length,
@@ -155,17 +111,17 @@ FUNCTIONS = {
         InC("double leg_work_between", leg.work_between),
     ],
     "friction": [
-        InC("double friction_below", friction.below, varied=False),
-        InC("double border_ahead", friction.border_ahead, varied=False),
         InC(
             "double static_friction",
             friction.static,
             lambda model, inputs, zone: (model, friction.below(model, inputs, zone)),
+            varied=False,
         ),
         InC(
             "double signed_friction",
             friction.sliding,
             lambda model, inputs, zone, sign: (friction.below(model, inputs, zone), sign),
+            varied=False,
         ),
         InC("double friction_excess", friction.excess, varied=False),
         InC("double friction_fading", friction.fading, varied=False),
@@ -206,42 +162,14 @@ FUNCTIONS = {
         InC("tdmf_ground_force force_in_flight", graze.force_in_flight, varied=False),
     ],
     "free_fall": [
-        InC("tdmf_vector push_on_body", free_fall.push_on_body, varied=False),
-        InC("tdmf_vector com_acceleration", free_fall.of_center, varied=False),
-        InC("tdmf_vector falling_acceleration", free_fall.of_runner, varied=False),
-        InC("tdmf_point ballistic_after", free_fall.ballistic, varied=False),
-        InC("tdmf_point ballistic_under", free_fall.center_of_mass),
+        InC("tdmf_point ballistic_under", free_fall.center_of_mass, varied=False),
     ],
     "coordinate": [
-        InC("tdmf_point body_from_foot", coordinates.body_from_foot),
+        InC("tdmf_point body_from_foot", coordinates.body_from_foot, varied=False),
         InC("tdmf_point body_along", coordinates.body),
         InC("tdmf_point center_of_mass_along", coordinates.center_of_mass),
-        InC(
-            "void hang_foot",
-            coordinates.foot_at,
-            lambda model, center, state, direction: (
-                coordinates.foot_below(model, center, state, direction),
-            ),
-        ),
-        InC(
-            "void stand_foot",
-            coordinates.foot_at,
-            lambda line, along, velocity: (ground_line.point_on(line, along, velocity),),
-            varied=False,
-        ),
         InC("void set_foot_velocity_along", coordinates.with_foot_velocity, varied=False),
         InC("tdmf_point foot_over", coordinates.foot_over_ground, varied=False),
-        InC("tdmf_flying flying_of", coordinates.in_flight, varied=False),
-        InC("void state_of_flying", coordinates.from_flight, varied=False),
-        InC("tdmf_standing standing_of", coordinates.on_ground),
-        InC(
-            "void state_of_standing",
-            coordinates.from_ground,
-            lambda line, standing, winding: (line, standing, winding),
-            value="state",
-        ),
-        InC("double angle_seen", coordinates.angle_seen, varied=False),
-        InC("tdmf_ground_force force_on_standing", ground.holding, varied=False),
     ],
     "dynamics": [
         InC(
@@ -250,10 +178,6 @@ FUNCTIONS = {
             lambda at: (at.inputs, coordinates.body(at.state, at.leg)),
         ),
         InC("void rates_at", dynamics.rates),
-    ],
-    "prescribed_flight": [
-        InC("void prescribed_state", prescribed_flight.state, varied=False),
-        InC("double rise_time", prescribed_flight.time_to_apex, varied=False),
     ],
     "impact": [
         InC("tdmf_after_impact impact_with", impact.after),
@@ -265,14 +189,6 @@ FUNCTIONS = {
             lambda model, state, leg: (model, state, leg, leg.rest_length),
         ),
     ],
-    "constant": [
-        InC("flight_coefficients flight_coefficients_of", constants.of_flight, varied=False),
-        InC("flight_coefficients flight_coefficients_in", constants.of_flight_in),
-        InC("ground_coefficients ground_coefficients_of", constants.on_ground, varied=False),
-        InC("ground_coefficients ground_coefficients_in", constants.on_ground_in),
-        InC("signed_law signed_law", hip.signed, varied=False),
-        InC("friction_cone friction_cone_of", friction.cone, varied=False),
-    ],
 }
 
 # By the names of parameters; all others are numbers.
@@ -281,27 +197,24 @@ TYPES = {
     "written": "double[TDMF_STATE_COUNT]",
     "rates": "const tdmf_inputs *",
     "line": "const tdmf_ground_line *",
-    "law": "const tdmf_hip_law *",
     "at": "const tdmf_evaluation *",
     "direction": "tdmf_leg_direction",
     "contact": "tdmf_contact_mode",
     "zone": "tdmf_zone",
     "force": "tdmf_ground_force",
-    **{name: f"const tdmf_{name} *" for name in ("model", "inputs", "mode", "leg", "standing", "flying")},
+    **{name: f"const tdmf_{name} *" for name in ("model", "inputs", "mode", "leg")},
     **dict.fromkeys(("before_mode", "after_mode"), "const tdmf_mode *"),
-    **dict.fromkeys(("body", "center", "start"), "tdmf_point"),
-    **dict.fromkeys(("push", "acceleration", "free_body", "jerk", "foot"), "tdmf_vector"),
-    **dict.fromkeys(("upright", "sticks", "falls", "forward", "pushed", "foot_is_free"), "bool"),
+    "start": "tdmf_point",
+    **dict.fromkeys(("upright", "sticks", "falls", "forward"), "bool"),
 }
 # Parameters that do not change in a variation, besides those of a type that cannot.
-FIXED = ("direction", "sign", "sine", "winding")
+FIXED = ("direction", "sign", "sine")
 WITHOUT_VARIATION = (
     "bool",
     "int",
     "tdmf_contact_mode",
     "tdmf_hip_phase",
     "tdmf_zone",
-    "const elapsed_time *",
 )
 
 # What has sine and cosine of an angle, and where C has that, after its own name and the arrow or point.
@@ -320,15 +233,6 @@ FLAGS = (
     "upright",
     "rises",
     "forward",
-    "pushed",
-    "foot_is_free",
     "swing_clamp",
 )
 POINTERS = ("model", "inputs", "mode")
-
-# Headers whose structs are not those of quantities.h, and laws whose results are structs of their own.
-HEADERS = {"constant": "coefficients.h"}
-STRUCTS = {
-    "hip": {"tdmf_hip_law": hip.law_of},
-    "coordinate": {"tdmf_flying": coordinates.in_flight, "tdmf_standing": coordinates.on_ground},
-}

@@ -25,13 +25,6 @@ void tdmf_write_return(const tdmf_record *record, const double state[TDMF_STATE_
     result->impact_loss = record->impact_loss;
 }
 
-void tdmf_write_stance_variation(const tdmf_stance_variation *stance, tdmf_stride_variation *result) {
-    result->stance_time = stance->stance_time;
-    result->slip_distance = stance->slip_distance;
-    result->peak_force = stance->peak_force;
-    result->peak_vertical_force = stance->peak_vertical_force;
-}
-
 const char *tdmf_return_outcome_text(tdmf_return_outcome outcome) {
     switch (outcome) {
     case TDMF_RETURN_CLOSED:

@@ -11,6 +11,4 @@ tdmf_return_outcome tdmf_return_outcome_of(tdmf_stride_outcome ended);
  * what is lost up to the end of the stance. */
 void tdmf_write_return(const tdmf_record *record, const double state[TDMF_STATE_COUNT], tdmf_return *result);
 
-void tdmf_write_stance_variation(const tdmf_stance_variation *stance, tdmf_stride_variation *result);
-
 #endif

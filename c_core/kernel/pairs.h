@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-#if defined(__GNUC__) && !defined(TDMF_LANES) && !defined(TDMF_EXTENDED_PRECISION)
+#if defined(__GNUC__) && !defined(TDMF_LANES)
 typedef double pair __attribute__((vector_size(16)));
 
 KERNEL pair pair_of(real low, real high) {

@@ -7,8 +7,7 @@
 
 #include <string.h>
 
-static tdmf_resolution resolve(tdmf_system system, tdmf_motion *motion, tdmf_leg_direction direction,
-                               tdmf_guard reached, bool observes) {
+tdmf_resolution tdmf_resolve(tdmf_system system, tdmf_motion *motion) {
     static const tdmf_resolution no_mode = {.unresolved = true};
     if (!tdmf_is_mode(&motion->mode)) {
         return no_mode;
@@ -17,13 +16,13 @@ static tdmf_resolution resolve(tdmf_system system, tdmf_motion *motion, tdmf_leg
     double state_before[TDMF_STATE_COUNT];
     memcpy(state_before, motion->state, sizeof state_before);
 
-    tdmf_run run = {system, motion, direction};
+    tdmf_run run = {system, motion, tdmf_leg_direction_of(motion->state)};
     /* The host may have changed hip.swing_clamp since the last call. */
     motion->mode.clamp_closed = motion->mode.clamp_closed && tdmf_has_clamp(system.model, &motion->mode);
     if (!motion->mode.fallen) {
         tdmf_account_for_rest_length(&run);
     }
-    const bool resolved = tdmf_take_transitions(&run, reached, observes);
+    const bool resolved = tdmf_take_transitions(&run);
 
     const tdmf_resolution resolution = {
         .state_changed = memcmp(state_before, motion->state, sizeof state_before) != 0,
@@ -31,18 +30,4 @@ static tdmf_resolution resolve(tdmf_system system, tdmf_motion *motion, tdmf_leg
         .unresolved = !resolved,
     };
     return resolution;
-}
-
-tdmf_resolution tdmf_resolve_along(tdmf_system system, tdmf_motion *motion, tdmf_leg_direction direction,
-                                   tdmf_guard reached) {
-    return resolve(system, motion, direction, reached, true);
-}
-
-tdmf_resolution tdmf_resolve_unobserved(tdmf_system system, tdmf_motion *motion, tdmf_leg_direction direction,
-                                        tdmf_guard reached) {
-    return resolve(system, motion, direction, reached, false);
-}
-
-tdmf_resolution tdmf_resolve(tdmf_system system, tdmf_motion *motion) {
-    return tdmf_resolve_along(system, motion, tdmf_leg_direction_of(motion->state), TDMF_GUARD_COUNT);
 }

@@ -12,10 +12,4 @@ static inline bool tdmf_friction_falls(const tdmf_model *model) {
     return model->parameters.ground.stribeck_velocity > 0.0;
 }
 
-/* Towards v_s = 0 motions go as v_s ln(1/v_s): no derivative by v_s tells what begins there. */
-static inline bool tdmf_friction_has_no_derivative(const tdmf_model *model, const tdmf_local_seed *d) {
-    return !tdmf_friction_falls(model) && d->model.parameters.ground.stribeck_velocity != 0.0 &&
-           model->parameters.ground.static_friction_ratio != 1.0;
-}
-
 #endif

@@ -13,18 +13,6 @@
 #include "guard_laws.h"
 #include "margins.h"
 
-/* Whether the clamp, max{servo, 0}, has no derivative: the servo's torque is 0 and its change is not. */
-static bool is_at_kink(const tdmf_evaluation *at, const tdmf_evaluation *d) {
-    return at->model->parameters.hip.swing_clamp && at->mode->phase != TDMF_PHASE_PLACE &&
-           tdmf_servo_torque(at->model, at->inputs, at->mode, at->state) == 0.0 &&
-           tdmf_vary_servo_torque(at->model, at->inputs, at->mode, at->state, d->model, d->inputs, d->mode,
-                                  d->state) != 0.0;
-}
-
-double tdmf_vary_armed_graze_to_flight(const tdmf_evaluation *at, const tdmf_evaluation *d) {
-    return is_at_kink(at, d) ? NAN : tdmf_vary_graze_to_flight_guard(at, d);
-}
-
 /* ---- what becomes of the foot ------------------------------------------------------------------------- */
 
 /* No torque has a lever on the foot of an upright leg: where it carries nothing, what it is about to carry

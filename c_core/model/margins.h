@@ -10,29 +10,6 @@
 /* Half-width of the band around zero in which a quantity that may settle there counts as unchanged. */
 #define TDMF_DEAD_BAND 1e-10
 
-/* Where a solver takes a quantity whose sign is remembered to have left its dead band. */
-#define TDMF_BEYOND_DEAD_BAND (-2.0 * TDMF_DEAD_BAND)
-
-/* Where a solver takes a guard to be due: beyond its margin, and so far that the model, which gets
- * coordinates as exact as the solver's relative tolerance, finds it due as well. At a large tolerance that
- * would let a foot sink in visibly; false crossings, see below, are the lesser evil. */
-static inline double tdmf_beyond_margin(double tolerance) {
-    const double deepest = 1e-8;
-    const double error = 1e-3 * tolerance;
-    return -2.0 * TDMF_GUARD_MARGIN - (error < deepest ? error : deepest);
-}
-
-/* Up to this a guard is due that a solver has followed to its zero, the margin or dead band that it carries
- * included: by the model's own rounding and the solver's error it may lie by half of that before its zero. */
-#define TDMF_REACH_WITHIN_MARGIN    (1.5 * TDMF_GUARD_MARGIN)
-#define TDMF_REACH_WITHIN_DEAD_BAND (1.5 * TDMF_DEAD_BAND)
-
-/* How much further below zero a guard has to be after false crossings: those that a series has found and the
- * model, whose rounding is another, has not. Without it a search would find the same one for ever. */
-static inline double tdmf_margin_factor(int false_crossings) {
-    return false_crossings > 0 ? ldexp(1.0, false_crossings) : 1.0;
-}
-
 /* Up to this a start's distance from the ground and its velocity across it are zero, and so is the distance
  * of a foot from a ground that waits to be in force. */
 #define TDMF_AT_GROUND 1e-12
@@ -67,9 +44,5 @@ static inline double tdmf_margin_factor(int false_crossings) {
 
 /* sin(theta) with its zero kept out of the denominator; the band between the laws closes before it. */
 #define TDMF_SMALLEST_SINE 1e-12
-
-/* The argument of the clamp up to which it counts as zero in graze, where its sign at the start of a step
- * tells which side of the kink the law is on. */
-#define TDMF_ZERO_CLAMP_ARGUMENT 1e-12
 
 #endif

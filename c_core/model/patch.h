@@ -24,11 +24,6 @@ static inline tdmf_zone tdmf_zone_towards(const tdmf_model *model, double x, dou
     return (tdmf_zone)passed;
 }
 
-/* A foot at rest at x has two cones: to either side it would slip on another ground. */
-static inline bool tdmf_is_on_border(const tdmf_model *model, double x) {
-    return tdmf_has_patch(model) && tdmf_zone_towards(model, x, 1.0) != tdmf_zone_towards(model, x, -1.0);
-}
-
 /* The foot slips to a border. */
 static inline bool tdmf_slips_to_border(const tdmf_model *model, const tdmf_mode *mode) {
     const double sign = tdmf_sign_of_slip(mode);

@@ -1,4 +1,4 @@
-/* The functions of solver.h that run a motion on the runner's page. */
+/* The functions of solver.h: a motion runs on the runner's page. */
 #include "input_rates.h"
 #include "instant.h"
 #include "page_solver.h"
@@ -8,6 +8,32 @@
 
 #include <math.h>
 #include <string.h>
+
+tdmf_solver tdmf_solver_default(void) {
+    const tdmf_solver solver = {
+        .relative_tolerance = 1e-11, .step_limit = TDMF_STEP_LIMIT, .event_limit = TDMF_EVENT_LIMIT};
+    return solver;
+}
+
+const char *tdmf_outcome_text(tdmf_outcome outcome) {
+    switch (outcome) {
+    case TDMF_ARRIVED:
+        return "arrived";
+    case TDMF_FELL:
+        return "the runner fell";
+    case TDMF_TOO_STIFF:
+        return "the runner is too stiff for the native solver, which would make too many steps in a time of "
+               "sqrt(m/k); CVODE (solver.method = cvode) takes stiff runners";
+    case TDMF_TOO_MANY_STEPS:
+        return "too many steps in one call";
+    case TDMF_TOO_MANY_EVENTS:
+        return "too many events";
+    case TDMF_NO_PROGRESS:
+        return "no step, however short, has a finite result";
+    default:
+        return "the state, an input, its rate, the tolerance or the time asked for is out of range";
+    }
+}
 
 /* Directions, if any. */
 typedef struct {

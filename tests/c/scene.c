@@ -133,10 +133,6 @@ double scene_guard(const runner *runner, tdmf_guard guard) {
     return guards[guard];
 }
 
-bool scene_is_varied(tdmf_guard guard) {
-    return tdmf_event_kind_of(guard)->vary_guard != NULL && guard != TDMF_GUARD_PATCH_BORDER;
-}
-
 tdmf_resolution scene_resolve(runner *runner) {
     const tdmf_resolution resolution = tdmf_resolve(SYSTEM_OF(runner), &runner->motion);
     assert_false(resolution.unresolved);

@@ -47,10 +47,6 @@ void scene_assert_unchanged(const runner *runner, const scene_snapshot *before);
 
 double scene_guard(const runner *runner, tdmf_guard guard);
 
-/* Whether a variation outlives the event, of those that any runner may meet: a patch's border is not among
- * them. */
-bool scene_is_varied(tdmf_guard guard);
-
 /* tdmf_resolve at runner->motion.time. Asserts that the chain comes to rest, leaves no guard due, and a clamp
  * closed in retract only. */
 tdmf_resolution scene_resolve(runner *runner);

@@ -8,7 +8,6 @@
 #include "compare.h"
 #include "declared.h"
 #include "ground_line.h"
-#include "margins.h"
 #include "system_of.h"
 
 #include <float.h>
@@ -135,8 +134,8 @@ static const char *open_ledger(const run *run) {
  * trusted for, which is relative to the length. */
 static double nearest_to_line(const run *run) {
     const double lengths = run->model.scales.length + run->motion.state[TDMF_LEG_LENGTH];
-    return 1e-9 * run->model.scales.length - tdmf_beyond_margin(run->solver.relative_tolerance) * lengths +
-           rounding_of(run);
+    const double error = 2.0 * TDMF_GUARD_MARGIN + fmin(1e-3 * run->solver.relative_tolerance, 1e-8);
+    return 1e-9 * run->model.scales.length + error * lengths + rounding_of(run);
 }
 
 static double height_of_foot(const run *run, const tdmf_ground_line *line) {

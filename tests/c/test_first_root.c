@@ -114,53 +114,12 @@ static void what_is_due_at_once_is_found_at_once(void **state) {
     assert_true(root_of(&nothing) == 0.0);
 }
 
-static void signs_change_one_after_the_other(void **state) {
-    (void)state;
-    const double roots[] = {0.2, 0.5, 0.9};
-    const polynomial p = with_roots(1.0, roots, 3);
-    double t = 0.0;
-    for (int i = 0; i < 3; ++i) {
-        t = first_sign_change(p.c, p.order, 1e-14, t, 1.0, 1).time;
-        assert_close(t, roots[i], 1e-12);
-    }
-    assert_true(first_sign_change(p.c, p.order, 1e-14, t, 1.0, 1).time == INFINITY);
-}
-
-/* s t (1/2 - t) begins at zero, or by rounding on either side of it: what changes its sign is its slope's. */
-static void a_zero_start_has_the_sign_of_what_follows(void **state) {
-    static const double zero = 1e-14;
-    static const double starts[] = {0.0, 0.9e-14, -0.9e-14};
-    (void)state;
-    for (double sign = -1.0; sign < 2.0; sign += 2.0) {
-        for (int i = 0; i < 3; ++i) {
-            const polynomial p = {{starts[i], 0.5 * sign, -sign, 0.0}, 3};
-            const root turn = first_sign_change(p.c, p.order, zero, 0.0, 1.0, 1);
-            assert_true(turn.is_root);
-            assert_close(turn.time, 0.5, 1e-12);
-            const polynomial grows = {{starts[i], 0.5 * sign, sign, 0.0}, 3};
-            assert_true(first_sign_change(grows.c, grows.order, zero, 0.0, 1.0, 1).time == INFINITY);
-        }
-    }
-}
-
-/* What is beyond zero at the start has the sign that it has. */
-static void a_start_beyond_zero_has_its_own_sign(void **state) {
-    (void)state;
-    for (double sign = -1.0; sign < 2.0; sign += 2.0) {
-        const polynomial p = {{0.25 * sign, -sign, 0.0, 0.0}, 3};
-        assert_close(first_sign_change(p.c, p.order, 1e-14, 0.0, 1.0, 1).time, 0.25, 1e-12);
-    }
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_first_of_many_roots),
         cmocka_unit_test(a_touch_is_judged_by_its_depth),
         cmocka_unit_test(a_double_root_ends_the_search),
         cmocka_unit_test(what_is_due_at_once_is_found_at_once),
-        cmocka_unit_test(signs_change_one_after_the_other),
-        cmocka_unit_test(a_zero_start_has_the_sign_of_what_follows),
-        cmocka_unit_test(a_start_beyond_zero_has_its_own_sign),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,7 +2,6 @@
  * counted from where each begins; and a touchdown that is not found is not one at once. */
 #include "compare.h"
 #include "reference_gaits.h"
-#include "swinging_height.h"
 #include "system_of.h"
 
 #include "tdmf_slip/reduced_map.h"
@@ -60,26 +59,10 @@ static void the_descent_has_its_own_time(void **state) {
                          TDMF_RETURN_NO_TOUCHDOWN);
 }
 
-/* Not at once, which a zero would be. */
-static void a_touchdown_that_is_not_found_is_not_a_number(void **state) {
-    const tdmf_swinging_height falls = {1.0, 0.0, -0.5, 0.75, 0.0, 0.0};
-    (void)state;
-    assert_close(tdmf_first_zero(&falls), 1.0, 1e-15);
-    for (int field = 0; field < 6; ++field) {
-        double values[6];
-        tdmf_swinging_height unknown;
-        memcpy(values, &falls, sizeof values);
-        values[field] = (double)NAN;
-        memcpy(&unknown, values, sizeof unknown);
-        assert_true(isnan(tdmf_first_zero(&unknown)));
-    }
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_stance_has_its_own_time),
         cmocka_unit_test(the_descent_has_its_own_time),
-        cmocka_unit_test(a_touchdown_that_is_not_found_is_not_a_number),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

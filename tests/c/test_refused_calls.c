@@ -66,15 +66,11 @@ static tdmf_outcome stride_varied(scene *s) {
         .outcome;
 }
 
-static tdmf_outcome stance(scene *s) {
-    return tdmf_native_stance(&s->solver, SYSTEM_OF(s), long_enough, &s->motion, NULL, NULL, 0).outcome;
-}
-
 static tdmf_outcome by_cvode(scene *s) {
     return tdmf_cvode_advance(&s->solver, SYSTEM_OF(s), NULL, 10.0, &s->motion);
 }
 
-static run *const runs[] = {advance, stride, stride_varied, stance, by_cvode};
+static run *const runs[] = {advance, stride, stride_varied, by_cvode};
 enum { RUNS = sizeof runs / sizeof runs[0] };
 
 static void assert_refused(run *run, scene *scene) {
@@ -178,9 +174,6 @@ static void solvers_refuse_null(void **state) {
         tdmf_variation *variations = missing == 1 ? NULL : &variation;
         assert_int_equal(
             tdmf_native_stride_varied(&solver, SYSTEM_OF(&s), 1.0, &motion, seeds, variations, 1).outcome,
-            TDMF_REFUSED);
-        assert_int_equal(
-            tdmf_native_stance(&solver, SYSTEM_OF(&s), 1.0, &motion, seeds, variations, 1).outcome,
             TDMF_REFUSED);
     }
     assert_memory_equal(&motion, &s.motion, sizeof motion);

@@ -1,16 +1,11 @@
 /* The variations of the model's laws, each against differences of what it is the variation of. (Forces,
- * accelerations and energies: test_output_variation.c; what an event makes of a variation: test_saltation.c.)
- */
-#include "coefficients.h"
+ * accelerations and energies: test_output_variation.c.) */
 #include "compare.h"
 #include "coordinate_laws.h"
 #include "differentiate.h"
-#include "events.h"
 #include "impact.h"
-#include "input_rates.h"
 #include "leg.h"
 #include "line.h"
-#include "margins.h"
 #include "seed.h"
 #include "system_of.h"
 
@@ -56,141 +51,8 @@ static runner random_runner(random_source *source, tdmf_contact_mode contact, en
     return runner;
 }
 
-static tdmf_evaluation evaluated(const runner *runner) {
-    return tdmf_evaluate(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
-}
-
-/* ---- guards -------------------------------------------------------------------------------------------- */
-
-typedef struct {
-    line line;
-    tdmf_guard guard;
-} guard_line;
-
 static double static_friction(const runner *runner) {
     return runner->model.parameters.ground.static_friction_ratio * runner->inputs.ground.friction;
-}
-
-/* What turns a guard into the quantity that it is made of: the edge of a cone has its own weights. */
-static double scale_of(const runner *runner, tdmf_guard guard) {
-    const tdmf_scales *scales = &runner->model.scales;
-    switch (guard) {
-    case TDMF_GUARD_TOUCHDOWN:
-    case TDMF_GUARD_NEW_GROUND:
-        return scales->length;
-    case TDMF_GUARD_APEX:
-    case TDMF_GUARD_SLIP_VELOCITY_ZERO:
-    case TDMF_GUARD_GREATEST_COMPRESSION:
-        return scales->speed;
-    case TDMF_GUARD_CLAMP:
-        return scales->energy;
-    case TDMF_GUARD_MID_STANCE:
-        return 1.0;
-    case TDMF_GUARD_SLIP_ONSET_POSITIVE:
-    case TDMF_GUARD_SLIP_ONSET_NEGATIVE:
-        return scales->force * fmax(1.0, static_friction(runner));
-    default:
-        return scales->force;
-    }
-}
-
-static long double quantity_on_line(long double t, const void *context) {
-    const guard_line *on = context;
-    const runner moved = line_at(&on->line, (double)t);
-    return (long double)(scale_of(&moved, on->guard) * scene_guard(&moved, on->guard));
-}
-
-static long double scale_on_line(long double t, const void *context) {
-    const guard_line *on = context;
-    const runner moved = line_at(&on->line, (double)t);
-    return (long double)scale_of(&moved, on->guard);
-}
-
-static bool is_smooth(const guard_line *on, double step) {
-    return on->guard != TDMF_GUARD_GRAZE_TO_FLIGHT ||
-           on->line.runner->motion.mode.phase == TDMF_PHASE_PLACE || line_keeps_clamp(&on->line, step);
-}
-
-/* The largest of what a guard is made of, by its scale: a force, the foot's weight, a torque by a short
- * lever.
- */
-static double terms_of(const runner *at) {
-    const tdmf_scales *scales = &at->model.scales;
-    const double weight = at->model.parameters.foot.mass * at->model.parameters.gravity;
-    const double lever = fmin(scales->length, at->motion.state[TDMF_LEG_LENGTH]);
-    return 1.0 + weight / scales->force + scales->length / lever;
-}
-
-static void assert_guard_varies(const guard_line *on, const tdmf_local_seed *d, double step) {
-    const runner *at = on->line.runner;
-    const tdmf_evaluation here = evaluated(at);
-    const tdmf_evaluation changed = tdmf_vary_evaluation(&here, d, d->state);
-    const double exact = tdmf_event_kind_of(on->guard)->vary_guard(&here, &changed);
-    const double numerical = (double)derivative_at_zero(quantity_on_line, on, (long double)step);
-    const double noise = 1e-13 * fabs(scale_of(at, on->guard)) * terms_of(at) / step;
-    /* The accelerations of a light foot and of its leg cancel in that of the centre of mass. */
-    const double cancelled = fabs(d->state[TDMF_FOOT_VY]) + fabs(d->state[TDMF_LEG_LENGTH_RATE]) +
-                             at->motion.state[TDMF_LEG_LENGTH] * fabs(d->state[TDMF_LEG_ANGLE_RATE]);
-    const double rounding = on->guard == TDMF_GUARD_APEX ? 1e-14 * cancelled : 0.0;
-    /* A guard is armed by a band of its scale, which is no part of the quantity. */
-    const double band =
-        TDMF_DEAD_BAND * fabs((double)derivative_at_zero(scale_on_line, on, (long double)step));
-    assert_close(numerical, exact, noise + rounding + band + 1e-9 * fabs(exact));
-}
-
-/* Differences go along the line and, in a shorter step, along the motion. */
-static bool compare_guard(guard_line on) {
-    const runner *at = on.line.runner;
-    const tdmf_seed zero = {0};
-    const tdmf_local_seed d = tdmf_local_seed_of(&at->model, &on.line.seed, &on.line.variation);
-    if (scene_guard(at, on.guard) == 1.0 || !is_smooth(&on, LINE_STEP)) {
-        return false;
-    }
-    assert_guard_varies(&on, &d, LINE_STEP);
-    double derivatives[TDMF_STATE_COUNT];
-    tdmf_derivatives(SYSTEM_OF(at), &at->motion.mode, at->motion.state, derivatives);
-    on.line.seed = zero;
-    on.line.variation.liftoff_angle = 0.0;
-    memcpy(on.line.variation.state, derivatives, sizeof derivatives);
-    const tdmf_local_seed of_motion = {.state = derivatives};
-    /* No torque of a motion holds a foot under an upright leg in graze. */
-    const bool moves =
-        at->motion.mode.contact != TDMF_CONTACT_GRAZE || at->motion.state[TDMF_LEG_ANGLE] != 0.0;
-    if (moves && is_smooth(&on, scene_short_time(at))) {
-        assert_guard_varies(&on, &of_motion, scene_short_time(at));
-    }
-    return true;
-}
-
-static void guards_vary_as_they_change(void **state) {
-    (void)state;
-    for (int kind = 0; kind < KINDS; ++kind) {
-        int compared[TDMF_GUARD_COUNT] = {0};
-        for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
-            random_source source = {(uint64_t)(3000 + 10 * kind + contact)};
-            for (int i = 0; i < 40; ++i) {
-                runner at = random_runner(&source, (tdmf_contact_mode)contact, (enum kind)kind);
-                at.model.parameters.hip.swing_clamp |= i % 4 != 0; /* so that its guard is met often */
-                const line line = line_random(&source, &at);
-                for (int g = 0; g < TDMF_GUARD_COUNT; ++g) {
-                    const guard_line on = {line, (tdmf_guard)g};
-                    compared[g] += scene_is_varied(on.guard) ? compare_guard(on) : 0;
-                }
-            }
-        }
-        for (int g = 0; g < TDMF_GUARD_COUNT; ++g) {
-            assert_true(!scene_is_varied((tdmf_guard)g) || compared[g] >= 10);
-        }
-    }
-}
-
-static void an_event_varies_unless_it_is_a_fall_or_a_peak_of_the_force(void **state) {
-    (void)state;
-    for (int g = 0; g < TDMF_GUARD_COUNT; ++g) {
-        const bool falls = g == TDMF_GUARD_BODY_DOWN || g == TDMF_GUARD_LEG_TOO_SHORT;
-        const bool peaks = g == TDMF_GUARD_FORCE_PEAK || g == TDMF_GUARD_VERTICAL_FORCE_PEAK;
-        assert_true((tdmf_event_kind_of((tdmf_guard)g)->vary_guard == NULL) == (falls || peaks));
-    }
 }
 
 /* ---- what is made of a runner, value by value -----------------------------------------------------------
@@ -266,7 +128,7 @@ static void constants_vary_as_they_change(void **state) {
     }
 }
 
-static row leg_and_points(const tdmf_leg *leg, tdmf_point from_foot, tdmf_point body, tdmf_point com) {
+static row leg_and_points(const tdmf_leg *leg, tdmf_point body, tdmf_point com) {
     row row = {0};
     append(&row, leg->length);
     append(&row, leg->inverse_length);
@@ -276,7 +138,6 @@ static row leg_and_points(const tdmf_leg *leg, tdmf_point from_foot, tdmf_point 
     append(&row, leg->cosine);
     append(&row, leg->rest_length);
     append(&row, leg->axial_force);
-    append_point(&row, from_foot);
     append_point(&row, body);
     append_point(&row, com);
     return row;
@@ -284,9 +145,8 @@ static row leg_and_points(const tdmf_leg *leg, tdmf_point from_foot, tdmf_point 
 
 static row leg_and_points_of(const runner *at) {
     const tdmf_leg leg = tdmf_leg_of(SYSTEM_OF(at), &at->motion.mode, at->motion.state);
-    return leg_and_points(&leg,
-                          tdmf_body_from_foot(at->motion.state, tdmf_leg_direction_of(at->motion.state)),
-                          tdmf_body(at->motion.state), tdmf_center_of_mass(&at->model, at->motion.state));
+    return leg_and_points(&leg, tdmf_body(at->motion.state),
+                          tdmf_center_of_mass(&at->model, at->motion.state));
 }
 
 static void leg_and_points_vary_as_they_change(void **state) {
@@ -304,36 +164,10 @@ static void leg_and_points_vary_as_they_change(void **state) {
                                     &d.model, &d.inputs, &d.mode, d.state);
             const row exact = leg_and_points(
                 &d_leg,
-                tdmf_vary_body_from_foot(at.motion.state, tdmf_leg_direction_of(at.motion.state), d.state),
                 tdmf_vary_body_along(at.motion.state, tdmf_leg_direction_of(at.motion.state), d.state),
                 tdmf_vary_center_of_mass_along(&at.model, at.motion.state,
                                                tdmf_leg_direction_of(at.motion.state), &d.model, d.state));
             assert_row_varies(&line, leg_and_points_of, &exact);
-        }
-    }
-}
-
-static void a_leg_is_found_from_the_change_of_the_body(void **state) {
-    random_source source = {6000};
-    (void)state;
-    for (int i = 0; i < 200; ++i) {
-        const runner at = random_runner(&source, TDMF_CONTACT_STICK, i % 2 ? ORDINARY : UPRIGHT);
-        const line line = line_random(&source, &at);
-        const tdmf_local_seed d = tdmf_local_seed_of(&at.model, &line.seed, &line.variation);
-        const tdmf_ground_line *ground = &at.motion.mode.ground;
-        const tdmf_leg_direction direction = tdmf_leg_direction_of(at.motion.state);
-        const tdmf_standing standing = tdmf_standing_of(ground, at.motion.state, direction);
-        const tdmf_standing d_standing =
-            tdmf_vary_standing_of(ground, at.motion.state, direction, &d.mode.ground, d.state);
-        double found[TDMF_STATE_COUNT] = {0.0};
-        tdmf_vary_state_of_standing(ground, &standing, 0.0, at.motion.state, &d.mode.ground, &d_standing,
-                                    found);
-        for (int k = TDMF_LEG_LENGTH; k < TDMF_MECHANICAL_COUNT; ++k) {
-            if (k == TDMF_FOOT_VX || k == TDMF_FOOT_VY) {
-                continue; /* what is off the line is not kept */
-            }
-            const double expected = line.variation.state[k];
-            assert_close(found[k], expected, 1e-12 * (fabs(expected) + fabs(at.motion.state[k])));
         }
     }
 }
@@ -418,7 +252,7 @@ static line line_of_starts(random_source *source, const runner *given) {
     if (given->motion.state[TDMF_FOOT_VY] == 0.0) {
         line.variation.state[TDMF_FOOT_VY] = 0.0;
     }
-    if (tdmf_leg_thrust(&given->model, &given->inputs) == 0.0) {
+    if (given->model.parameters.leg.thrust + given->inputs.control.thrust <= 0.0) {
         line.seed.parameters.leg.thrust = line.seed.inputs.control.thrust = 0.0;
     }
     return line;
@@ -499,97 +333,13 @@ static void a_start_that_thrusts_at_once_varies_with_its_work(void **state) {
     assert_true(thrusting > 100);
 }
 
-/* ---- coefficients of the series ------------------------------------------------------------------------ */
-
-static row coefficients(const tdmf_contact_mode contact, const flight_coefficients *flight,
-                        const ground_coefficients *ground) {
-    row row = {0};
-    if (contact == TDMF_CONTACT_FLIGHT) {
-        row.count = sizeof *flight / sizeof(double);
-        memcpy(row.values, flight, sizeof *flight);
-    } else {
-        row.count = sizeof *ground / sizeof(double);
-        memcpy(row.values, ground, sizeof *ground);
-    }
-    return row;
-}
-
-static tdmf_mode_equations chart_of(const runner *at) {
-    tdmf_mode_equations equations;
-    tdmf_open_mode(&equations, SYSTEM_OF(at), &tdmf_zero_input_rates, &at->motion.mode, at->motion.state,
-                   tdmf_leg_direction_of(at->motion.state));
-    return equations;
-}
-
-static row coefficients_of(const runner *at) {
-    const tdmf_mode_equations equations = chart_of(at);
-    const flight_coefficients flight = tdmf_flight_coefficients(&equations);
-    const ground_coefficients ground = tdmf_ground_coefficients(&equations);
-    return coefficients(at->motion.mode.contact, &flight, &ground);
-}
-
-static row varied_coefficients(const runner *at, const line *line) {
-    const tdmf_mode_equations equations = chart_of(at);
-    const tdmf_local_seed d = tdmf_local_seed_of(&at->model, &line->seed, &line->variation);
-    const flight_coefficients flight = tdmf_vary_flight_coefficients(&equations, &at->motion.mode, &d);
-    const ground_coefficients ground = tdmf_vary_ground_coefficients(&equations, &at->motion.mode, &d);
-    return coefficients(at->motion.mode.contact, &flight, &ground);
-}
-
-static void coefficients_vary_as_they_change(void **state) {
-    (void)state;
-    for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
-        random_source source = {(uint64_t)(9000 + contact)};
-        for (int i = 0; i < 40; ++i) {
-            const enum kind kind = i % 2 ? ORDINARY : LIGHT_FOOT_ON_STIFF_LEG;
-            const runner at = random_runner(&source, (tdmf_contact_mode)contact, kind);
-            const line line = line_random(&source, &at);
-            const row exact = varied_coefficients(&at, &line);
-            assert_row_varies(&line, coefficients_of, &exact);
-        }
-    }
-}
-
-/* In retract, max{servo, 0} has a kink where the servo is zero whatever the leg does; elsewhere, and along
- * what leaves the gains alone, there is none. */
-static void a_clamp_without_gains_has_no_derivative(void **state) {
-    random_source source = {9100};
-    (void)state;
-    for (int i = 0; i < 64; ++i) {
-        const double kp = i & 1 ? 0.0 : 0.1, kd = i & 2 ? 0.0 : 0.1, d_kp = i & 4 ? 0.0 : 0.3;
-        const double d_kd = i & 8 ? 0.0 : 0.3;
-        runner at = random_runner(&source, TDMF_CONTACT_FLIGHT, ORDINARY);
-        at.motion.mode.phase = i & 16 ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
-        at.motion.mode.clamp_closed = false;
-        at.model.parameters.hip.swing_clamp = (i & 32) != 0;
-        at.model.parameters.hip.kp = kp;
-        at.model.parameters.hip.kd = kd;
-        line line = line_random(&source, &at);
-        line.seed.parameters.hip.kp = d_kp;
-        line.seed.parameters.hip.kd = d_kd;
-        const row varied = varied_coefficients(&at, &line);
-        bool finite = true;
-        for (int k = 0; k < varied.count; ++k) {
-            finite = finite && isfinite(varied.values[k]);
-        }
-        const bool kink = at.model.parameters.hip.swing_clamp && at.motion.mode.phase == TDMF_PHASE_RETRACT &&
-                          kp == 0.0 && kd == 0.0 && !(d_kp == 0.0 && d_kd == 0.0);
-        assert_true(finite == !kink);
-    }
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(guards_vary_as_they_change),
-        cmocka_unit_test(an_event_varies_unless_it_is_a_fall_or_a_peak_of_the_force),
         cmocka_unit_test(constants_vary_as_they_change),
         cmocka_unit_test(leg_and_points_vary_as_they_change),
-        cmocka_unit_test(a_leg_is_found_from_the_change_of_the_body),
         cmocka_unit_test(an_impact_varies_as_it_changes),
         cmocka_unit_test(a_start_varies_as_it_changes),
         cmocka_unit_test(a_start_that_thrusts_at_once_varies_with_its_work),
-        cmocka_unit_test(coefficients_vary_as_they_change),
-        cmocka_unit_test(a_clamp_without_gains_has_no_derivative),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

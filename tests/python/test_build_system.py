@@ -63,7 +63,7 @@ def test_units_are_built_in_a_folder_of_any_name(tmp_path, launcher):
     for file in ("TDMF_SLIP.fmu", "TDMF_SLIP_FMI3.fmu"):
         with zipfile.ZipFile(folder / "build" / "fmu_src" / file) as unit:
             names = set(unit.namelist())
-        assert {"modelDescription.xml", "sources/native.c", "sources/mode_equations.h"} <= names
+        assert {"modelDescription.xml", "sources/native_runs.c", "sources/page_solver.h"} <= names
         assert any(name.startswith("binaries/") and "TDMF_SLIP." in name for name in names)
 
 
@@ -127,7 +127,7 @@ def configured(tmp_path_factory, launcher):
 
 def test_files_are_compiled_alone_though_a_unity_build_is_asked_for(configured):
     sources = [source["path"] for reply in replies(configured, "target") for source in reply["sources"]]
-    assert any(path.endswith("mode_equations.c") for path in sources)
+    assert any(path.endswith("page_solver.c") for path in sources)
     assert not [path for path in sources if "unity" in path]
 
 

@@ -3,9 +3,9 @@
 import sys
 from pathlib import Path
 
-from . import events, model, motions, watch
+from . import events, model
 
-FILES = model.FILES | events.FILES | motions.FILES | watch.FILES
+FILES = model.FILES | events.FILES
 
 folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] / "derived"
 folder.mkdir(exist_ok=True)

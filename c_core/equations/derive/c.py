@@ -1,23 +1,23 @@
-"""C99 of expressions, and what every derived file has: comments, structs, a header around it all.
+"""C99 of expressions, and what every derived file has: comments, a header around it all.
 
 Layout is the formatter's business: lines are broken where that is easy.
 """
 
 import ast
 import textwrap
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 
-from .expressions import FUNCTIONS, Expression
+from .expressions import Expression
 
 OPERATORS = {"+": ast.Add(), "-": ast.Sub(), "*": ast.Mult(), "/": ast.Div()}
-NAMES = {"abs": "fabs", "real_larger": "real_max"}  # functions that have another name in C
+NAMES = {"abs": "fabs"}  # functions that have another name in C
 TextOf = Callable[[Expression], str | None]
 
 
-def c_text(expression: Expression, text_of: TextOf = lambda node: None, functions: str = "") -> str:
+def c_text(expression: Expression, text_of: TextOf = lambda node: None) -> str:
     """Write an expression in C, whose operators and parentheses are those of Python.
 
-    `text_of` gives the text of what has a name of its own, else None; `functions` begins those of C.
+    `text_of` gives the text of what has a name of its own, else None.
     """
 
     def tree(node: Expression) -> ast.expr:
@@ -33,19 +33,14 @@ def c_text(expression: Expression, text_of: TextOf = lambda node: None, function
                 return ast.BinOp(parts[0], ast.Div(), parts[1])
             case "negative":
                 return ast.UnaryOp(ast.USub(), operands[0])
-            case "plus_unless_zero":
-                total, factor, value = map(ast.unparse, operands)
-                more = f"{total} + {factor} * ({value})"
-                return ast.Name(f"(any(mask_not({factor} == 0.0)) ? {more} : {total})")
             case "where":
                 return ast.Name("({} ? {} : {})".format(*map(ast.unparse, operands)))
-            case "larger" | "choose" if not functions:
+            case "larger" | "choose":
                 a, b, *chosen = map(ast.unparse, (*operands, *operands)[:4])
                 return ast.Name(f"({a} >= {b} ? {chosen[0]} : {chosen[1]})")
             case operation if operation in OPERATORS:
                 return ast.BinOp(operands[0], OPERATORS[operation], operands[1])
-        name = functions + node.operation if node.operation in FUNCTIONS else node.operation
-        return ast.Call(ast.Name(NAMES.get(name, name)), operands, [])
+        return ast.Call(ast.Name(NAMES.get(node.operation, node.operation)), operands, [])
 
     return ast.unparse(tree(expression))
 
@@ -55,14 +50,6 @@ def comment(text: str | None, more: str = "") -> str:
     assert text, "a law says what it is"
     paragraphs = textwrap.dedent("    " + text).strip().split("\n\n")
     return "/* " + "\n *\n * ".join(" ".join(paragraph.split()) for paragraph in paragraphs) + f"{more} */\n"
-
-
-def struct(
-    what: str | None, name: str, members: Iterable[str], number: str = "double", size: str = ""
-) -> str:
-    """Write a struct of numbers, below what it is."""
-    declared = "".join(f"{number} {member}{size};\n" for member in dict.fromkeys(members))
-    return f"{comment(what)}typedef struct {{\n{declared}}} {name};\n"
 
 
 def header(name: str, source: str, includes: str, *parts: str) -> str:

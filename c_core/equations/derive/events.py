@@ -10,7 +10,7 @@ from .c import header
 from .values import Function, symbol
 
 TABLE = """\
-static const tdmf_event_kind kinds[TDMF_GUARD_COUNT] = {{
+static const event_kind kinds[TDMF_GUARD_COUNT] = {{
 {rows}}};
 
 /* In the order in which they are taken at one instant. */
@@ -26,7 +26,7 @@ WATCHED = """\
 static const watched in_{contact}[] = {{
 {rows}}};
 
-static tdmf_guard first_due_in_{contact}(const tdmf_evaluation *at, int phase, tdmf_guard reached) {{
+static tdmf_guard first_due_in_{contact}(const tdmf_evaluation *at, int phase) {{
 (void)phase;
 {looks}return TDMF_GUARD_COUNT;
 }}
@@ -36,15 +36,12 @@ static tdmf_guard first_due_in_{contact}(const tdmf_evaluation *at, int phase, t
 def by_hand(event: Event) -> dict[str, str]:
     """Declare the functions of C that an event's row has, and that are written by hand, by its members."""
     found = {"reset": event.takes or event.name} if event.takes != "" else {}
-    found |= {"vary_reset": event.name} if event.jumps else {}
     found |= {"guard": event.name} if event.band == "by hand" else {}
-    is_varied = event.varied == "by hand" or (event.varied and "guard" in found)
-    found |= {"vary_guard": event.name} if is_varied else {}
     return {member: BY_HAND[member].format(name) for member, name in found.items()}
 
 
 def declarations() -> str:
-    """Declare what is written by hand: resets, changes of states that jump, and some guards."""
+    """Declare what is written by hand: resets and some guards."""
     declared = [by_hand(event).get(member) for member in BY_HAND for event in EVENTS]
     lines = "".join(f"{line};\n" for line in dict.fromkeys(declared) if line)
     return header("event_declarations", "events.py", '#include "events.h"\n', lines)
@@ -71,7 +68,7 @@ def armed(event: Event) -> Callable[..., Any]:
 
 
 def guards() -> str:
-    """Write all guards that are laws, and the changes of these, up to their scale."""
+    """Write all guards that are laws."""
     parts = []
     for event in (event for event in EVENTS if event.law is not None):
         arguments = [symbol(text, constant=True, word=name) for name, text in event.arguments]
@@ -79,8 +76,6 @@ def guards() -> str:
         declared = f"double {event.name}_guard"
         law = event.law if event.band == "by hand" else armed(event)
         parts.append(Function(InC(declared, law, call)).c_of_value())
-        if event.varied:
-            parts.append(Function(InC(declared, event.law, call)).c_of_variation())
     includes = '#include "evaluation.h"\n#include "friction_laws.h"\n\n#include <math.h>\n'
     return header("guard_laws", "events.py", includes, *parts)
 
@@ -88,22 +83,19 @@ def guards() -> str:
 def functions_of(event: Event) -> dict[str, str]:
     """Name an event's functions, by the members of its row."""
     members = {"guard": f"tdmf_{event.name}_guard"}
-    members |= {"vary_guard": f"tdmf_vary_{event.name}_guard"} if event.varied else {}
     return members | {m: text.partition("(")[0].split()[-1] for m, text in by_hand(event).items()}
 
 
 def row(event: Event) -> str:
     """Write an event's row."""
-    members = functions_of(event) | ({"is_impact": "true"} if event.is_impact else {})
-    arguments = ", ".join(f".{member} = {text}" for member, text in members.items())
+    arguments = ", ".join(f".{member} = {text}" for member, text in functions_of(event).items())
     return f"[TDMF_GUARD_{event.name.upper()}] = {{{arguments}}},\n"
 
 
 def look(event: Event, guard: str, phases: str) -> str:
     """Write how an event is looked at: whether it is watched, and due."""
-    reach = f"TDMF_REACH_WITHIN_{'MARGIN' if event.reach == 'margin' else 'DEAD_BAND'}"
     watched = "" if phases == "ALWAYS" else f"(phase & ({phases})) != 0 && "
-    due = f"is_due({functions_of(event)['guard']}(at), reached == {guard}, {reach})"
+    due = f"{functions_of(event)['guard']}(at) <= 0.0"
     return f"if ({watched}{due}) {{\nreturn {guard};\n}}\n"
 
 

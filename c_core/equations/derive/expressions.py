@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 ARITHMETIC = {"+": operator.add, "-": operator.sub, "*": operator.mul, "negative": operator.neg}
-FUNCTIONS = ("sqrt", "sin", "cos", "exp", "expm1", "log1p", "atan2", "abs", "larger", "plus_unless_zero")
+FUNCTIONS = ("sqrt", "sin", "cos", "exp", "expm1", "log1p", "atan2", "abs", "larger")
 DERIVE = Path(__file__).parent
 
 Variations = dict["Expression", Any]
@@ -102,7 +102,7 @@ def begin_anew() -> None:
 def made(operation: str, *operands: Expression) -> Expression:
     """Give an operation on operands: done where these are numbers, left out where it changes nothing.
 
-    Of a product the number comes first, then what is constant, then what is but for a ramp.
+    Of a product the number comes first, then what is constant.
     """
     a, b = operands[0], operands[-1]
     if operation in ARITHMETIC and all(operand.operation == "number" for operand in operands):
@@ -133,7 +133,7 @@ def made(operation: str, *operands: Expression) -> Expression:
 
 def steadiness(a: Expression) -> int:
     """Rank factors."""
-    return 3 if a.operation == "number" else 2 if a.is_constant else 1 if "ramp" in a.marks else 0
+    return 3 if a.operation == "number" else 2 if a.is_constant else 0
 
 
 def is_minus(a: Expression) -> bool:
@@ -157,8 +157,6 @@ VARIATIONS: dict[str, Callable[..., Expression]] = {
     "atan2": lambda y, a, b, d_a, d_b: (b * d_a - a * d_b) / (a * a + b * b),
     "larger": lambda y, a, b, d_a, d_b: Expression("choose", a, b, d_a, d_b),
     "where": lambda y, word, a, b, d_word, d_a, d_b: Expression("where", word, d_a, d_b),
-    "rate": lambda y, a, d_a: Expression("rate", d_a),
-    "value_at": lambda y, series, time, order, d_series, *held: Expression("value_at", d_series, time, order),
 }
 
 
@@ -202,15 +200,6 @@ def ordered(roots: Iterable[Expression], known: Iterable[Expression] = ()) -> li
 def leaves(roots: Iterable[Expression]) -> list[Expression]:
     """Give the symbols that expressions are made of."""
     return [node for node in ordered(roots) if node.operation == "symbol"]
-
-
-def replaced(expression: Expression, new: Variations) -> Expression:
-    """Give an expression with some of its parts replaced; names stay."""
-    for node in ordered([expression], new):
-        if node not in new:
-            new[node] = made(node.operation, *(new[o] for o in node.operands)) if node.operands else node
-            new[node].name = new[node].name or node.name
-    return new[expression]
 
 
 def parameters(function: Callable[..., Any]) -> list[str]:

@@ -4,17 +4,16 @@ import inspect
 from functools import partial
 
 from .. import in_c
-from .c import header, struct
-from .values import Function, members
+from .c import header
+from .values import Function
 
 
 def laws(topic: str) -> str:
     """Write the header of a topic."""
     functions = [Function(row) for row in in_c.FUNCTIONS[topic]]
     page = inspect.getmodulename(functions[0].law.__code__.co_filename)
-    includes = f'#include "{in_c.HEADERS.get(topic, "quantities.h")}"\n\n#include <math.h>\n'
-    records = [struct(law.__doc__, name, members(law)) for name, law in in_c.STRUCTS.get(topic, {}).items()]
-    return header(f"{topic}_laws", f"{page}.py", includes, *records, *(f.c() for f in functions))
+    includes = '#include "quantities.h"\n\n#include <math.h>\n'
+    return header(f"{topic}_laws", f"{page}.py", includes, *(f.c() for f in functions))
 
 
 FILES = {f"{topic}_laws.h": partial(laws, topic) for topic in in_c.FUNCTIONS}

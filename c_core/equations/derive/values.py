@@ -119,12 +119,12 @@ class Function:
     is what a function of no result writes to.
     """
 
-    def __init__(self, row: InC, types: dict[str, str] | None = None, number: str = "double") -> None:
+    def __init__(self, row: InC, types: dict[str, str] | None = None) -> None:
         self.law, self.call, self.value, self.is_varied = row.law, row.call, row.value, row.varied
         self.result, self.name = row.declared.split()
-        self.number, types = number, types or {}
+        types = types or {}
         names = dict.fromkeys([*parameters(row.call or row.law), *types])
-        given = {name: (TYPES | types).get(name, number) for name in [*names, "written"]}
+        given = {name: (TYPES | types).get(name, "double") for name in [*names, "written"]}
         written = given.pop("written")
         self.types, self.written = given, {"written": written} if self.result == "void" else {}
         self.fixed = {n for n, type_ in self.types.items() if type_ in WITHOUT_VARIATION or n in FIXED}
@@ -156,8 +156,7 @@ class Function:
         written = "".join(self.written.values())
         if "[" in written:
             return f"{of}[TDMF_{name.upper()}]"
-        member = f"{of}->{name}" if name else of
-        return f"{member}[0]" if re.search("series|variation", written) else member
+        return f"{of}->{name}" if name else of
 
     def c(self) -> str:
         """Write the function, and its variation."""
@@ -176,7 +175,6 @@ class Function:
         types |= {
             f"d_{name}": type_ for name, type_ in self.types.items() if name not in self.fixed
         } | self.written
-        types = {n: t.replace("series", "variation") if n not in self.types else t for n, t in types.items()}
         return "/* Its change. */\n" + self.function(f"vary_{self.name}", types, self.vary)
 
     def function(self, name: str, types: dict[str, str], results: Callable[[], dict[str, Expression]]) -> str:
@@ -193,15 +191,14 @@ class Function:
         What the law has given a name is a C variable; what has none stands where it is used.
         """
         roots, variables, lines = list(results.values()), dict(known), list[str]()
-        functions = "real_" if self.number == "real" else ""
         nodes = ordered(roots, known)
         used = {operand for node in nodes if node not in known for operand in node.operands}
         for node in nodes:
             is_result = node in roots and node not in used and roots.count(node) == 1
             if node.operands and node.name and node not in known and node.name not in taken and not is_result:
-                lines.append(f"const {self.number} {node.name} = {c_text(node, variables.get, functions)};")
+                lines.append(f"const double {node.name} = {c_text(node, variables.get)};")
                 variables[node] = node.name
-        texts = {name: c_text(value, variables.get, functions) for name, value in results.items()}
+        texts = {name: c_text(value, variables.get) for name, value in results.items()}
         if self.written:
             lines += [f"{self.member('written', name)} = {text};" for name, text in texts.items()]
         elif "" in texts:
@@ -211,8 +208,3 @@ class Function:
             members = "".join(f".{name} = {text},\n" for name, text in given.items())
             lines += [f"const {self.result} result = {{\n{members}}};", "return result;"]
         return "\n".join(lines) + "\n"
-
-
-def members(law: Callable[..., Any]) -> list[str]:
-    """Name what a law gives."""
-    return list(vars(law(*(symbol(name, pointer=True) for name in parameters(law)))))

@@ -101,12 +101,6 @@ typedef struct {
 TDMF_API tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, tdmf_system system, double until,
                                                 tdmf_motion *motion);
 
-/* As tdmf_native_stride, but stops, too, where the foot comes to the line in force or to the one that waits,
- * before that event is taken: `reached` is then its guard, which is due there, unless the caller
- * changes the lines; and where flight has begun, with TDMF_GUARD_COUNT as else. */
-TDMF_API tdmf_stride_outcome tdmf_native_to_ground(tdmf_solver *solver, tdmf_system system, double until,
-                                                   tdmf_motion *motion, tdmf_guard *reached);
-
 /* As many directions are integrated at once: the section's six coordinates and two parameters. */
 enum { TDMF_VARIATION_LIMIT = 8 };
 
@@ -121,13 +115,6 @@ enum { TDMF_VARIATION_LIMIT = 8 };
 TDMF_API tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, tdmf_system system, double until,
                                                        tdmf_motion *motion, const tdmf_seed *seeds,
                                                        tdmf_variation *variations, int count);
-
-/* As tdmf_native_stride_varied, for one stance: of a foot in contact, until it is loaded no more, which
- * `closed` tells. From lift-off on, the hip does no work in the variations, and the state is that of
- * lift-off. Without variations `count` is 0. */
-TDMF_API tdmf_stride_outcome tdmf_native_stance(tdmf_solver *solver, tdmf_system system, double until,
-                                                tdmf_motion *motion, const tdmf_seed *seeds,
-                                                tdmf_variation *variations, int count);
 
 /* Says an outcome in words. */
 TDMF_API const char *tdmf_outcome_text(tdmf_outcome outcome);

@@ -34,14 +34,3 @@ void tdmf_take_apex(tdmf_run *run) {
         tdmf_pass_apex(run);
     }
 }
-
-void tdmf_vary_take_apex(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
-                         const double before[TDMF_STATE_COUNT], const tdmf_local_seed *d,
-                         double d_state[TDMF_STATE_COUNT]) {
-    (void)model;
-    (void)inputs;
-    (void)ground;
-    (void)before;
-    (void)d;
-    tdmf_vary_begin_place(d_state);
-}

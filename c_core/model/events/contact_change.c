@@ -154,31 +154,3 @@ void tdmf_unload_foot(tdmf_run *run) {
     const bool jumped = force < -TDMF_UNLOADED_FORCE * run->system.model->scales.force;
     enter(run, jumped ? tdmf_contact_of_resting_foot(&at) : tdmf_contact_after_lift_off(&at), &off_ground);
 }
-
-/* ---- variations --------------------------------------------------------------------------------------- */
-
-bool tdmf_latches_liftoff_angle(const tdmf_mode *before, const tdmf_mode *after, bool impact) {
-    return (impact || tdmf_in_contact(before)) && !tdmf_in_contact(after);
-}
-
-void tdmf_constrain_variation(const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
-                              const tdmf_local_seed *d, double d_state[TDMF_STATE_COUNT]) {
-    const tdmf_ground_line *ground = &mode->ground, *d_ground = &d->mode.ground;
-    if (mode->phase != TDMF_PHASE_PLACE) {
-        tdmf_vary_end_place(d_state);
-    }
-    if (mode->contact == TDMF_CONTACT_FLIGHT) {
-        return;
-    }
-    const double x = state[TDMF_FOOT_X], y = state[TDMF_FOOT_Y];
-    const double velocity = tdmf_velocity_along(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
-    const double d_velocity = tdmf_velocity_along(ground, d_state[TDMF_FOOT_VX], d_state[TDMF_FOOT_VY]);
-    const tdmf_point d_foot = tdmf_vary_point_on(
-        ground, tdmf_offset_along(ground, x, y), velocity, d_ground,
-        tdmf_vary_offset_along(ground, x, y, d_ground, d_state[TDMF_FOOT_X], d_state[TDMF_FOOT_Y]),
-        mode->contact == TDMF_CONTACT_STICK ? 0.0 : d_velocity);
-    d_state[TDMF_FOOT_X] = d_foot.x;
-    d_state[TDMF_FOOT_Y] = d_foot.y;
-    d_state[TDMF_FOOT_VX] = d_foot.vx;
-    d_state[TDMF_FOOT_VY] = d_foot.vy;
-}

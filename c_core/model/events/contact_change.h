@@ -26,12 +26,4 @@ void tdmf_unload_foot(tdmf_run *run);
  * hold it, else slip the way the excess force drives it. */
 tdmf_contact_mode tdmf_mode_of_resting_foot(const tdmf_run *run, const tdmf_mode *mode);
 
-/* Whether an event, an impact or not, has latched theta_LO: a contact or an impact is left. */
-bool tdmf_latches_liftoff_angle(const tdmf_mode *before, const tdmf_mode *after, bool impact);
-
-/* What a mode holds is held in a variation too, exactly and not by cancellation: a foot on the ground stays
- * on its line, one that sticks stands, and out of place its clock stands at zero. */
-void tdmf_constrain_variation(const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
-                              const tdmf_local_seed *d, double d_state[TDMF_STATE_COUNT]);
-
 #endif

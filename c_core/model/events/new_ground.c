@@ -25,11 +25,6 @@ double tdmf_armed_new_ground(const tdmf_evaluation *at) {
     return tdmf_new_ground_guard(at, &line) / at->model->scales.length;
 }
 
-double tdmf_vary_armed_new_ground(const tdmf_evaluation *at, const tdmf_evaluation *d) {
-    const tdmf_ground_line line = tdmf_ground_line_set(at->inputs);
-    return tdmf_vary_new_ground_guard(at, &line, d, &d->mode->ground);
-}
-
 void tdmf_take_new_ground(tdmf_run *run) {
     run->motion->mode.ground = tdmf_ground_line_set(run->system.inputs);
     tdmf_record_event(run->motion);

@@ -68,10 +68,6 @@ double tdmf_armed_patch_border(const tdmf_evaluation *at) {
                : 1.0;
 }
 
-double tdmf_vary_armed_patch_border(const tdmf_evaluation *at, const tdmf_evaluation *d) {
-    return tdmf_vary_patch_border_guard(at, tdmf_sign_of_slip(at->mode) > 0.0, d);
-}
-
 /* The stance law loads a grazing foot again. */
 void tdmf_take_graze_to_contact(tdmf_run *run) {
     tdmf_load_foot(run);

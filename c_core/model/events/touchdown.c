@@ -30,9 +30,3 @@ void tdmf_take_touchdown(tdmf_run *run) {
         tdmf_come_to_ground(run);
     }
 }
-
-void tdmf_vary_take_touchdown(const tdmf_model *model, const tdmf_inputs *inputs,
-                              const tdmf_ground_line *ground, const double before[TDMF_STATE_COUNT],
-                              const tdmf_local_seed *d, double d_state[TDMF_STATE_COUNT]) {
-    tdmf_vary_impact((tdmf_system){model, inputs}, ground, before, d, d_state);
-}

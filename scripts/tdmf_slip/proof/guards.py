@@ -17,7 +17,7 @@ from typing import Any
 
 from flint import arb, arb_poly
 
-from ..equations import events, ground
+from ..equations import events
 from . import laws
 from .dual import Number
 from .flow import Tube
@@ -156,7 +156,7 @@ servo = _row(events.clamp)
 
 def slip_speed(runner: Any, mode: Mode, at: Any) -> Number:
     """The foot's speed in the direction of its slip."""
-    speed: Number = ground.slip_velocity_zero(at.foot_speed, mode.sign)
+    speed: Number = mode.sign * at.foot_speed
     return speed
 
 
