@@ -1,5 +1,5 @@
 /* How long a step may be where friction falls with speed, for solvers that have no series: by the same rule
- * as kernel/friction_layer.h, from one evaluation. */
+ * as the page of friction, from one evaluation. */
 #include "evaluation.h"
 #include "margins.h"
 #include "tdmf_slip/dynamics.h"
