@@ -304,7 +304,7 @@ from tdmf_slip.files import whole
 from tdmf_slip.fmu import run as tables
 from tdmf_slip.cli import simulate
 
-real = simulate.simulate
+real = simulate.run_unit
 when, number = sys.argv.pop(), int(sys.argv.pop())
 
 
@@ -318,7 +318,7 @@ def ending(*given, **named):
     raise AssertionError("goes on")
 
 
-simulate.simulate = ending
+simulate.run_unit = ending
 sys.exit(__main__.main())
 """
 

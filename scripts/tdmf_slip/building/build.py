@@ -92,7 +92,7 @@ def build(
     >>> folder = tdmf_slip.new("my_ball", start="scratch")
     >>> model = tdmf_slip.load_model(tdmf_slip.build(folder))
     >>> print(model.coordinates)
-    ('apex_height',)
+    ('height',)
     """
     if isinstance(page, type):
         model, beside = page, None
