@@ -8,7 +8,7 @@ import pytest
 import tdmf_slip
 from PIL import Image
 from tdmf_slip.analysis.sweeps import sweep_row
-from tdmf_slip.paper.figures import figure_4, figure_9
+from tdmf_slip.paper.figures import classic, figure_9
 from tdmf_slip.pictures import animation, style
 
 CENTIMETRE = 72 / 2.54
@@ -57,7 +57,7 @@ def test_what_the_papers_text_tells_is_marked_on_the_curves_or_off_them(monkeypa
     """Off them: its cost of transport at friction 0.5, and the friction that it needs at the impact."""
     kept = []
     monkeypatch.setattr(style, "save", lambda figure, path: kept.append(figure))
-    figure_4.draw(tmp_path / "4.png")
+    classic.draw_friction(tmp_path / "4.png")
     gaits = sweep_row(tdmf_slip.Runner(), "ground.friction", [10.0, 1.2, 0.6, 0.5])
     figure_9.draw(tmp_path / "9.png", gaits, ())
     off = {}

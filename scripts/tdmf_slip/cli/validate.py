@@ -57,7 +57,7 @@ def validate_command(
     if only_gaits and own:
         raise InputError("--gaits and --long: allowed: one of the two")
     if pictures is not None:
-        from ..paper.figures import gallery  # matplotlib is slow to load
+        from ..paper.figures import catalogue  # matplotlib is slow to load
         from ..pictures import style
 
         check_folder(pictures, "--pictures")
@@ -65,7 +65,7 @@ def validate_command(
     validation = validate(tolerance=tolerance, only_gaits=only_gaits, own=own, seed=seed, progress=True)
     print(json_text(validation.as_json()) if as_json_object else validation.as_text(program()))
     if pictures is not None:
-        written = gallery.draw(pictures, progress=True)
+        written = catalogue.draw_gallery(pictures, progress=True)
         if not as_json_object:
             names = fill(", ".join(path.name for path in written), 96)
             print(f"\nPictures in {pictures.resolve()}:\n{indent(names, '  ')}")

@@ -11,7 +11,7 @@ from ...analysis.sweeps import Row
 from ...pictures import style
 from ...pictures.style import CurveLabel
 from . import figure_9
-from .columns import Columns
+from .columns import Columns, attributes
 
 DISTURBANCES = {
     "step_down": ("step down (l₀)", "#1f5fa8"),
@@ -25,17 +25,14 @@ def table(measured: Sequence[Attraction], matched: Sequence[Attraction] = ()) ->
     rows = [*measured, *matched]
     return {
         "matched": [0] * len(measured) + [1] * len(matched),
-        "friction": [one.friction for one in rows],
-        "word": [one.word for one in rows],
-        "lambda_max": [one.lambda_max for one in rows],
+        **attributes(rows, "friction", "word", "lambda_max"),
         "attracted_share": [one.volume.share for one in rows],
         "attracted_share_low": [one.volume.interval[0] for one in rows],
         "attracted_share_high": [one.volume.interval[1] for one in rows],
         "samples": [one.volume.samples for one in rows],
-        **{
-            name: [getattr(one.robustness, name) for one in rows]
-            for name in ("push_forward", "push_backward", "step_down", "step_up")
-        },
+        **attributes(
+            [one.robustness for one in rows], "push_forward", "push_backward", "step_down", "step_up"
+        ),
     }
 
 

@@ -1,10 +1,10 @@
 """All figures of the paper and our own, each with its data as CSV."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from ...analysis.sweeps import Row, sweep_row
 from ...errors import InputError
 from ...library.gait import Gait
 from ...library.runner import Runner
-from ...pictures import style
+from ...pictures import animation, model, panels, style
 from ...pictures.panels import Stride
 from ...terminal.progress import progress_bar
 from ...variables.parameters import read_parameters
@@ -26,18 +26,10 @@ from ..claims import READINGS
 from ..evidence import SWEPT
 from . import (
     attraction,
-    columns,
+    classic,
     energy,
     falling_friction,
     feedback,
-    figure_1,
-    figure_2,
-    figure_3,
-    figure_4,
-    figure_5,
-    figure_6,
-    figure_7,
-    figure_8,
     figure_9,
     guinea_fowl,
     optimal,
@@ -46,14 +38,26 @@ from . import (
     rough,
     slippery_patch,
     slope,
+    strides,
     thrust,
     viability,
 )
+from .columns import Columns, columns, write_columns
 
 if TYPE_CHECKING:
     import xarray
-from .columns import Columns, write_columns
 
+STORED: Mapping[str, Any] = {
+    "falling_friction": falling_friction,
+    "feedback": feedback,
+    "optimal": optimal,
+    "rough": rough,
+    "slippery_patch": slippery_patch,
+    "slope": slope,
+    "thrust": thrust,
+    "viability": viability,
+}
+"""Modules of figures whose data takes minutes to measure, and is stored."""
 FORMATS = ("png", "svg", "pdf")
 """Formats of the files."""
 MEASURED = 26
@@ -83,6 +87,14 @@ class Figure:
     """Draws the figure into a file."""
     table: Callable[[], Columns]
     """Returns the data of the figure by column."""
+
+
+def _figure(draw: Callable[..., None], table: Callable[..., Columns], *results: Callable[[], Any]) -> Figure:
+    """A figure whose drawing and data take the same results."""
+    return Figure(
+        lambda path: draw(path, *(result() for result in results)),
+        lambda: table(*(result() for result in results)),
+    )
 
 
 def draw(
@@ -116,15 +128,34 @@ def draw(
     return written
 
 
+def draw_gallery(folder: Path, progress: bool = False) -> list[Path]:
+    """Draw figures 5 to 9 of the paper, one stride as snapshots and as an animation, and the model."""
+    folder.mkdir(exist_ok=True)
+    figures = _figures()
+    stride = cache(lambda: Stride(periodic_gait(_paper_runner().replace({FRICTION: model.FRICTION}))))
+    drawings: dict[str, Callable[[Path], None]] = {
+        **{f"figure_{number}.png": figures[f"figure_{number}"].draw for number in range(5, 10)},
+        "snapshots.png": lambda path: model.draw_snapshots(path, stride()),
+        "stride.gif": lambda path: animation.draw(path, stride()),
+        "model.png": model.draw,
+    }
+    with progress_bar("pictures", len(drawings), "", progress) as bar:
+        for name, drawing in drawings.items():
+            drawing(folder / name)
+            bar.update()
+    return [folder / name for name in drawings]
+
+
+def _paper_runner() -> Runner:
+    return Runner(read_parameters("paper"))
+
+
 def _figures(measure: bool = False) -> dict[str, Figure]:
-    runner = Runner(read_parameters("paper"))
+    runner = _paper_runner()
 
     @cache
     def stride(friction: float, clamp: bool = False) -> Stride:
-        given = runner.replace({FRICTION: friction, CLAMP: clamp})
-        return Stride(periodic_gait(given))
-
-    both = [partial(stride, figure_5.FRICTION, clamp) for clamp in READINGS.values()]
+        return Stride(periodic_gait(runner.replace({FRICTION: friction, CLAMP: clamp})))
 
     @cache
     def gaits() -> Row:
@@ -144,83 +175,43 @@ def _figures(measure: bool = False) -> dict[str, Figure]:
     def measured_equal() -> list[Attraction]:
         return measure_all(equal()[:: EQUAL // MEASURED_EQUAL])
 
-    retracting = cache(lambda: retraction.branches(runner))
-    alike = cache(lambda: retraction.matched(runner))
-
     @cache
     def gaits_of_both() -> dict[str, Row]:
         return {"full": gaits(), "reduced": sweep_row(Runner(runner, model="reduced"), FRICTION, SWEPT)}
 
     @cache
-    def regions() -> dict[str, "xarray.Dataset"]:
+    def regions() -> "dict[str, xarray.Dataset]":
         return reduced.regions(runner)
 
     @cache
     def planes() -> tuple[StabilityMap, StabilityMap]:
         return reduced.planes(runner)
 
-    @cache
-    def optima() -> Columns:
-        return (
-            optimal.table(optimal.measure(runner, progress=True)) if measure else columns.columns("optimal")
-        )
+    retracting = cache(lambda: retraction.branches(runner))
+    alike = cache(lambda: retraction.matched(runner))
 
-    @cache
-    def roughness() -> Columns:
-        return rough.table(rough.measure(runner, progress=True)) if measure else columns.columns("rough")
+    def of_strides(
+        drawing: Callable[..., None], frictions: Sequence[float], clamps: Sequence[bool] = (False,)
+    ) -> Figure:
+        its = [partial(stride, friction, clamp) for friction in frictions for clamp in clamps]
+        return _figure(drawing, _stride_table, *its)
 
-    @cache
-    def feedbacks() -> Columns:
-        if measure:
-            return feedback.table(feedback.measure(runner, progress=True))
-        return columns.columns("feedback")
+    def stored(name: str) -> Figure:
+        module = STORED[name]
+        data = cache(lambda: module.measure(runner) if measure else columns(name))
+        return Figure(lambda path: module.draw(path, data()), data)
 
-    @cache
-    def slopes() -> Columns:
-        return (
-            slope.table(slope.gaits(runner), slope.matched(runner)) if measure else columns.columns("slope")
-        )
-
-    @cache
-    def thrusts() -> Columns:
-        return thrust.table(thrust.gaits(runner)) if measure else columns.columns("thrust")
-
-    @cache
-    def patches() -> Columns:
-        return slippery_patch.measure(runner) if measure else columns.columns("slippery_patch")
-
-    @cache
-    def falling() -> Columns:
-        return falling_friction.measure(runner) if measure else columns.columns("falling_friction")
-
-    @cache
-    def saved() -> Columns:
-        if measure:
-            return viability.table(viability.measure(Runner(runner, model="reduced"), progress=True))
-        return columns.columns("viability")
-
-    falls = cache(slippery.fall_map)
-
-    first, second = figure_8.FRICTIONS
     return {
-        "figure_1b": Figure(figure_1.draw, figure_1.table),
-        "figure_2a": Figure(figure_2.draw_maps, figure_2.map_table),
-        "figure_2b": Figure(figure_2.draw_gaits, figure_2.gait_table),
-        "figure_3": Figure(figure_3.draw, figure_3.table),
-        "figure_4a": Figure(figure_4.draw, figure_2.gait_table),
-        "figure_5": Figure(
-            lambda path: figure_5.draw(path, *(one() for one in both)),
-            lambda: _stride_table([one() for one in both]),
-        ),
-        "figure_6": _of_stride(figure_6.draw, stride, figure_6.FRICTION),
-        "figure_7": _of_stride(figure_7.draw, stride, figure_7.FRICTION),
-        "figure_8": Figure(
-            lambda path: figure_8.draw(path, (stride(first), stride(second))),
-            lambda: _stride_table([stride(first), stride(second)]),
-        ),
-        "figure_9": Figure(
-            lambda path: figure_9.draw(path, gaits(), equal()), lambda: figure_9.table(gaits(), equal())
-        ),
+        "figure_1b": Figure(classic.draw_step, classic.step_table),
+        "figure_2a": Figure(classic.draw_maps, classic.map_table),
+        "figure_2b": Figure(classic.draw_gaits, classic.gait_table),
+        "figure_3": Figure(classic.draw_slip, classic.slip_table),
+        "figure_4a": Figure(classic.draw_friction, classic.gait_table),
+        "figure_5": of_strides(strides.draw_sticking, [strides.STICKS], list(READINGS.values())),
+        "figure_6": of_strides(panels.draw_velocity_and_ratio, [strides.LANDING]),
+        "figure_7": of_strides(panels.draw_velocity_and_ratio, [strides.THREE_SLIPS]),
+        "figure_8": of_strides(strides.draw_low, strides.LOW),
+        "figure_9": _figure(figure_9.draw, figure_9.table, gaits, equal),
         "attraction": Figure(
             lambda path: attraction.draw(path, gaits(), measured(), measured_equal()),
             lambda: attraction.table(measured(), measured_equal()),
@@ -228,41 +219,16 @@ def _figures(measure: bool = False) -> dict[str, Figure]:
         "energy": Figure(
             lambda path: energy.draw(path, gaits(), equal()), lambda: energy.table(gaits().gaits, equal())
         ),
-        "falling_friction": Figure(lambda path: falling_friction.draw(path, falling()), falling),
-        "feedback": Figure(lambda path: feedback.draw(path, feedbacks()), feedbacks),
-        "optimal": Figure(lambda path: optimal.draw(path, optima()), optima),
-        "retraction": Figure(
-            lambda path: retraction.draw(path, retracting(), alike()),
-            lambda: retraction.table(retracting(), alike()),
-        ),
-        "rough": Figure(lambda path: rough.draw(path, roughness()), roughness),
-        "slope": Figure(lambda path: slope.draw(path, slopes()), slopes),
-        "guinea_fowl": Figure(
-            lambda path: guinea_fowl.draw(path, falls()), lambda: guinea_fowl.table(falls())
-        ),
-        "slippery_patch": Figure(lambda path: slippery_patch.draw(path, patches()), patches),
-        "thrust": Figure(lambda path: thrust.draw(path, thrusts()), thrusts),
-        "viability": Figure(lambda path: viability.draw(path, saved()), saved),
-        "reduced_region": Figure(
-            lambda path: reduced.draw_regions(path, regions()), lambda: reduced.region_table(regions())
-        ),
-        "reduced_eigenvalues": Figure(
-            lambda path: reduced.draw_eigenvalues(path, gaits_of_both()),
-            lambda: reduced.eigenvalue_table(gaits_of_both()),
-        ),
-        "reduced_stability": Figure(
-            lambda path: reduced.draw_planes(path, planes()), lambda: reduced.plane_table(planes())
-        ),
+        "guinea_fowl": _figure(guinea_fowl.draw, guinea_fowl.table, cache(slippery.fall_map)),
+        "retraction": _figure(retraction.draw, retraction.table, retracting, alike),
+        "reduced_region": _figure(reduced.draw_regions, reduced.region_table, regions),
+        "reduced_eigenvalues": _figure(reduced.draw_eigenvalues, reduced.eigenvalue_table, gaits_of_both),
+        "reduced_stability": _figure(reduced.draw_planes, reduced.plane_table, planes),
+        **{name: stored(name) for name in STORED},
     }
 
 
-def _of_stride(
-    drawing: Callable[[Path, Stride], None], stride: Callable[[float], Stride], friction: float
-) -> Figure:
-    return Figure(lambda path: drawing(path, stride(friction)), lambda: _stride_table([stride(friction)]))
-
-
-def _stride_table(strides: Sequence[Stride]) -> Columns:
+def _stride_table(*strides: Stride) -> Columns:
     """Recorded rows of strides in the paper's units, preceded by friction and reading of the gait."""
     lengths = [len(stride.time) for stride in strides]
     rows = {

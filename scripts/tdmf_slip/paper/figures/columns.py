@@ -38,6 +38,11 @@ Columns: TypeAlias = Mapping[str, Sequence[Any] | NDArray[Any]]
 """Values by name, in columns of equal length."""
 
 
+def attributes(rows: Sequence[Any], *names: str) -> dict[str, list[Any]]:
+    """Attributes of gaits or other objects as columns, with a row for each object."""
+    return {name: [getattr(row, name) for row in rows] for name in names}
+
+
 def write_columns(path: Path, columns: Columns) -> None:
     """Write columns as CSV, whole or not at all."""
     with whole(path) as beside, beside.open("w", newline="", encoding="utf-8") as file:

@@ -2,15 +2,15 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from matplotlib.axes import Axes
 
 from ...analysis.sweeps import Row
 from ...library.gait import Gait
+from ...library.quantities import weight_of
 from ...pictures import style
 from . import figure_9
-from .columns import Columns
+from .columns import Columns, attributes
 
 SHARES = {
     "impact_loss": ("lost at the impact", "#1f5fa8"),
@@ -22,22 +22,15 @@ SHARES = {
 
 def table(gaits: Sequence[Gait], matched: Sequence[Gait] = ()) -> Columns:
     """Data of the figure by column: energies per weight and stride length. `matched` is 1 or 0."""
-    columns: dict[str, list[Any]] = {
+    rows = [*gaits, *matched]
+    return {
         "matched": [0] * len(gaits) + [1] * len(matched),
-        "friction": [],
-        "word": [],
-        "cost_of_transport": [],
-        **{n: [] for n in SHARES},
+        **attributes(rows, "friction", "word", "cost_of_transport"),
+        **{
+            name: [gait.stride[name] / (weight_of(gait.runner) * gait.stride["length"]) for gait in rows]
+            for name in SHARES
+        },
     }
-    for gait in [*gaits, *matched]:
-        values = gait.runner
-        weight = (values["body.mass"] + values["foot.mass"]) * values["gravity"]
-        columns["friction"].append(gait.friction)
-        columns["word"].append(gait.word)
-        columns["cost_of_transport"].append(gait.stride["cost_of_transport"])
-        for name in SHARES:
-            columns[name].append(gait.stride[name] / (weight * gait.stride["length"]))
-    return columns
 
 
 def draw(path: Path, sweep: Row, matched: Sequence[Gait]) -> None:

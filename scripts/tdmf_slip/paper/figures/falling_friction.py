@@ -17,7 +17,7 @@ from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.style import CurveLabel
 from ...variables.table import FRICTION
-from .columns import Columns
+from .columns import Columns, attributes
 
 SLOPE, RATIO, VELOCITY = "ground.slope", "ground.static_friction_ratio", "ground.stribeck_velocity"
 LEVEL, DOWNHILL = 0.0, -3.0
@@ -95,11 +95,7 @@ def measure(runner: Runner) -> Columns:
         "static_friction_ratio": [ratio for _, ratio, *_ in rows],
         "stribeck_velocity": [velocity for _, _, velocity, *_ in rows],
         "kind": [kind for *_, kind, _ in rows],
-        "word": [gait.word for gait in gaits],
-        "stable": [gait.stable for gait in gaits],
-        "speed": [gait.stride["speed"] for gait in gaits],
-        "cost_of_transport": [gait.stride["cost_of_transport"] for gait in gaits],
-        "lambda_max": [gait.lambda_max for gait in gaits],
+        **attributes(gaits, "word", "stable", "speed", "cost_of_transport", "lambda_max"),
     }
 
 

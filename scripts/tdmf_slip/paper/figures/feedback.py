@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from ...analysis.attraction import FARTHEST
 from ...analysis.search import periodic_gait
 from ...feedback.gains import Feedback, dead_beat, lqr
-from ...feedback.judgement import RUNNERS, Judgement, Trial, judge_all
+from ...feedback.judgement import RUNNERS, Trial, judge_all
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
@@ -19,7 +19,7 @@ from ...pictures.style import CurveLabel
 from ...variables.table import FRICTION
 from ..matched import like
 from . import figure_9
-from .columns import Columns
+from .columns import Columns, attributes
 
 FRICTIONS = (0.1, 0.2, 0.6, 1.0, 10.0)
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
@@ -68,8 +68,8 @@ def laws(gait: Gait) -> dict[str, Feedback | None]:
     return dict(zip(COLOURS, made, strict=True))
 
 
-def measure(runner: Runner, *, progress: bool = False) -> dict[str, list[Judgement]]:
-    """Judgements of each law at each friction."""
+def measure(runner: Runner) -> Columns:
+    """Data of the figure by column; inf is a disturbance beyond all tried, or a mean without falls."""
     gaits = [periodic_gait(runner.replace({FRICTION: friction})) for friction in FRICTIONS]
     noise = (NOISE * runner.scales).tolist()
     alike = matched(runner, gaits)
@@ -80,23 +80,10 @@ def measure(runner: Runner, *, progress: bool = False) -> dict[str, list[Judgeme
             one = alike.get(gait.friction) if name == MATCHED else gait
             if one is not None:
                 trials[name].append(Trial(one, noisy, ROUGHNESS, SEED))
-    found = iter(judge_all([trial for its in trials.values() for trial in its], progress=progress))
-    return {name: [next(found) for _ in its] for name, its in trials.items()}
-
-
-def matched(runner: Runner, gaits: Sequence[Gait]) -> dict[float, Gait]:
-    """Gaits matched to the one on `REFERENCE`, by friction."""
-    reference = periodic_gait(runner.replace({FRICTION: REFERENCE}))
-    found = {gait.friction: like(reference, gait) for gait in gaits}
-    return {friction: gait for friction, gait in found.items() if gait is not None}
-
-
-def table(judged: Mapping[str, Sequence[Judgement]]) -> Columns:
-    """Data of the figure by column; inf is a disturbance beyond all tried, or a mean without falls."""
-    named = [(name, one) for name, its in judged.items() for one in its]
-    found = [one for _, one in named]
+    named = [name for name, its in trials.items() for _ in its]
+    found = judge_all([trial for its in trials.values() for trial in its], progress=True)
     data: dict[str, list[Any]] = {
-        "law": [name for name, _ in named],
+        "law": named,
         "friction": [one.trial.gait.friction for one in found],
         "word": [one.trial.gait.word for one in found],
         "lambda_max": [_lambda_max(one.trial) for one in found],
@@ -104,17 +91,25 @@ def table(judged: Mapping[str, Sequence[Judgement]]) -> Columns:
         "attracted_share": [one.volume.share for one in found],
         "attracted_share_low": [one.volume.interval[0] for one in found],
         "attracted_share_high": [one.volume.interval[1] for one in found],
-        **{name: [getattr(one.robustness, name) for one in found] for name in DISTURBANCES},
+        **attributes([one.robustness for one in found], *DISTURBANCES),
         "runners": [RUNNERS for _ in found],
     }
     for number, roughness in enumerate(ROUGHNESS):
         passages = [one.first_passages[number] for one in found]
-        data |= {f"{name}_{roughness:g}": [getattr(one, name) for one in passages] for name in COUNTED}
+        counted = attributes(passages, *COUNTED)
+        data |= {f"{name}_{roughness:g}": values for name, values in counted.items()}
         mean = f"mean_strides_{roughness:g}"
         data[mean] = [one.mean_strides for one in passages]
         data[f"{mean}_low"] = [one.interval[0] for one in passages]
         data[f"{mean}_high"] = [one.interval[1] for one in passages]
     return data
+
+
+def matched(runner: Runner, gaits: Sequence[Gait]) -> dict[float, Gait]:
+    """Gaits matched to the one on `REFERENCE`, by friction."""
+    reference = periodic_gait(runner.replace({FRICTION: REFERENCE}))
+    found = {gait.friction: like(reference, gait) for gait in gaits}
+    return {friction: gait for friction, gait in found.items() if gait is not None}
 
 
 def _lambda_max(trial: Trial) -> float:

@@ -18,7 +18,7 @@ from ...pictures import style
 from ...pictures.style import CurveLabel
 from ...variables.variable import Values
 from ..published import BEST_FRICTION, COST_GAIN, SPEED_GAIN
-from .columns import Columns
+from .columns import Columns, attributes
 
 CONTROL = {
     "color": "#7a5195",
@@ -42,11 +42,7 @@ def table(sweep: Row, matched: Sequence[Gait]) -> Columns:
     gaits = [*sweep.gaits, *matched]
     return {
         "matched": [0] * len(sweep.gaits) + [1] * len(matched),
-        "friction": [gait.friction for gait in gaits],
-        "word": [gait.word for gait in gaits],
-        "lambda_max": [gait.lambda_max for gait in gaits],
-        "speed": [gait.stride["speed"] for gait in gaits],
-        "cost_of_transport": [gait.stride["cost_of_transport"] for gait in gaits],
+        **attributes(gaits, "friction", "word", "lambda_max", "speed", "cost_of_transport"),
     }
 
 

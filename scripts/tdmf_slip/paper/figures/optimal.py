@@ -24,7 +24,7 @@ from ...pictures import style
 from ...terminal.progress import progress_bar
 from ...variables.table import FRICTION
 from . import figure_9
-from .columns import Columns
+from .columns import Columns, attributes
 
 FRICTIONS = np.geomspace(10.0, 0.05, 16)[:12]
 """Frictions from high to low; below the last one the search ends in worse optima."""
@@ -44,24 +44,29 @@ COSTS = (0.2, 0.8)
 NAMES = {CHEAPEST: "cheapest runner", MIN_SLIP: "runner with least slip"}
 
 
-def measure(
-    runner: Runner,
-    frictions: Sequence[float] | NDArray[np.float64] = FRICTIONS,
-    *,
-    progress: bool = False,
-) -> list[Optimum]:
-    """Optimal runners at all frictions; each search also starts from the previous optimum."""
+def measure(runner: Runner) -> Columns:
+    """Data of the figure by column: optimal runners at all frictions, each search also from the last."""
     found: list[Optimum] = []
     cheapest: list[Optimum] = []
     min_slipping: list[Optimum] = []
-    with progress_bar("optimal runners", len(frictions), "frictions", progress) as bar:
-        for friction in frictions:
+    with progress_bar("optimal runners", len(FRICTIONS), "frictions", True) as bar:
+        for friction in FRICTIONS:
             its = runner.replace({FRICTION: float(friction)})
             cheapest = best(its, CHEAPEST, cheapest, begin=True)
             min_slipping = best(its, MIN_SLIP, [*min_slipping, *cheapest])
             found += [*cheapest, *min_slipping]
             bar.update()
-    return found
+    gaits = [optimum.gait for optimum in found]
+    return {
+        **attributes(gaits, "friction"),
+        "cheapest": [optimum.objective == CHEAPEST for optimum in found],
+        "touchdown_angle": [gait.runner[ANGLE] for gait in gaits],
+        "stance_torque": [gait.runner[TORQUE] for gait in gaits],
+        "thrust": [gait.runner[THRUST] for gait in gaits],
+        **attributes(gaits, "word", "speed", "cost_of_transport", "positive_cost_of_transport"),
+        **attributes(gaits, "slip_distance", "length", "lambda_max"),
+        "shown": [not optimum.why for optimum in found],
+    }
 
 
 def best(runner: Runner, objective: str, near: Sequence[Optimum], *, begin: bool = False) -> list[Optimum]:
@@ -84,26 +89,6 @@ def _starts(space: Space, runner: Runner, near: Sequence[Optimum]) -> Iterator[S
             yield Start(at, gait_near(space.runner_at(runner, at), optimum.gait.apex))
         except RunError:
             continue
-
-
-def table(found: Sequence[Optimum]) -> Columns:
-    """Data of the figure by column."""
-    gaits = [optimum.gait for optimum in found]
-    return {
-        "friction": [gait.friction for gait in gaits],
-        "cheapest": [optimum.objective == CHEAPEST for optimum in found],
-        "touchdown_angle": [gait.runner[ANGLE] for gait in gaits],
-        "stance_torque": [gait.runner[TORQUE] for gait in gaits],
-        "thrust": [gait.runner[THRUST] for gait in gaits],
-        "word": [gait.word for gait in gaits],
-        "speed": [gait.stride["speed"] for gait in gaits],
-        "cost_of_transport": [gait.stride["cost_of_transport"] for gait in gaits],
-        "positive_cost_of_transport": [gait.stride["positive_cost_of_transport"] for gait in gaits],
-        "slip_distance": [gait.stride["slip_distance"] for gait in gaits],
-        "length": [gait.stride["length"] for gait in gaits],
-        "lambda_max": [gait.lambda_max for gait in gaits],
-        "shown": [not optimum.why for optimum in found],
-    }
 
 
 def draw(path: Path, data: Columns) -> None:

@@ -13,7 +13,7 @@ from ...pictures import style
 from ...variables.table import FRICTION
 from ..matched import changed, like
 from . import leading
-from .columns import Columns
+from .columns import Columns, attributes
 
 RATE = "hip.retraction_rate"
 FRICTIONS = (0.2, 0.6, 10.0)
@@ -68,17 +68,16 @@ def table(found: Mapping[float, tuple[Branch, Branch]], alike: Mapping[float, tu
     ]
     along = len(rows)
     rows += [(friction, one.runner[RATE], one) for friction, its in alike.items() for one in its]
-    pairs = leading.leading([gait for _, _, gait in rows])
+    gaits = [gait for _, _, gait in rows]
+    pairs = leading.leading(gaits)
     return {
         "friction": [friction for friction, _, _ in rows],
         "retraction_rate": [value for _, value, _ in rows],
         "matched": [row >= along for row in range(len(rows))],
-        "word": [gait.word for _, _, gait in rows],
-        "stable": [gait.stable for _, _, gait in rows],
+        **attributes(gaits, "word", "stable"),
         "greater_eigenvalue": pairs[:, 0],
         "other_eigenvalue": pairs[:, 1],
-        "speed": [gait.stride["speed"] for _, _, gait in rows],
-        "cost_of_transport": [gait.stride["cost_of_transport"] for _, _, gait in rows],
+        **attributes(gaits, "speed", "cost_of_transport"),
     }
 
 

@@ -3,20 +3,18 @@
 The control are runners matched to the gait on one friction.
 """
 
-from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
 
 from ...analysis.comparison import match_runners
-from ...analysis.first_passage import FirstPassage
 from ...library.runner import Runner
 from ...pictures import style
 from ...variables.table import FRICTION
 from ..matched import Trial, first_passages
 from . import figure_9
-from .columns import Columns
+from .columns import Columns, attributes
 
 FRICTIONS = (0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.36, 0.43, 0.5, 0.6, 0.8, 1.2, 2.5, 5.0, 10.0)
 ROUGHNESS = (0.2, 0.3, 0.4, 0.5)
@@ -30,12 +28,9 @@ REFERENCE, MATCHED_ROUGHNESS = 0.2, 0.3
 HOLD = ("speed", "apex_height", "apex_leg_angle")
 VARY = ("hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor")
 
-Measured = Sequence[tuple[float, bool, FirstPassage]]
-"""Friction, whether the runner is matched, and its first passage."""
 
-
-def measure(runner: Runner, *, progress: bool = False) -> Measured:
-    """First passages at each friction and roughness."""
+def measure(runner: Runner) -> Columns:
+    """Data of the figure by column; if no runner fell, the mean and its upper bound are inf."""
     trials = [
         Trial(runner.replace({FRICTION: friction}), roughness, RUNNERS, SEED, MAX_STRIDES)
         for roughness in ROUGHNESS
@@ -44,11 +39,15 @@ def measure(runner: Runner, *, progress: bool = False) -> Measured:
     as_they_come = len(trials)
     for one in _matched(runner):
         trials.append(Trial(one, MATCHED_ROUGHNESS, RUNNERS, SEED, MAX_STRIDES))
-    found = first_passages(trials, progress=progress)
-    return [
-        (trial.runner[FRICTION], number >= as_they_come, one)
-        for number, (trial, one) in enumerate(zip(trials, found, strict=True))
-    ]
+    found = first_passages(trials, progress=True)
+    return {
+        "matched": [float(number >= as_they_come) for number in range(len(trials))],
+        **attributes(found, "roughness"),
+        "friction": [trial.runner[FRICTION] for trial in trials],
+        **attributes(found, "word", "runners", "falls", "strides", "stopped", "unsolved", "mean_strides"),
+        "mean_strides_low": [one.interval[0] for one in found],
+        "mean_strides_high": [one.interval[1] for one in found],
+    }
 
 
 def _matched(runner: Runner) -> list[Runner]:
@@ -60,25 +59,6 @@ def _matched(runner: Runner) -> list[Runner]:
         for number, gait in enumerate(found.after)
         if number and number not in missed and gait.stable
     ]
-
-
-def table(measured: Measured) -> Columns:
-    """Data of the figure by column; if no runner fell, the mean and its upper bound are inf."""
-    found = [passage for _, _, passage in measured]
-    return {
-        "matched": [float(is_matched) for _, is_matched, _ in measured],
-        "roughness": [one.roughness for one in found],
-        "friction": [friction for friction, _, _ in measured],
-        "word": [one.word for one in found],
-        "runners": [one.runners for one in found],
-        "falls": [one.falls for one in found],
-        "strides": [one.strides for one in found],
-        "stopped": [one.stopped for one in found],
-        "unsolved": [one.unsolved for one in found],
-        "mean_strides": [one.mean_strides for one in found],
-        "mean_strides_low": [one.interval[0] for one in found],
-        "mean_strides_high": [one.interval[1] for one in found],
-    }
 
 
 def draw(path: Path, data: Columns) -> None:

@@ -15,7 +15,7 @@ from ...pictures import style
 from ...variables.table import FRICTION
 from ..matched import changed, like
 from . import leading
-from .columns import Columns
+from .columns import Columns, attributes
 
 SLOPE = "ground.slope"
 COLOURS: Mapping[float, str] = {0.2: "#e07b00", 0.6: "#0b7a75", 10.0: "#22303c"}
@@ -37,7 +37,7 @@ Gaits = Mapping[float, tuple[tuple[float, Gait], ...]]
 """Slopes with their gaits, by friction."""
 
 
-def gaits(runner: Runner) -> Gaits:
+def own(runner: Runner) -> Gaits:
     """Gaits from five degrees downhill to the steepest slope of their branch, by friction."""
     found = {}
     for friction in COLOURS:
@@ -83,20 +83,20 @@ def _to_the_top(branch: Branch) -> tuple[tuple[float, Gait], ...]:
     return (*climb[:last], (top.value, top.gait))  # the last before the turn may be beyond the fold
 
 
-def table(found: Gaits, alike: Gaits) -> Columns:
-    """Data of the figure by column, with matched runners last."""
-    rows = [(friction, slope, gait) for friction, branch in found.items() for slope, gait in branch]
-    along = len(rows)
-    rows += [(friction, slope, gait) for friction, branch in alike.items() for slope, gait in branch]
-    pairs = leading.leading([gait for _, _, gait in rows])
+def measure(runner: Runner) -> Columns:
+    """Data of the figure by column, with matched runners last; takes minutes."""
+    found, alike = (
+        [(friction, slope, gait) for friction, branch in of.items() for slope, gait in branch]
+        for of in (own(runner), matched(runner))
+    )
+    rows = [*found, *alike]
+    gaits = [gait for _, _, gait in rows]
+    pairs = leading.leading(gaits)
     return {
         "friction": [friction for friction, _, _ in rows],
-        "matched": [row >= along for row in range(len(rows))],
+        "matched": [row >= len(found) for row in range(len(rows))],
         "slope_degrees": [float(np.degrees(slope)) for _, slope, _ in rows],
-        "word": [gait.word for _, _, gait in rows],
-        "stable": [gait.stable for _, _, gait in rows],
-        "speed": [gait.stride["speed"] for _, _, gait in rows],
-        "cost_of_transport": [gait.stride["cost_of_transport"] for _, _, gait in rows],
+        **attributes(gaits, "word", "stable", "speed", "cost_of_transport"),
         "greater_eigenvalue": pairs[:, 0],
         "other_eigenvalue": pairs[:, 1],
     }

@@ -15,7 +15,7 @@ from ...pictures import style
 from ...variables.table import FRICTION
 from ..matched import changed, like
 from . import leading
-from .columns import Columns
+from .columns import Columns, attributes
 
 TORQUE, THRUST, ANGLE = "hip.stance_torque", "leg.thrust", "hip.touchdown_angle"
 FRICTIONS = (0.2, 0.6, 10.0)
@@ -40,19 +40,29 @@ HELPED, SPEEDS = 0.1, np.linspace(0.8, 1.5, 8)
 """Thrust and speeds of the matched runners."""
 
 
-def gaits(runner: Runner) -> Mapping[float, tuple[Gait, ...]]:
-    """Gaits of each actuation along branches over its strength, by friction.
+def measure(runner: Runner) -> Columns:
+    """Data of the figure by column: gaits of each actuation along branches over its strength, by friction.
 
     If the branch ends before the torque is zero, thrust alone has no gait.
     """
-    found = {}
+    gaits: list[Gait] = []
     for friction in FRICTIONS:
         its = runner.replace({FRICTION: friction})
         first = periodic_gait(its)
         hip = _both_ways(first, TORQUE, HIGHEST_TORQUE)
         added = _branch(first, THRUST, HIGHEST_THRUST)
-        found[friction] = (*hip.gaits, *added.gaits[1:], *_leg_alone(first), *matched(hip.gaits))
-    return found
+        gaits += (*hip.gaits, *added.gaits[1:], *_leg_alone(first), *matched(hip.gaits))
+    pairs = leading.leading(gaits)
+    return {
+        **attributes(gaits, "friction"),
+        "touchdown_angle": [gait.runner[ANGLE] for gait in gaits],
+        "hip_torque": [gait.runner[TORQUE] for gait in gaits],
+        "thrust": [gait.runner[THRUST] for gait in gaits],
+        **attributes(gaits, "word", "stable", "speed", "cost_of_transport"),
+        "slip_per_length": [gait.stride["slip_distance"] / gait.stride["length"] for gait in gaits],
+        "greater_eigenvalue": pairs[:, 0],
+        "other_eigenvalue": pairs[:, 1],
+    }
 
 
 def matched(by_hip: Sequence[Gait]) -> Iterator[Gait]:
@@ -79,25 +89,6 @@ def _branch(first: Gait, name: str, end: float) -> Branch:
 
 def _both_ways(first: Gait, name: str, end: float) -> Branch:
     return trace(first.runner, name, first, end, begin=0.0, max_step=LARGEST_STEP, max_points=POINTS)
-
-
-def table(found: Mapping[float, tuple[Gait, ...]]) -> Columns:
-    """Data of the figure by column."""
-    gaits = [gait for its in found.values() for gait in its]
-    pairs = leading.leading(gaits)
-    return {
-        "friction": [gait.friction for gait in gaits],
-        "touchdown_angle": [gait.runner[ANGLE] for gait in gaits],
-        "hip_torque": [gait.runner[TORQUE] for gait in gaits],
-        "thrust": [gait.runner[THRUST] for gait in gaits],
-        "word": [gait.word for gait in gaits],
-        "stable": [gait.stable for gait in gaits],
-        "speed": [gait.stride["speed"] for gait in gaits],
-        "cost_of_transport": [gait.stride["cost_of_transport"] for gait in gaits],
-        "slip_per_length": [gait.stride["slip_distance"] / gait.stride["length"] for gait in gaits],
-        "greater_eigenvalue": pairs[:, 0],
-        "other_eigenvalue": pairs[:, 1],
-    }
 
 
 def actuated(data: Columns) -> dict[str, NDArray[np.bool_]]:

@@ -1,8 +1,6 @@
 """Size of the viable sets against friction, for runners of equal speed and apex height."""
 
-from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -10,14 +8,10 @@ from matplotlib.axes import Axes
 from ...analysis.comparison import match_runners
 from ...library.runner import Runner
 from ...pictures import style
-from ...record import runner_in
 from ...variables.table import FRICTION
 from ...viable_sets.viability import viability
 from . import figure_9
-from .columns import Columns
-
-if TYPE_CHECKING:
-    import xarray
+from .columns import Columns, attributes
 
 FRICTIONS = (0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.43, 0.6, 0.85, 1.2, 2.5, 5.0, 10.0)
 REFERENCE = 0.6
@@ -29,36 +23,22 @@ CHOSEN = {"hip.touchdown_angle": (0.1, 1.3, 24)}
 CELLS = 64
 BAND, COLOUR = "between the inner and the outer set", "#1f5fa8"
 
-Measured: TypeAlias = "Sequence[tuple[float, xarray.Dataset]]"
-"""Frictions with their viable sets."""
 
-
-def measure(runner: Runner, *, progress: bool = False) -> Measured:
-    """Viable sets of matched runners at each friction."""
-    found = match_runners([runner.replace({FRICTION: mu}) for mu in (REFERENCE, *FRICTIONS)], HOLD, VARY)
+def measure(runner: Runner) -> Columns:
+    """Data of the figure by column: viable sets of matched runners by the reduced map, at each friction."""
+    small = Runner(runner, model="reduced")
+    found = match_runners([small.replace({FRICTION: mu}) for mu in (REFERENCE, *FRICTIONS)], HOLD, VARY)
     missed = {of.runner for of in found.not_held}
-    return [
-        (
-            matched.runner[FRICTION],
-            viability(matched.runner, axes=AXES, vary=CHOSEN, n=CELLS, progress=progress),
-        )
-        for number, matched in enumerate(found.after)
-        if number and number not in missed
-    ]
-
-
-def table(measured: Measured) -> Columns:
-    """Data of the figure by column."""
+    runners = [gait.runner for number, gait in enumerate(found.after) if number and number not in missed]
+    sets = [viability(one, axes=AXES, vary=CHOSEN, n=CELLS, progress=True) for one in runners]
     return {
-        "friction": [friction for friction, _ in measured],
+        "friction": [one[FRICTION] for one in runners],
+        **{name: [one[name] for one in runners] for name in VARY},
+        **attributes(sets, "inner_share", "outer_share"),
         **{
-            name: [runner_in(found)[name] for _, found in measured]
-            for name in ("hip.stance_torque", "hip.touchdown_angle")
+            name: [float(one[name].mean()) for one in sets]
+            for name in ("inner_robustness", "outer_robustness")
         },
-        "inner_share": [found.inner_share for _, found in measured],
-        "outer_share": [found.outer_share for _, found in measured],
-        "inner_robustness": [float(found["inner_robustness"].mean()) for _, found in measured],
-        "outer_robustness": [float(found["outer_robustness"].mean()) for _, found in measured],
     }
 
 

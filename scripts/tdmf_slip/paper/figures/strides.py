@@ -1,6 +1,6 @@
-"""Figure 5: the gait at high friction, where the foot sticks: heights, leg, foot velocity, force ratio.
+"""Figures 5 to 8: strides of the gaits at frictions from 10 to 0.2.
 
-Solid lines are the default reading, dotted lines the reading with the clamp of equation (12).
+Solid lines of figure 5 are the default reading, dotted lines the reading with the clamp of equation (12).
 """
 
 from collections.abc import Mapping
@@ -13,12 +13,13 @@ from matplotlib.axes import Axes
 from ...pictures import panels, style
 from ...pictures.panels import Stride
 
-FRICTION = 10.0
+STICKS, LANDING, THREE_SLIPS, LOW = 10.0, 1.2, 0.6, (0.43, 0.2)
+"""Frictions at which the foot only sticks, slides on landing, slips three times, and of both low ones."""
 CLAMPED: Mapping[str, Any] = {"linestyle": (0.0, (1.0, 1.2)), "linewidth": 1.3, "zorder": 2}
 
 
-def draw(path: Path, stride: Stride, clamped: Stride) -> None:
-    """Draw the four panels of both gaits."""
+def draw_sticking(path: Path, stride: Stride, clamped: Stride) -> None:
+    """Draw figure 5: heights, leg, foot velocity and force ratio by both readings."""
     with style.styled():
         figure, axes = style.subplots(2, 2, figsize=(8.4, 6.2))
         _heights(axes[0, 0], stride, clamped)
@@ -77,3 +78,19 @@ def _ratio(axes: Axes, stride: Stride) -> None:
     panels.mark_mid_stance(axes, stride)
     panels.force_ratio(axes, stride)
     axes.set_title("(d) force ratio in stance; × impulses at the impact")
+
+
+def draw_low(path: Path, *strides: Stride) -> None:
+    """Draw figure 8: foot velocity in the stance of the two gaits at low friction."""
+    with style.styled():
+        figure, both = style.subplots(1, 2, figsize=(8.4, 3.7))
+        for axes, stride, letter in zip(both, strides, "ab", strict=True):
+            panels.mark_stance(axes, stride)
+            panels.mark_mid_stance(axes, stride)
+            panels.foot_velocity(axes, stride, stance_only=True)
+            axes.set_title(
+                rf"({letter}) $\mu = {stride.gait.friction:g}$, word  {style.word(stride.gait.word)}"
+            )
+        figure.suptitle("Periodic gaits at low friction", x=0.02, ha="left")
+        panels.key_below(figure, strides)
+        style.save(figure, path)
