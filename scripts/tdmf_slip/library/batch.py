@@ -23,13 +23,12 @@ from ..variables.table import by_full_name
 from . import c_structs, engine
 from .batch_given import TOLERANCE as TOLERANCE
 from .batch_given import Given
-from .batch_tables import ends_table, exact_table, recorded_table
+from .batch_tables import ends_table, exact_table, own_strides, recorded_table
 from .c_structs import WIDTH
 from .engine import LAST_STRIDE, Engine
 from .laws import AffineLaw, CheckedLaw
 from .own_engine import OwnEngine
 from .own_model import OwnModel
-from .own_tables import own_ends, own_recorded, own_strides
 from .return_map import Along, checked_direction
 from .settings import setting_number
 from .tables import Table
@@ -49,34 +48,25 @@ class Session:
         law, ground, single = batch.law, batch.ground, batch.is_single
         number = engine.ONE_BY_ONE if single else engine.BEST
         threads = batch.threads or (1 if single or in_block() else os.cpu_count() or 1)
-        self.engine: Any = (
-            OwnEngine(
-                batch.model,
-                batch.models,
-                batch.held,
-                batch.starts,
-                batch.runner.scales,
-                tolerance=batch.tolerance,
-                threads=threads,
-                first_number=batch.first_number,
-                step_limit=batch.step_limit or 0,
-            )
-            if isinstance(batch.model, OwnModel)
-            else Engine(
-                batch.models,
-                batch.held,
-                batch.starts,
+        runners = (batch.models, batch.held, batch.starts)
+        options: dict[str, Any] = {
+            "tolerance": batch.tolerance,
+            "threads": threads,
+            "first_number": batch.first_number,
+            "step_limit": batch.step_limit or 0,
+        }
+        self.engine: Any
+        if isinstance(batch.model, OwnModel):
+            self.engine = OwnEngine(batch.model, *runners, batch.runner.scales, **options)
+        else:
+            instructions = number if batch.instructions is None else engine.INSTRUCTIONS[batch.instructions]
+            self.engine = Engine(
+                *runners,
                 reduced=batch.runner.reduced,
-                tolerance=batch.tolerance,
-                threads=threads,
-                instructions=number
-                if batch.instructions is None
-                else engine.INSTRUCTIONS[batch.instructions],
-                first_number=batch.first_number,
-                step_limit=batch.step_limit or 0,
+                instructions=instructions,
                 foot_x=batch.foot_x,
+                **options,
             )
-        )
         if ground.is_drawn and isinstance(self.engine, Engine):
             self.engine.run_on(ground.rules, ground.terrain)
         self.function: CheckedLaw | None = None
@@ -368,11 +358,8 @@ class Batch(Given):
             session.engine.record(strides)
         work = session.make(strides)
         engine = session.engine
-        if isinstance(engine, OwnEngine):
-            kept = own_recorded(self, engine, session.settings_made(strides)) if record else None
-            return own_ends(self, engine, work, kept)
         recorded = recorded_table(self, engine, session.settings_made(strides)) if record else None
-        return ends_table(self, engine.ends, work, recorded)
+        return ends_table(self, engine, work, recorded)
 
     def step(self, settings: Mapping[str, ArrayLike] | None = None) -> NDArray[np.int32]:
         """One more stride of each runner that still runs, in place and without checks.

@@ -13,6 +13,9 @@ from ..variables.table import MODELS, Model
 from .batch_given import Given
 from .engine import FATES, SETTLED, STOPPED, Engine
 from .laws import AffineLaw
+from .own_engine import OwnEngine
+from .own_model import OwnModel
+from .own_runs import SEEDS, OwnStrides, seeds_of, strides_of
 from .quantities import (
     LEDGER,
     MEASURED,
@@ -68,7 +71,7 @@ def exact_table(
     measured: Callable[[], NDArray[Any]],
 ) -> Table:
     """Strides with derivatives, or without; `measured` makes them with what is measured along a stride."""
-    size, single, reduced = batch.size, batch.is_single, batch.runner.reduced
+    size, reduced = batch.size, batch.runner.reduced
     starts, weights = batch.starts[:, :size].copy(), {name: batch.value_of(name) for name in OF_WEIGHT}
     closed = returns["outcome"] == 0
     quantities: dict[bool, Quantities] = {}
@@ -78,13 +81,6 @@ def exact_table(
             structs = measured() if is_measured else returns
             quantities[is_measured] = Quantities(structs, starts, weight_of(weights), is_measured)
         return quantities[is_measured]
-
-    def make(name: str) -> NDArray[Any]:
-        values = made(name)
-        if values.dtype.kind == "f" and name != "apex" and not closed.all():
-            values = np.where(closed.reshape(-1, *[1] * (values.ndim - 1)), values, np.nan)
-        one: NDArray[Any] = values[0] if single else values
-        return one
 
     def made(name: str) -> NDArray[Any]:
         if name in ("outcome", "solver"):
@@ -104,25 +100,93 @@ def exact_table(
                 return quantities_of(not reduced).derivative(name.removesuffix("_by"), variations, by)
         return quantities_of(name in MEASURED and not reduced)[name]
 
+    names = ("outcome", "solver", "word", *reported_quantities(reduced))
+    by = None if variations is None else differentiable(reduced)
+    return _strides_table(batch, made, closed, along, _dimensions(batch.is_single, names, by))
+
+
+def own_strides(batch: Given, differentiated: bool, along: Sequence[Along]) -> Table:
+    """Strides of runners of a model of one's own, with derivatives or without."""
+    model, size = batch.model, batch.size
+    assert isinstance(model, OwnModel)
+
+    def strides_by(some: Sequence[Along]) -> OwnStrides:
+        return strides_of(
+            model,
+            batch.models,
+            batch.held,
+            batch.starts[:, :size],
+            tolerance=batch.runner.tolerance,
+            seeds=seeds_of(model, some) if differentiated else None,
+            step_limit=batch.step_limit or 0,
+            threads=batch.threads or 1,
+        )
+
+    parts = [strides_by(along[first : first + SEEDS]) for first in range(0, max(len(along), 1), SEEDS)]
+    strides = parts[0]
+
+    def by(value_of: Callable[[OwnStrides], NDArray[np.float64]]) -> NDArray[np.float64]:
+        """Derivatives by the coordinates, and then along all directions."""
+        rows = [value_of(part) for part in parts]
+        return np.concatenate([rows[0], *(row[..., size:] for row in rows[1:])], axis=-1)
+
+    def made(name: str) -> NDArray[Any]:
+        if name == "outcome":
+            return strides.outcome
+        if name == "word":
+            return np.array(strides.words)
+        if name == "why_not":
+            return np.array([strides.why_not(k) or "" for k in range(len(batch))])
+        if name in ("apex", "next_apex"):
+            return strides.points if name == "apex" else strides.next_points
+        if name in ("jacobian", "next_apex_by"):
+            found = by(lambda part: part.next_points_by)
+            return found[..., :size] if name == "jacobian" else found
+        if name.endswith("_by") and differentiated:
+            return by(lambda part: part.derivative(name.removesuffix("_by")))
+        return strides.quantity(name)
+
+    quantities = tuple(model.quantities)
+    names = ("outcome", "word", "why_not", *quantities)
+    dimensions = _dimensions(batch.is_single, names, quantities if differentiated else None)
+    return _strides_table(batch, made, strides.outcome == 0, along, dimensions)
+
+
+@cache
+def _dimensions(
+    single: bool, names: tuple[str, ...], differentiated: tuple[str, ...] | None
+) -> Mapping[str, tuple[str, ...]]:
+    """Dimensions of the arrays of strides, by their names."""
+    over: tuple[str, ...] = () if single else ("runner",)
+    found = dict.fromkeys(names, over) | dict.fromkeys(("apex", "next_apex"), (*over, "coordinate"))
+    if differentiated is not None:
+        found["jacobian"] = (*over, "coordinate", "by_coordinate")
+        found["next_apex_by"] = (*over, "coordinate", "by")
+        found |= {f"{name}_by": (*over, "by") for name in differentiated}
+    return found
+
+
+def _strides_table(
+    batch: Given,
+    made: Callable[[str], NDArray[Any]],
+    closed: NDArray[np.bool_],
+    along: Sequence[Along],
+    dimensions: Mapping[str, tuple[str, ...]],
+) -> Table:
+    """Table of strides, whose numbers are NaN where a stride has not closed."""
+
+    def make(name: str) -> NDArray[Any]:
+        values = made(name)
+        if values.dtype.kind == "f" and name != "apex" and not closed.all():
+            values = np.where(closed.reshape(-1, *[1] * (values.ndim - 1)), values, np.nan)
+        one: NDArray[Any] = values[0] if batch.is_single else values
+        return one
+
     def labels() -> dict[str, NDArray[Any]]:
         by = [*batch.runner.coordinates, *map(title, along)]
         return {**labels_of(batch), "by": np.array(by), "by_coordinate": np.array(batch.runner.coordinates)}
 
-    dimensions = _exact(single, reduced, variations is not None)
     return Table(dimensions, make, labels, about_of(batch.model), batch.runner.record)
-
-
-@cache
-def _exact(single: bool, reduced: bool, differentiated: bool) -> Mapping[str, tuple[str, ...]]:
-    over: tuple[str, ...] = () if single else ("runner",)
-    found = {"outcome": over, "solver": over, "word": over}
-    found |= {"apex": (*over, "coordinate"), "next_apex": (*over, "coordinate")}
-    found |= dict.fromkeys(reported_quantities(reduced), over)
-    if differentiated:
-        found["jacobian"] = (*over, "coordinate", "by_coordinate")
-        found["next_apex_by"] = (*over, "coordinate", "by")
-        found |= {f"{name}_by": (*over, "by") for name in differentiable(reduced)}
-    return found
 
 
 def weights_by(values: Mapping[str, Any], size: int, along: Sequence[Along]) -> NDArray[np.float64]:
@@ -154,10 +218,6 @@ def about_of(model: Model) -> Callable[[str], Mapping[str, Any]]:
     return about
 
 
-def _about_ends(name: str) -> Mapping[str, Any]:
-    return ABOUT_ENDS.get(name, {})
-
-
 def labels_of(batch: Given) -> dict[str, NDArray[Any]]:
     """Labels of the dimensions of a batch's tables."""
     return {
@@ -166,27 +226,33 @@ def labels_of(batch: Given) -> dict[str, NDArray[Any]]:
     }
 
 
-def ends_table(batch: Given, ends: NDArray[Any], work: Mapping[str, int], recorded: Table | None) -> Table:
+def ends_table(
+    batch: Given, engine: Engine | OwnEngine, work: Mapping[str, int], recorded: Table | None
+) -> Table:
     """Ends of the runs, over runners."""
     over: tuple[str, ...] = () if batch.is_single else ("runner",)
 
     def make(name: str) -> NDArray[Any]:
-        values: NDArray[Any] = ends["apex"][:, : batch.size] if name == "apex" else ends[name]
+        values = engine.fates if name == "fate" else engine.ends[name]
+        if name == "apex":
+            values = values[:, : batch.size]
         return values[0] if batch.is_single else values
 
-    dimensions = dict.fromkeys(ends.dtype.names or (), over) | {"apex": (*over, "coordinate")}
+    dimensions = dict.fromkeys(engine.ends.dtype.names or (), over) | {"apex": (*over, "coordinate")}
     return Table(
         dimensions,
         make,
         lambda: labels_of(batch),
-        _about_ends,
+        lambda name: ABOUT_ENDS.get(name, {}),
         batch.runner.record,
         {"work_done": work},
         recorded,
     )
 
 
-def recorded_table(batch: Given, engine: Engine, given: Mapping[str, NDArray[np.float64]]) -> Table:
+def recorded_table(
+    batch: Given, engine: Engine | OwnEngine, given: Mapping[str, NDArray[np.float64]]
+) -> Table:
     """Strides that were recorded from the first one on, over runners and strides; `given` is what was set."""
     recorded = engine.recorded
     assert recorded is not None
@@ -194,7 +260,9 @@ def recorded_table(batch: Given, engine: Engine, given: Mapping[str, NDArray[np.
     strides = np.arange(recorded.shape[1])
     closed = strides < engine.ends["strides"][:, None]
     begun = recorded["began"] == 1
-    ended = np.where(engine.ends["fate"] == SETTLED, NOT_MADE, engine.ends["fate"])
+    ended = np.where(engine.fates == SETTLED, NOT_MADE, engine.fates)
+    own = isinstance(engine, OwnEngine)
+    names = engine.names if isinstance(engine, OwnEngine) else (*LEDGER, "liftoff_angle")
 
     def of(values: NDArray[Any], there: NDArray[np.bool_] = closed) -> NDArray[np.float64]:
         return np.where(there, values, np.nan)
@@ -204,11 +272,11 @@ def recorded_table(batch: Given, engine: Engine, given: Mapping[str, NDArray[np.
         "fate": np.where(closed, CLOSED, ended[:, None]).astype(np.int8),
         "apex": np.concatenate([starts[:, None], next_apex[:, :-1]], axis=1),
         "next_apex": next_apex,
-        **{name: of(recorded["stride"][name]) for name in STRIDE_QUANTITIES},
-        **{name: of(recorded[name]) for name in (*LEDGER, "liftoff_angle")},
-        "word": texts_of(recorded["stride"]["word"]),
+        **{name: of(recorded["stride"][name]) for name in (() if own else STRIDE_QUANTITIES)},
+        **{name: of(recorded[name]) for name in names},
+        "word": _texts_of(recorded["word"] if own else recorded["stride"]["word"]),
     }
-    if not batch.runner.reduced:
+    if not (own or batch.runner.reduced):
         arrays[FOOT_X] = of(recorded["foot_x"])
     if batch.ground.roughness:
         arrays[GROUND] = of(recorded["ground_height"], begun)
@@ -222,7 +290,7 @@ def recorded_table(batch: Given, engine: Engine, given: Mapping[str, NDArray[np.
     return Table(dimensions, arrays.__getitem__, lambda: labels, about_of(batch.model), batch.runner.record)
 
 
-def texts_of(words: NDArray[Any]) -> NDArray[np.str_]:
+def _texts_of(words: NDArray[Any]) -> NDArray[np.str_]:
     """Texts as short as the longest of them."""
     different, numbers = np.unique(words, return_inverse=True)
     texts = np.array([str(word.decode() if isinstance(word, bytes) else word) for word in different])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..errors import StoppedError
 from ..uninterrupted import stop_flag, uninterrupted
-from .binding import c
+from .binding import c, ffi
 from .engine import FATES, FELL, FEW, SETTLED, STOPPED, UNDECIDED, UNSOLVED, AffineSettings
 from .own_model import OwnModel
 from .own_runs import OwnStrides, strides_of
@@ -29,26 +28,6 @@ for _outcome, _fate in (
     (c.TDMF_PAGE_CANCELLED, STOPPED),
 ):
     _FATES[_outcome] = _fate
-
-
-@dataclass
-class Work:
-    """What a call cost, with the fields of the C library's structure; only strides and events are counted."""
-
-    strides: int = 0
-    """Strides made."""
-    events: int = 0
-    """Events on the way."""
-    steps: int = 0
-    """0: not counted."""
-    lane_steps: int = 0
-    """0: not counted."""
-    evaluations: int = 0
-    """0: not counted."""
-    layer_steps: int = 0
-    """0: not counted."""
-    begun: int = 0
-    """Runners that were begun."""
 
 
 class OwnEngine:
@@ -142,9 +121,9 @@ class OwnEngine:
 
     # ---- strides
 
-    def advance(self, strides: int) -> Work:
-        """Make more strides of all runners that still run."""
-        work, flag = Work(), stop_flag()
+    def advance(self, strides: int) -> Any:
+        """Make more strides of all runners that still run; the work done, of which lanes are not counted."""
+        work, flag = ffi.new("tdmf_ensemble_work *"), stop_flag()
 
         def engine() -> None:
             for _ in range(strides):
@@ -165,7 +144,7 @@ class OwnEngine:
         self.fates = np.where(self.ends["fate"] == RUNNING, UNDECIDED, self.ends["fate"]).astype(np.int32)
         return work
 
-    def _make(self, runs: NDArray[np.int64], work: Work) -> None:
+    def _make(self, runs: NDArray[np.int64], work: Any) -> None:
         """One stride of some runners."""
         parameters, states = self._numbers(runs)
         begin = self.ends["apex"][runs]
