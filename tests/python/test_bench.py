@@ -114,8 +114,7 @@ def test_a_tolerance_that_is_found_is_good_from_everywhere(fmu):
     many = runners.runners_about_the_gait()
     for found in one_runner.measure_fmu(fmu, many, "native", 0.01):
         assert found.error == one_runner.stride_error(fmu, many, "native", found.tolerance) <= found.accuracy
-        lanes = many.error(many.ends("one by one", found.tolerance)["apex"])
-        assert lanes == pytest.approx(found.error, rel=1e-3)
+        assert many.error(many.ends("one by one", found.tolerance)["apex"]) <= found.accuracy
 
 
 @pytest.mark.parametrize("solver", ["native", "cvode"])

@@ -143,12 +143,12 @@ typedef struct {
  * only. */
 enum { TDMF_CHECKPOINT_STATES = 112 };
 typedef struct {
-    bool stands;                        /* else its run is over */
-    int mode, chain;                    /* at the apex */
-    double time, time_rest;             /* s */
-    double ground_height, ground_slope; /* m and rad, that the ground has come to */
-    uint64_t taken, above, late;
-    double states[TDMF_CHECKPOINT_STATES];
+    bool stands;                           /* else its run is over */
+    int mode, chain;                       /* at the apex */
+    double time, time_rest;                /* s */
+    double ground_height, ground_slope;    /* m and rad, of the ground at the apex */
+    uint64_t taken, above, late;           /* bits of events: taken; with a guard seen above zero; late */
+    double states[TDMF_CHECKPOINT_STATES]; /* of its page */
 } tdmf_ensemble_checkpoint;
 
 /* What is to be run, and how. */

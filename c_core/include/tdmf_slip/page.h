@@ -46,8 +46,8 @@ TDMF_API void tdmf_page_scales(const tdmf_page *page, const double *parameters, 
 
 /* An event of a run. */
 typedef struct {
-    double time; /* s, since the run began */
-    int event;
+    double time;       /* s, since the run began */
+    int event;         /* its number among the page's events */
     int before, after; /* modes */
 } tdmf_page_event;
 
@@ -75,7 +75,7 @@ typedef enum {
     TDMF_PAGE_REFUSED,   /* a number is out of its range or not finite, or a pointer is NULL */
     TDMF_PAGE_UNSOLVED,  /* the run cannot be followed */
     TDMF_PAGE_CANCELLED, /* another thread asked for it */
-    TDMF_PAGE_NO_MEMORY
+    TDMF_PAGE_NO_MEMORY  /* memory was refused */
 } tdmf_page_outcome;
 
 /* The end of a run. */
@@ -103,11 +103,11 @@ TDMF_API bool tdmf_page_place(const tdmf_page_map *map, const double *point, dou
 
 /* Values at some times of a run, a row for each time. Times increase. */
 typedef struct {
-    int count;
+    int count;           /* times */
     const double *times; /* s */
     double *states;      /* those that a unit of the model shows */
-    double *outputs;
-    int *modes;
+    double *outputs;     /* all of the page */
+    int *modes;          /* one for each time */
 } tdmf_page_samples;
 
 /* Runs from the start of the model, with the parameters and states of the map, to the first crossing of its

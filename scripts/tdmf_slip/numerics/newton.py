@@ -85,7 +85,12 @@ def solve(
         if jacobian is None:
             residual, jacobian = equations.linearize(at.x)
             at, is_exact = Iterate(at.x, residual, at.iterations), True
-        step = _step(jacobian, at.residual, longest)
+        try:
+            step = _step(jacobian, at.residual, longest)
+        except np.linalg.LinAlgError:
+            if at.error <= GOOD_ENOUGH:
+                break
+            raise RunError("Newton's method comes to where the Jacobian is singular") from None
         if is_exact:
             following = _damped(equations, at, step, shortenings, gain)
             if following is None:
@@ -104,13 +109,10 @@ def solve(
 
 
 def _step(jacobian: Matrix, residual: Vector, longest: float) -> Vector:
-    try:
-        if jacobian.shape[0] == jacobian.shape[1]:
-            step: NDArray[Any] = np.linalg.solve(jacobian, -residual)
-        else:
-            step = np.linalg.lstsq(jacobian, -residual)[0]
-    except np.linalg.LinAlgError:
-        raise RunError("Newton's method comes to where the Jacobian is singular") from None
+    if jacobian.shape[0] == jacobian.shape[1]:
+        step: NDArray[Any] = np.linalg.solve(jacobian, -residual)
+    else:
+        step = np.linalg.lstsq(jacobian, -residual)[0]
     length = float(np.max(np.abs(step)))
     return step * (longest / length) if length > longest else step
 
