@@ -1,7 +1,6 @@
-/* The fields of a saved run. Each struct has one function, which writes the fields, reads and checks them, or
- * only counts their bytes, so that what is written and what is read cannot differ. Left out is what follows
- * from the rest: model, solver's limits, views. */
-#include "saved_fields.h"
+/* The fields of a saved run: one function for each struct. Model, solver's limits and views are left out, as
+ * they follow from the rest. */
+#include "saved_values.h"
 
 #include "ranges.h"
 #include "static_assert.h"
@@ -13,50 +12,11 @@
 #include <stdio.h>
 #include <string.h>
 
-/* This is beyond whatever is added up along a run of states below fmu_largest_state, and far enough from
- * overflow for differences and products. */
-static const double largest_sum = 1e200;
-
-/* What a counter of 64 bits starts from at the most: no run comes near its end from there. */
-static const int64_t largest_work = INT64_MAX / 2;
-
 /* How far, in the runner's scales, a foot on the ground may be off it and the past may reach into the future:
  * rounding, and what an event that was taken anew is moved by. */
 static const double margin = 1e-6;
 
-typedef struct {
-    unsigned char *target;       /* written to, or NULL */
-    const unsigned char *source; /* read from, or NULL */
-    size_t offset;
-    const char *refused; /* the first field that may not be what it is */
-} transfer;
-
 /* ---- one value each ----------------------------------------------------------------------------------- */
-
-/* Moves one value between `value` and the bytes; true where it was read. */
-static bool pass(transfer *bytes, void *value, size_t size) {
-    if (bytes->target != NULL) {
-        memcpy(bytes->target + bytes->offset, value, size);
-    }
-    if (bytes->source != NULL) {
-        memcpy(value, bytes->source + bytes->offset, size);
-    }
-    bytes->offset += size;
-    return bytes->source != NULL;
-}
-
-static void require(transfer *bytes, bool allowed, const char *name) {
-    if (!allowed && bytes->refused == NULL) {
-        bytes->refused = name;
-    }
-}
-
-/* NaN lies between nothing. */
-static void pass_between(transfer *bytes, const char *name, double *value, double minimum, double maximum) {
-    if (pass(bytes, value, sizeof *value)) {
-        require(bytes, *value >= minimum && *value <= maximum, name);
-    }
-}
 
 static void pass_sum(transfer *bytes, const char *name, double *value) {
     pass_between(bytes, name, value, -largest_sum, largest_sum);
@@ -66,42 +26,15 @@ static void pass_finite(transfer *bytes, const char *name, double *value) {
     pass_between(bytes, name, value, -DBL_MAX, DBL_MAX);
 }
 
-static void pass_time(transfer *bytes, const char *name, double *value) {
-    if (pass(bytes, value, sizeof *value)) {
-        require(bytes, fmu_is_time(*value), name);
-    }
-}
-
-/* What rounding leaves out is less than the last digit. */
+/* A time with the rest that rounding leaves out, which is less than the last digit. */
 static void pass_instant(transfer *bytes, const char *name, tdmf_instant *instant) {
     pass_time(bytes, name, &instant->time);
     const double digit = DBL_EPSILON * fabs(instant->time);
     pass_between(bytes, name, &instant->rest, -digit, digit);
 }
 
-static void pass_integer(transfer *bytes, const char *name, int *value, int minimum, int maximum) {
-    if (pass(bytes, value, sizeof *value)) {
-        require(bytes, *value >= minimum && *value <= maximum, name);
-    }
-}
-
 static void pass_count(transfer *bytes, const char *name, int *value) {
     pass_integer(bytes, name, value, 0, INT_MAX);
-}
-
-static void pass_work(transfer *bytes, const char *name, int64_t *value) {
-    if (pass(bytes, value, sizeof *value)) {
-        require(bytes, *value >= 0 && *value <= largest_work, name);
-    }
-}
-
-/* A bool never holds anything but its two values. */
-static void pass_flag(transfer *bytes, const char *name, bool *value) {
-    unsigned char flag = *value;
-    if (pass(bytes, &flag, sizeof flag)) {
-        require(bytes, flag <= 1, name);
-        *value = flag == 1;
-    }
 }
 
 static bool is_word(const char word[TDMF_WORD_CAPACITY]) {
@@ -314,9 +247,7 @@ static void pass_surroundings(transfer *bytes, fmu *fmu) {
             pass_rate(bytes, fmu, &fmu_variables[i]);
         }
     }
-    pass_between(bytes, "the importer's tolerance", &fmu->importer_tolerance, DBL_MIN * DBL_EPSILON,
-                 INFINITY);
-    pass_between(bytes, "the stop time", &fmu->stop_time, -DBL_MAX, INFINITY);
+    pass_experiment(bytes, fmu);
     pass_work(bytes, "the steps done", &fmu->solver.steps);
     pass_work(bytes, "the events found", &fmu->solver.events);
     pass_work(bytes, "the evaluations done", &fmu->solver.evaluations);
@@ -340,13 +271,8 @@ static void pass_pending_event(transfer *bytes, fmu *fmu) {
 /* Reserves its room in the bytes also where there is nothing to tell: before the start no history, and mostly
  * no event. */
 static void pass_run(transfer *bytes, saved_run *run) {
-    int interface = (int)run->interface;
-    int state = (int)run->state;
     bool begun = fmu_has_begun(&run->fmu);
-    pass_integer(bytes, "the interface", &interface, MODEL_EXCHANGE, CO_SIMULATION_WITH_EVENT_MODE);
-    pass_integer(bytes, "the state of the call sequence", &state, INSTANTIATED, ANYWHERE);
-    run->interface = (interface_kind)interface;
-    run->state = (call_state)state;
+    pass_calls(bytes, run);
     pass_flag(bytes, "whether the run has begun", &begun);
     pass_flag(bytes, "the pending event", &run->fmu.event_is_pending);
     pass_surroundings(bytes, &run->fmu);
@@ -444,12 +370,6 @@ static void require_agreement(transfer *bytes, const saved_run *run, const tdmf_
     }
 }
 
-static void require_agreement_of_calls(transfer *bytes, const saved_run *run) {
-    require(bytes, state_suits_interface(run->state, run->interface, fmu_has_begun(&run->fmu)),
-            "the state of the call sequence");
-    require(bytes, !run->fmu.event_is_pending || event_may_be_pending(run), "the pending event");
-}
-
 static void require_agreement_of_fmu(transfer *bytes, const saved_run *run) {
     const fmu *fmu = &run->fmu;
     require(bytes, fmu_settings_obstacle(fmu) == NULL, "solver.method");
@@ -481,7 +401,8 @@ const char *read_saved_run(const unsigned char *bytes, saved_run *run, char *rea
     transfer source = {.source = bytes};
     fmu_reset(&run->fmu);
     pass_run(&source, run);
-    require_agreement_of_calls(&source, run);
+    require_calls(&source, run);
+    require(&source, !run->fmu.event_is_pending || event_may_be_pending(run), "the pending event");
     if (source.refused == NULL && fmu_has_begun(&run->fmu)) {
         char text[FMU_TEXT];
         if (fmu_prepare(&run->fmu, text) != NULL) {
@@ -490,9 +411,5 @@ const char *read_saved_run(const unsigned char *bytes, saved_run *run, char *rea
         }
         require_agreement_of_fmu(&source, run);
     }
-    if (source.refused != NULL) {
-        snprintf(reason, capacity, "%s is out of range or contradicts the rest", source.refused);
-        return reason;
-    }
-    return NULL;
+    return reason_of(&source, reason, capacity);
 }
