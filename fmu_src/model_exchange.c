@@ -3,7 +3,6 @@
 #include "instance.h"
 
 #include <math.h>
-#include <string.h>
 
 static const unsigned evaluable =
     INITIALIZATION_MODE | EVENT_MODE | CONTINUOUS_TIME_MODE | TERMINATED | FAILED;
@@ -65,9 +64,12 @@ call_status set_states(instance *instance, const char *call, const double states
         !array_is_given(instance, call, states, count, FMU_STATE_COUNT)) {
         return CALL_ERROR;
     }
-    if (!fmu_try_states(&instance->fmu, states)) {
-        return discard(instance, call, "a state is not a number");
+    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+        if (isnan(states[i])) {
+            return discard(instance, call, "a state is not a number");
+        }
     }
+    fmu_try_states(&instance->fmu, states);
     discard_view(instance);
     return CALL_OK;
 }

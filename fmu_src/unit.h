@@ -62,11 +62,19 @@ void fmu_flow(const fmu *fmu, struct fmu *seed);
 /* The continuous states as an importer sees them; `view` is that of a run that has not begun, else NULL. */
 void fmu_states(const fmu *fmu, const fmu_view *view, double states[]);
 
-/* Takes a solver's trial state. Values beyond any motion are cut, so that all that follows stays finite;
- * false, and nothing taken, if one is not a number. */
-bool fmu_try_states(fmu *fmu, const double states[]);
+/* This is far beyond any motion, and far enough from overflow for every product of the equations. */
+static const double fmu_largest_state = 1e60;
 
-/* Cut as trial states are: an importer's solver then sees that its step was too long. */
+/* A value that is cut where it is beyond any motion. NaN counts as large. */
+static inline double fmu_within_largest(double value) {
+    const double bounded = value < fmu_largest_state ? value : fmu_largest_state;
+    return bounded > -fmu_largest_state ? bounded : -fmu_largest_state;
+}
+
+/* Takes a solver's trial states, none of which is NaN. They are cut, so that all that follows stays finite. */
+void fmu_try_states(fmu *fmu, const double states[]);
+
+/* Derivatives are cut as trial states are: an importer's solver then sees that its step was too long. */
 void fmu_derivatives(const fmu *fmu, double derivatives[]);
 void fmu_event_indicators(const fmu *fmu, double indicators[]);
 

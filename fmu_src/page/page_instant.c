@@ -9,8 +9,6 @@
 
 enum { FEW_TERMS = 4, FEW_ORDER = 2 }; /* values and rates need no more */
 
-static const double largest = 1e60; /* beyond any motion, and far from overflow in products */
-
 static size_t series_size(void) {
     return (size_t)unit_model->series_count * TERMS;
 }
@@ -143,10 +141,6 @@ void fmu_event_indicators(const fmu *fmu, double indicators[]) {
 
 /* ---- rates --------------------------------------------------------------------------------------------- */
 
-static double within_largest(double value) {
-    return isnan(value) || value > largest ? largest : value < -largest ? -largest : value;
-}
-
 void rates_at(const fmu *fmu, const instant *at, double *rates) {
     const tdmf_mode_kind *mode = mode_of(fmu);
     memset(rates, 0, UNIT_STATE_COUNT * sizeof *rates);
@@ -180,7 +174,7 @@ static void derivatives_at(const fmu *fmu, const instant *at, double derivatives
     }
     pick_states(rates, mode->world_rates != NULL ? at->x : NULL, derivatives);
     for (int i = 0; i < FMU_STATE_COUNT; ++i) {
-        derivatives[i] = within_largest(derivatives[i]);
+        derivatives[i] = fmu_within_largest(derivatives[i]);
     }
 }
 
@@ -196,17 +190,11 @@ void fmu_states(const fmu *fmu, const fmu_view *view, double states[]) {
     }
 }
 
-bool fmu_try_states(fmu *fmu, const double states[]) {
+void fmu_try_states(fmu *fmu, const double states[]) {
     for (int i = 0; i < FMU_STATE_COUNT; ++i) {
-        if (isnan(states[i])) {
-            return false;
-        }
-    }
-    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
-        states_of(fmu)[unit_states[i].index] = within_largest(states[i]);
+        states_of(fmu)[unit_states[i].index] = fmu_within_largest(states[i]);
     }
     take_from_world(fmu);
-    return true;
 }
 
 void fmu_nominals(const fmu *fmu, double nominals[]) {

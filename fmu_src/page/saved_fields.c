@@ -104,7 +104,7 @@ static bool rates_are_finite(const fmu *fmu) {
     bool finite = true;
     fmu_derivatives(fmu, derivatives);
     for (int i = 0; i < FMU_STATE_COUNT; ++i) {
-        finite &= fabs(derivatives[i]) < 1e60;
+        finite &= fabs(derivatives[i]) < fmu_largest_state;
     }
     return finite;
 }

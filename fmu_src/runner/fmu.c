@@ -19,7 +19,6 @@ typedef struct {
     bool fallen;
 } fmu_mark;
 
-const double fmu_largest_state = 1e60;
 static const double largest_time = 1e100;
 
 bool fmu_create(fmu *fmu, bool is_exchange) {
@@ -173,11 +172,6 @@ bool fmu_is_time(double time) {
     return fabs(time) <= largest_time;
 }
 
-static double within_largest(double value) {
-    const double bounded = value < fmu_largest_state ? value : fmu_largest_state;
-    return bounded > -fmu_largest_state ? bounded : -fmu_largest_state;
-}
-
 void fmu_states(const fmu *fmu, const fmu_view *view, double states[]) {
     memcpy(states, fmu->motion.state, sizeof fmu->motion.state);
     if (view != NULL) { /* the start calculates those that have no start value */
@@ -186,22 +180,16 @@ void fmu_states(const fmu *fmu, const fmu_view *view, double states[]) {
     }
 }
 
-bool fmu_try_states(fmu *fmu, const double state[]) {
+void fmu_try_states(fmu *fmu, const double state[]) {
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        if (isnan(state[i])) {
-            return false;
-        }
+        fmu->motion.state[i] = fmu_within_largest(state[i]);
     }
-    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        fmu->motion.state[i] = within_largest(state[i]);
-    }
-    return true;
 }
 
 void fmu_derivatives(const fmu *fmu, double derivatives[]) {
     tdmf_derivatives(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state, derivatives);
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        derivatives[i] = isnan(derivatives[i]) ? fmu_largest_state : within_largest(derivatives[i]);
+        derivatives[i] = fmu_within_largest(derivatives[i]);
     }
 }
 

@@ -71,7 +71,4 @@ typedef struct {
 extern const char *const fmu_contact_mode_names[];
 extern const char *const fmu_hip_phase_names[];
 
-/* This is far beyond any motion, and far enough from overflow for every product of the equations. */
-extern const double fmu_largest_state;
-
 #endif
