@@ -80,9 +80,9 @@ call_status exit_initialization(instance *instance, const char *call) {
     if (!call_is_allowed(instance, call, INITIALIZATION_MODE)) {
         return CALL_ERROR;
     }
-    const char *obstacle = fmu_settings_obstacle(&instance->fmu);
-    if (obstacle != NULL) {
-        return refuse(instance, call, "%s", obstacle);
+    if (!fmu_has_solver(&instance->fmu)) {
+        return refuse(instance, call, "solver.method = cvode is refused: this unit was built without "
+                                      "SUNDIALS; allowed: native");
     }
     char text[FMU_TEXT];
     if (fmu_start(&instance->fmu, text) != NULL) {

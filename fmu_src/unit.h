@@ -105,8 +105,8 @@ const char *fmu_advance(fmu *fmu, double until, const fmu_observer *observer, ch
  * fmu->event_is_pending. */
 const char *fmu_advance_to_event(fmu *fmu, double until, const fmu_observer *observer, char text[FMU_TEXT]);
 
-/* Why the settings cannot be met by this build, or NULL. */
-const char *fmu_settings_obstacle(const fmu *fmu);
+/* Whether this build has the solver that the settings choose. */
+bool fmu_has_solver(const fmu *fmu);
 
 /* A time for a message, with a decimal point whatever the locale; returns `text`. */
 enum { TIME_CAPACITY = 32 };

@@ -66,11 +66,8 @@ void fmu_set_time(fmu *fmu, double time) {
     }
 }
 
-const char *fmu_settings_obstacle(const fmu *fmu) {
-    if (fmu->settings[SETTING_METHOD] != SOLVER_NATIVE) {
-        return "solver.method = cvode is refused: this unit was built without SUNDIALS; allowed: native";
-    }
-    return NULL;
+bool fmu_has_solver(const fmu *fmu) {
+    return fmu->settings[SETTING_METHOD] == SOLVER_NATIVE;
 }
 
 bool fmu_asks_to_terminate(const fmu *fmu) {

@@ -233,11 +233,8 @@ double fmu_longest_step(const fmu *fmu) {
     return tdmf_longest_step(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state);
 }
 
-const char *fmu_settings_obstacle(const fmu *fmu) {
-    if (fmu->settings.solver.method == SOLVER_CVODE && !tdmf_cvode_is_available()) {
-        return "solver.method = cvode is refused: this unit was built without SUNDIALS; allowed: native";
-    }
-    return NULL;
+bool fmu_has_solver(const fmu *fmu) {
+    return fmu->settings.solver.method != SOLVER_CVODE || tdmf_cvode_is_available();
 }
 
 /* ---- messages ------------------------------------------------------------------------------------------ */

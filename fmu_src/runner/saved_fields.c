@@ -372,7 +372,7 @@ static void require_agreement(transfer *bytes, const saved_run *run, const tdmf_
 
 static void require_agreement_of_fmu(transfer *bytes, const saved_run *run) {
     const fmu *fmu = &run->fmu;
-    require(bytes, fmu_settings_obstacle(fmu) == NULL, "solver.method");
+    require(bytes, fmu_has_solver(fmu), "solver.method");
     require_agreement(bytes, run, &fmu->motion);
     if (fmu->event_is_pending) {
         require(bytes, fmu->after_event.time == fmu->motion.time, "the pending event");
