@@ -29,13 +29,14 @@ fmi2Status fmi2EnterContinuousTimeMode(fmi2Component component) {
 fmi2Status fmi2CompletedIntegratorStep(fmi2Component component, fmi2Boolean no_set_state_before,
                                        fmi2Boolean *enter_event_mode, fmi2Boolean *terminate) {
     static const char call[] = "fmi2CompletedIntegratorStep";
+    instance *instance = component;
     (void)no_set_state_before;
     if (!call_is_allowed(component, call, CONTINUOUS_TIME_MODE) ||
         !array_is_given(component, call, enter_event_mode, 1, 1) ||
         !array_is_given(component, call, terminate, 1, 1)) {
         return fmi2Error;
     }
-    *enter_event_mode = step_asks_for_event_mode(component) ? fmi2True : fmi2False;
+    *enter_event_mode = fmu_complete_step(&instance->fmu) ? fmi2True : fmi2False;
     *terminate = fmi2False;
     return fmi2OK;
 }

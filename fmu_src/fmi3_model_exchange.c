@@ -21,13 +21,14 @@ fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance component) {
 fmi3Status fmi3CompletedIntegratorStep(fmi3Instance component, fmi3Boolean no_set_state_before,
                                        fmi3Boolean *enter_event_mode, fmi3Boolean *terminate_simulation) {
     static const char call[] = "fmi3CompletedIntegratorStep";
+    instance *instance = component;
     (void)no_set_state_before;
     if (!call_is_allowed(component, call, CONTINUOUS_TIME_MODE) ||
         !array_is_given(component, call, enter_event_mode, 1, 1) ||
         !array_is_given(component, call, terminate_simulation, 1, 1)) {
         return fmi3Error;
     }
-    *enter_event_mode = step_asks_for_event_mode(component);
+    *enter_event_mode = fmu_complete_step(&instance->fmu);
     *terminate_simulation = fmi3False;
     return fmi3OK;
 }

@@ -191,8 +191,6 @@ call_status update_discrete_states(instance *instance, const char *call, discret
 
 call_status enter_continuous_time_mode(instance *instance, const char *call);
 
-/* After an integrator's step: true where the leg's extension has changed, so that leg.work can follow. */
-bool step_asks_for_event_mode(instance *instance);
 call_status set_time(instance *instance, const char *call, double time);
 call_status set_states(instance *instance, const char *call, const double states[], size_t count);
 call_status get_states(instance *instance, const char *call, double states[], size_t count);

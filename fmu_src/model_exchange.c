@@ -44,10 +44,6 @@ call_status enter_continuous_time_mode(instance *instance, const char *call) {
     return CALL_OK;
 }
 
-bool step_asks_for_event_mode(instance *instance) {
-    return fmu_complete_step(&instance->fmu);
-}
-
 call_status set_time(instance *instance, const char *call, double time) {
     if (!call_is_allowed(instance, call, EVENT_MODE | CONTINUOUS_TIME_MODE)) {
         return CALL_ERROR;
