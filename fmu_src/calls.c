@@ -1,4 +1,4 @@
-/* What every FMI call checks first, and the view it reads from. */
+/* Checks that every FMI call makes first, and the view that it reads from. */
 #include "instance.h"
 
 const char *name_of_state(call_state state) {

@@ -73,7 +73,7 @@ call_status discard(const instance *instance, const char *call, const char *form
 call_status set_logging(instance *instance, const char *call, bool on, size_t count,
                         const char *const names[]);
 
-/* Logs every event it is told of; tells nothing while the events' category is off. */
+/* An observer that logs every event while the events' category is on. */
 fmu_observer event_logger(instance *instance);
 
 /* ---- calls.c ------------------------------------------------------------------------------------------ */
@@ -123,7 +123,7 @@ call_status reset(instance *instance, const char *call);
 
 /* ---- access.c ----------------------------------------------------------------------------------------- */
 
-/* How the importer's arrays hold numbers: one function for each of its types. */
+/* Access to numbers in the importer's arrays: one function for each of its types. */
 typedef void (*number_writer)(void *values, size_t i, double number);
 typedef double (*number_reader)(const void *values, size_t i);
 void write_double(void *values, size_t i, double number);

@@ -1,4 +1,4 @@
-/* What of a unit a saved state holds, as bytes without padding or pointer, and what each field may be. */
+/* The fields of a saved run, as bytes without padding or pointer, and the values that each may have. */
 #ifndef TDMF_FMU_SAVED_FIELDS_H
 #define TDMF_FMU_SAVED_FIELDS_H
 
@@ -11,7 +11,7 @@ typedef struct {
     fmu fmu;
 } saved_run;
 
-/* How many bytes every run takes. */
+/* Number of bytes of every saved run. */
 size_t saved_run_size(void);
 
 void write_saved_run(saved_run *run, unsigned char *bytes);

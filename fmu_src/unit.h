@@ -12,13 +12,13 @@
 
 enum { FMU_TEXT = 256 };
 
-/* Told of every event that the unit takes, in a sentence, if an observer is given. */
+/* Receives a sentence about every event that the unit takes. */
 typedef struct {
     void (*on_event)(void *subject, const char *text); /* or NULL */
     void *subject;
 } fmu_observer;
 
-/* What an update at an instant has done. */
+/* Result of an update at an instant. */
 typedef struct {
     bool state_changed;
     bool unresolved; /* events go on without end */
@@ -50,8 +50,8 @@ void fmu_evaluate(const fmu *fmu, fmu_view *view);
  * whose states, inputs and parameters are the seed. */
 void fmu_differentiate(const fmu *fmu, const struct fmu *seed, fmu_view *variation);
 
-/* The same at the start of a run, for all that a start follows from: the seed is in the direction's
- * parameters, inputs, states and time. `given` is the unit before fmu_start, `started` the one after. States
+/* The change at the start of a run, along a direction of all that a start follows from: the seed is in the
+ * direction's parameters, inputs, states and time. `given` is the unit before fmu_start, `started` the one after. States
  * that the start calculates are written into the seed. */
 void fmu_differentiate_start(const fmu *given, const struct fmu *started, struct fmu *seed,
                              fmu_view *variation);
@@ -91,7 +91,7 @@ void fmu_enter_event_mode(fmu *fmu);
 /* Takes a pending event and resolves whatever else is due now. */
 fmu_resolution fmu_update(fmu *fmu, const fmu_observer *observer);
 
-/* Whether the run has come to its end, and its settings say that a simulation is to end there. */
+/* Whether the run has ended, and its settings say that a simulation is to end there. */
 bool fmu_asks_to_terminate(const fmu *fmu);
 
 /* The longest step that an importer's solver may make from here; infinite mostly. */
@@ -101,8 +101,8 @@ double fmu_longest_step(const fmu *fmu);
  * no farther than fmu_time. */
 const char *fmu_advance(fmu *fmu, double until, const fmu_observer *observer, char text[FMU_TEXT]);
 
-/* The same, but stops at the first event on the way that counts: at its exact time, before it is taken, with
- * fmu->event_is_pending. */
+/* Moves the run on as fmu_advance does, but stops at the first event on the way that counts: at its exact
+ * time, before it is taken, with fmu->event_is_pending. */
 const char *fmu_advance_to_event(fmu *fmu, double until, const fmu_observer *observer, char text[FMU_TEXT]);
 
 /* Whether this build has the solver that the settings choose. */

@@ -72,7 +72,7 @@ const char *fmu_get_text(const fmu_view *view, const fmu_variable *variable);
 /* Stores a value that was checked. */
 void fmu_set_number(fmu *fmu, const fmu_variable *variable, double value);
 
-/* How fast an input changes, per second. */
+/* Rate of an input, per second. */
 double fmu_get_number_rate(const fmu *fmu, const fmu_variable *input);
 void fmu_set_number_rate(fmu *fmu, const fmu_variable *input, double rate);
 

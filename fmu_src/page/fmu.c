@@ -132,7 +132,7 @@ static void append(char text[FMU_TEXT], const char *word) {
     snprintf(text + length, FMU_TEXT - length, "%s%s", length > 0 ? ", " : "", word);
 }
 
-/* What a mode is called in messages: its enumerations, else its name. */
+/* Writes the name of a mode in messages: its enumerations, else its name in the page. */
 static void describe(const fmu *fmu, int mode, const double *x, char text[FMU_TEXT]) {
     double outputs[UNIT_OUTPUT_COUNT + 1];
     text[0] = '\0';
@@ -146,7 +146,7 @@ static void describe(const fmu *fmu, int mode, const double *x, char text[FMU_TE
     }
 }
 
-/* Tells of events at one instant, with the states before the first and after the last of them. */
+/* Reports events at one instant, with the states before the first and after the last of them. */
 static void report(const fmu *fmu, const fmu_observer *observer, const tdmf_event_row *first,
                    const double *before, const tdmf_event_row *last, const double *after) {
     char text[3 * FMU_TEXT], old_mode[FMU_TEXT], new_mode[FMU_TEXT], time[TIME_CAPACITY];
@@ -159,7 +159,7 @@ static void report(const fmu *fmu, const fmu_observer *observer, const tdmf_even
     }
 }
 
-/* Tells of the events of a log, those of one instant together. */
+/* Reports the events of a log, those of one instant together. */
 static void report_log(const fmu *fmu, const fmu_observer *observer, const tdmf_page_run *run) {
     for (int i = 0, next; i < run->log_count; i = next) {
         for (next = i + 1; next < run->log_count && run->log[next].time == run->log[i].time; ++next) {
@@ -174,7 +174,7 @@ static bool has_arrived(tdmf_run_outcome outcome) {
     return outcome == TDMF_RUN_ARRIVED || outcome == TDMF_RUN_ENDED;
 }
 
-/* Goes on by the driver, and tells of every event if somebody listens. Returns the outcome; `events` counts.
+/* Runs the driver, and reports every event if there is an observer. `events` receives the number of events.
  */
 static tdmf_run_outcome drive(fmu *fmu, double until, const fmu_observer *observer, long *events) {
     const bool is_observed = observer->on_event != NULL;
@@ -251,8 +251,7 @@ static tdmf_event_row take_event(fmu *fmu, const tdmf_guard_kind *kind) {
     return row;
 }
 
-/* Takes the events that are due, in the page's order, until none is. False where they do not come to an end.
- */
+/* Takes events in the page's order until none is due. False: they go on without end. */
 static bool settle(fmu *fmu, const fmu_observer *observer, bool *changed) {
     const page_motion before = fmu->motion;
     tdmf_event_row first_row = {0}, row = {0};

@@ -20,14 +20,14 @@ typedef enum { SOLVER_NATIVE = 1, SOLVER_CVODE } solver_method;
 
 typedef enum { SETTING_TOLERANCE, SETTING_TERMINATES, SETTING_METHOD, SETTING_COUNT } fmu_setting;
 
-/* What the solver of Co-Simulation has done. */
+/* Work of the solver in Co-Simulation. */
 typedef enum { WORK_STEPS, WORK_EVALUATIONS, WORK_LAYER_STEPS, WORK_COUNT } fmu_work;
 
-/* How an event's guard has been seen in Model Exchange: not above zero, above it, or still below zero since
- * its event was taken. An importer finds events a little late. */
+/* Last view of an event's guard in Model Exchange: not above zero, above it, or still below zero since its
+ * event was taken. An importer finds events a little late. */
 typedef enum { WATCH_BELOW, WATCH_ABOVE, WATCH_RISING } watch_state;
 
-/* What the driver keeps of a run between its calls. Numbers are the page's parameters, then its states. Where
+/* State of a run between calls of the driver. Numbers are the page's parameters, then its states. Where
  * a mode has coordinates of its own, the states of the world's coordinates follow from them, or in Model
  * Exchange they from those. */
 typedef struct {
@@ -60,7 +60,7 @@ typedef struct fmu {
     double *memory; /* working memory, of no content */
 } fmu;
 
-/* What follows from a run and is computed when it is asked for. */
+/* Values that follow from a run, computed on request. */
 typedef struct {
     double numbers[UNIT_NUMBER_COUNT + 1];
     double states[FMU_STATE_COUNT + 1]; /* of a run that has not begun: those that it would begin with */

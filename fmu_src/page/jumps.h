@@ -4,16 +4,16 @@
 
 #include "page_instant.h"
 
-/* Notes that all jumps so far have changed what they have to change. */
+/* Records that all jumps so far have had their effects. */
 void account_for_all(fmu *fmu);
 
-/* Whether a quantity has jumped since. */
+/* Whether a quantity has jumped since the last such record. */
 bool quantity_has_jumped(const fmu *fmu);
 
-/* Changes the states that depend on such jumps, and notes that. True where there was one. */
+/* Changes the states that depend on jumps since then, and records it. True where there was one. */
 bool account_for_jumps(fmu *fmu);
 
-/* The same for inputs that an importer's solver has moved along the step behind. */
+/* Changes the states that depend on inputs that an importer's solver has moved along the last step. */
 bool account_for_drifts(fmu *fmu);
 
 #endif

@@ -12,7 +12,7 @@
 
 enum { NO_GUARD = -1 };
 
-/* Where events are counted from. */
+/* Events so far, to count from. */
 typedef struct {
     int event_count; /* which ends at the largest int */
     double event_time;
@@ -283,7 +283,7 @@ static void report_to(void *observer, const tdmf_event *event) {
     report(observer, event);
 }
 
-/* The same, and tells of every event. */
+/* Advances and reports every event. */
 static tdmf_outcome advance_observed(fmu *fmu, double until, const fmu_observer *observer) {
     fmu_observer own = *observer;
     fmu->solver.on_event = report_to;
@@ -294,7 +294,7 @@ static tdmf_outcome advance_observed(fmu *fmu, double until, const fmu_observer 
     return outcome;
 }
 
-/* What remains to be done where a run has got to. */
+/* Completes a run that has ended, or arrived at `until`. */
 static const char *conclude(fmu *fmu, tdmf_outcome outcome, double until) {
     if (outcome == TDMF_FELL) {
         fmu->inputs = tdmf_inputs_after(&fmu->inputs, &fmu->input_rates, until - fmu->motion.time);

@@ -49,7 +49,7 @@ static inline tdmf_system fmu_system(const fmu *fmu) {
     return system;
 }
 
-/* What the solver of Co-Simulation has done; stops counting at the largest Integer. */
+/* Work of the solver in Co-Simulation; stops counting at the largest Integer. */
 typedef struct {
     struct {
         int steps;
@@ -58,7 +58,7 @@ typedef struct {
     } solver;
 } fmu_work;
 
-/* What follows from a unit and is computed when it is asked for. */
+/* Values that follow from a run, computed on request. */
 typedef struct {
     tdmf_outputs outputs;
     fmu_work work;

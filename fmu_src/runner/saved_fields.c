@@ -254,7 +254,7 @@ static void pass_surroundings(transfer *bytes, fmu *fmu) {
     pass_work(bytes, "the steps in the layer", &fmu->solver.layer_steps);
 }
 
-/* Parameters and inputs are read and checked as those of a unit. Nobody need have told which guard fired. */
+/* Parameters and inputs are read and checked as those of a unit. The guard that fired may be unknown. */
 static void pass_pending_event(transfer *bytes, fmu *fmu) {
     struct fmu at_event = *fmu;
     at_event.parameters = fmu->event_parameters;
@@ -268,8 +268,7 @@ static void pass_pending_event(transfer *bytes, fmu *fmu) {
     fmu->event_inputs = at_event.inputs;
 }
 
-/* Reserves its room in the bytes also where there is nothing to tell: before the start no history, and mostly
- * no event. */
+/* Passes a run, which has a history only after its start, and seldom a pending event. */
 static void pass_run(transfer *bytes, saved_run *run) {
     bool begun = fmu_has_begun(&run->fmu);
     pass_calls(bytes, run);
