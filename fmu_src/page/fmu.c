@@ -13,7 +13,6 @@ enum { LOG_SIZE = 32 };
 
 static const long step_limit = 1000000, event_limit = 100000; /* of a call */
 static const double largest_time = 1e100, finest_tolerance = 1e-16;
-static const double time_scales_of_step = 3.0; /* of a law, in a step of an importer's solver */
 
 bool fmu_create(fmu *fmu, bool is_exchange) {
     fmu->is_exchange = is_exchange;
@@ -75,9 +74,7 @@ bool fmu_asks_to_terminate(const fmu *fmu) {
 }
 
 double fmu_longest_step(const fmu *fmu) {
-    tdmf_answer *time_scale = mode_of(fmu)->time_scale;
-    return time_scale == NULL ? INFINITY
-                              : time_scales_of_step * time_scale(parameters_of(fmu), states_of(fmu));
+    return tdmf_longest_step_of_law(mode_of(fmu), parameters_of(fmu), states_of(fmu));
 }
 
 /* ---- the driver ---------------------------------------------------------------------------------------- */

@@ -271,7 +271,7 @@ static real longest_step(const lane_pool *w, const lane_batch *b, const tdmf_mod
             for (int i = 0; i < m->moving_count; ++i) {
                 r->x[m->moving[i]] = lane_of(&b->x[i], lane);
             }
-            set_lane(&longest, lane, most_time_scales * mode->time_scale(r->p, r->x));
+            set_lane(&longest, lane, tdmf_longest_step_of_law(mode, r->p, r->x));
         }
     }
     return longest;

@@ -57,7 +57,6 @@ static void load(work *w) {
  * fewer terms. False where no step has a finite result. */
 static bool begin_step(work *w, double left) {
     const tdmf_motion_kind *m = w->step.motion;
-    double longest = INFINITY;
     series_remainder remainder;
     for (int i = 0; i < m->moving_count; ++i) {
         w->step.s[i][0] = w->state->r->x[m->moving[i]];
@@ -71,9 +70,7 @@ static bool begin_step(work *w, double left) {
             return false;
         }
     }
-    if (w->mode->time_scale) {
-        longest = most_time_scales * w->mode->time_scale(w->state->r->p, w->state->r->x);
-    }
+    const double longest = tdmf_longest_step_of_law(w->mode, w->state->r->p, w->state->r->x);
     choose_size(&w->step, &remainder, longest, left);
     w->state->reach = w->step.reach;
     w->is_limited = w->step.reach == longest;

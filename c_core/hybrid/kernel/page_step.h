@@ -12,7 +12,6 @@
 
 #include <string.h>
 
-static const double most_time_scales = 3.0;     /* of a law in a step */
 static const double largest_size = 1e10;        /* powers of a step do not overflow */
 static const double smallest_share = 1e-200;    /* of a scale: dividing by it raises no exception */
 static const double divisor_change = 0.75;      /* of a divisor within a step, relative to it */

@@ -39,6 +39,13 @@ static inline int tdmf_observed_count(const tdmf_mode_kind *mode, tdmf_observati
     return observes == TDMF_OBSERVE_ALL ? mode->watch_count : observes ? mode->usual_count : 0;
 }
 
+static const double most_time_scales = 3.0; /* of a law in a step */
+
+/* The longest step that the law of a mode allows whose series does not show it; infinite: any. */
+static inline double tdmf_longest_step_of_law(const tdmf_mode_kind *mode, const double *p, const double *x) {
+    return mode->time_scale ? most_time_scales * mode->time_scale(p, x) : INFINITY;
+}
+
 /* Whether series can have this order. */
 bool tdmf_is_order(int order);
 
