@@ -98,10 +98,14 @@ def write_unit(model, folder, version="0"):
     return unit.identifier
 
 
+def is_for(name, fmi):
+    """Whether a file in a unit's `sources` belongs to a version of FMI, 2 or 3."""
+    return not name.startswith("fmi3_" if fmi == 2 else "fmi2_")
+
+
 def sources_of(names, fmi):
-    """Of the files in a unit's `sources`, those that are compiled for a version of FMI, 2 or 3."""
-    other = "fmi3_" if fmi == 2 else "fmi2_"
-    return sorted(name for name in names if name.endswith(".c") and not name.startswith(other))
+    """C files that are compiled for a version of FMI, 2 or 3, among the files in a unit's `sources`."""
+    return sorted(name for name in names if name.endswith(".c") and is_for(name, fmi))
 
 
 def platform_of(fmi):
@@ -193,8 +197,7 @@ def pack_unit(folder, fmi, name):
     folder = Path(folder)
     own = folder / f"fmi{fmi}"
     files = {file: file.relative_to(own).as_posix() for file in sorted(own.rglob("*")) if file.is_file()}
-    other = "fmi3_" if fmi == 2 else "fmi2_"
-    sources = [file for file in sorted((folder / "sources").iterdir()) if not file.name.startswith(other)]
+    sources = [file for file in sorted((folder / "sources").iterdir()) if is_for(file.name, fmi)]
     files |= {file: f"sources/{file.name}" for file in sources}
     with zipfile.ZipFile(folder / name, "w", zipfile.ZIP_DEFLATED) as packed:
         for file, inside in files.items():
