@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import zipfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from .description import build_description, description
@@ -152,18 +153,15 @@ def compile_unit(folder, compiler="cc", flags=()):
 
 def run_all(jobs):
     """Run commands, as many at a time as there are processors; the first one that fails is reported."""
-    waiting, running = list(reversed(jobs)), []
-    while waiting or running:
-        while waiting and len(running) < (os.cpu_count() or 1):
-            name, job = waiting.pop()
-            running.append((name, subprocess.Popen(job, stderr=subprocess.PIPE, text=True)))
-        name, process = running.pop(0)
-        _, said = process.communicate()
-        if process.returncode:
-            for _, other in running:
-                other.kill()
-                other.communicate()
-            raise RuntimeError(f"{name} does not compile:\n{said}")
+
+    def run(named):
+        name, job = named
+        done = subprocess.run(job, stderr=subprocess.PIPE, text=True)
+        if done.returncode:
+            raise RuntimeError(f"{name} does not compile:\n{done.stderr}")
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        list(pool.map(run, jobs))
 
 
 def build_library(folder, fmi, name, objects, compiler="cc", flags=()):
