@@ -102,7 +102,7 @@ def _enclosed(operand, least):
 
 
 def place_to_break(line, after):
-    """Where a line of C is broken: after a comma or before an operator, else at any space; -1 for nowhere."""
+    """Place to break a line of C: after a comma or before an operator, else at any space; -1 for none."""
     good = [m.start() for m in re.finditer(r"(?<=,) | (?=[-+?:] )", line[: WIDTH + 1]) if m.start() > after]
     return good[-1] if good else line.rfind(" ", after + 1, WIDTH + 1)
 

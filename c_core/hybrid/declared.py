@@ -66,7 +66,7 @@ class DeclaredUnit(Unit):
         return Record(**row)
 
     def place_of(self, name, own):
-        """Where the run of a page has the value of a variable."""
+        """Storage and offset of a variable in the run of a page."""
         if name in self.settings:
             return "SETTING", f"SETTING_{self.settings[name]}"
         if name in WORK:

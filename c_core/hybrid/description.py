@@ -88,7 +88,7 @@ class Description:
         return ElementTree.SubElement(parent, tag, {k: v for k, v in attributes.items() if v is not None})
 
     def interfaces(self):
-        """What the unit is able to do."""
+        """Capabilities of the unit, by interface."""
         able = dict.fromkeys(STATES[self.fmi], "true")
         co_simulation = {"canHandleVariableCommunicationStepSize": "true", "maxOutputDerivativeOrder": "1"}
         exchange = (
@@ -179,7 +179,7 @@ class Description:
         self.add(parent, TYPES_OF_3.get(kind, kind), **given)
 
     def unknowns(self):
-        """Outputs, derivatives, what a start determines, and event indicators: of each the variables."""
+        """Variables in each group of the model structure: outputs, derivatives, initial unknowns, indicators."""
         rows = self.unit.rows
         yield "Output", [row for row in rows if row.causality == "output"]
         yield "ContinuousStateDerivative", [row for row in rows if row.storage == "DERIVATIVE"]

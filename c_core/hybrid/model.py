@@ -157,7 +157,7 @@ class _Body(dict):
 
 NAME_LIMIT = 60
 OVERRIDABLE = "start", "scales", "prefix", "decayed", "leaving"
-"""What a page may set of `Model`."""
+"""Names of `Model` that a page may set."""
 MARKS = (
     "is_mode", "is_event", "is_output", "is_observed", "is_on_set", "is_required", "is_section", "is_table",
     "gives_coordinates",

@@ -19,7 +19,7 @@ def starts_of(page):
 
 
 def table_of(page):
-    """What a page whose C was generated declares, in the order of its numbers there."""
+    """Declarations of a page whose C was generated, in the order of their numbers in C."""
     starts = starts_of(page)
 
     def quantity(name, q, role):

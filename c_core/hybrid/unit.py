@@ -209,7 +209,7 @@ class Unit:
             self.add(f"{name}_index", storage, offset, *given, **twin)
 
     def first(self, storage):
-        """Where the states begin among the numbers of a run."""
+        """Offset at which a storage begins among the numbers of a run."""
         return len(self.page.parameters) if storage == "HELD" else 0
 
     def add_all(self):
@@ -354,7 +354,7 @@ class Unit:
         return f"{{{', '.join(members)}}},"
 
     def header(self):
-        """How many things the page's unit has."""
+        """The header with the sizes of the unit's tables."""
         page, world = self.page, self.world
         counts = {
             "PARAMETER": page.parameters,

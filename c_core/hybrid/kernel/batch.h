@@ -63,7 +63,7 @@ typedef struct {
 /* The number of the next run; -1: there is none, or the batch is cancelled. */
 int64_t tdmf_next_run(tdmf_batch_share *share);
 
-/* How a run that has come to this outcome goes on. Writes the outcome. A callback may use the memory. */
+/* Writes the outcome of a run, and returns how the run goes on. A callback may use the memory. */
 tdmf_continuation tdmf_go_on_from(const tdmf_batch *batch, int64_t number, tdmf_run_outcome outcome,
                                   double *memory);
 

@@ -26,7 +26,7 @@ size_t tdmf_section_run_size(const tdmf_model_kind *model, int section, int seed
  * `varies`, it has variations by the coordinates, then by the seeds: at most TDMF_VARIED_LIMIT in all. */
 tdmf_page_run tdmf_run_from_section(const tdmf_section_map *map, const double *point, bool varies);
 
-/* What a run from the section has come to: a crossing that ends the run is a crossing, too. */
+/* Outcome of a run from the section: a crossing that ends the run is a crossing, too. */
 tdmf_run_outcome tdmf_outcome_at_section(const tdmf_section_map *map, const tdmf_page_run *r,
                                          tdmf_run_outcome outcome);
 
