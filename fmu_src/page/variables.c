@@ -6,7 +6,6 @@
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 static double *number_of(const fmu *fmu, const fmu_variable *variable) {
     return (double *)(size_t)&fmu->motion.numbers[variable->offset];
@@ -83,8 +82,7 @@ const char *fmu_refuse_value(const fmu_variable *variable, double value, char te
         return NULL;
     }
     const char *allowed = unit_allowed[variable - fmu_variables];
-    const bool has_unit = variable->unit != NULL && strcmp(variable->unit, "1") != 0;
-    const char *space = has_unit ? " " : "", *unit = has_unit ? variable->unit : "";
+    const char *space = variable->unit == NULL ? "" : " ", *unit = variable->unit == NULL ? "" : variable->unit;
     char number[TIME_CAPACITY];
     if (allowed == NULL) {
         snprintf(text, FMU_TEXT, "%s = %s%s%s is refused: it has to be finite", variable->name,
