@@ -245,11 +245,10 @@ class Instants:
     def world(self, key):
         """Maps from the mode's states to the world's and back, and the world's rates."""
         page, of = self.page, self.page.modes[key[0]].of
-        world_key = next((k for k in page.keys if page.modes[k[0]].of == "world"), None)
-        if not world_key or of in (None, "world"):
+        if not page.world_key or of in (None, "world"):
             return {}
         row = {}
-        for name, at, to in (("from_world", world_key, of), ("to_world", key, "world")):
+        for name, at, to in (("from_world", page.world_key, of), ("to_world", key, "world")):
             forget_expressions()
             before = page.at(at)
             seen = trace(before.in_coordinates, to, name=to)
@@ -258,9 +257,7 @@ class Instants:
             row |= self.changes(key, "map", name, values, f"{name.replace('_', ' ')}, in {key[0]}.")
         if not self.for_unit:
             return row
-        rates, moving = page.rates(key), InstantVariation()
-        moving.found |= {page.symbol_of(n, "x"): rates.get(n, lift(0)) for n in page.states}
-        moving.found |= {page.symbol_of(n, "p", True): lift(0) for n in page.parameters}
+        moving = page.along_motion(page.rates(key), InstantVariation())
         world = {n: moving.of(value) for n, value in seen.items()}
         about = f"Rates of the world's states in {key[0]}."
         return row | self.changes(key, "map", "world_rates", world, about)

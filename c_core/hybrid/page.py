@@ -59,6 +59,11 @@ class Page:
                 raise PageError(f"goes to `{mode}` without its word `{word}`")
         return mode, tuple((word, words[word]) for word in self.modes[mode].words)
 
+    @property
+    def world_key(self):
+        """The first mode that a run reaches in the coordinates called `world`, or None."""
+        return next((key for key in self.keys if self.modes[key[0]].of == "world"), None)
+
     def rates(self, key, state_of=None):
         """Rates of the states in a mode, inputs and clocks included."""
         function, model = self.modes[key[0]], self.at(key, state_of)
@@ -77,6 +82,12 @@ class Page:
                 dimension = times(self.states[name].dimension, power(SECOND, -1))
                 self.check_unit(rate, dimension, f"gives `{name}` a rate")
         return rates
+
+    def along_motion(self, rates, varies):
+        """A variation along a motion: states vary by their rates, and parameters do not vary."""
+        varies.found |= {self.symbol_of(n, "x"): rates.get(n, lift(0)) for n in self.states}
+        varies.found |= {self.symbol_of(n, "p", True): lift(0) for n in self.parameters}
+        return varies
 
     def check_rate(self, name, mode):
         """Refuse the rate of a name that is no state, or no state of the mode's coordinates."""

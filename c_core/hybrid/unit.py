@@ -59,7 +59,7 @@ class World:
         self.page, moving = page, set()
         sets = {f.gives_coordinates for f in page.model.marked("gives_coordinates").values()}
         start = page.modes[page.keys[0][0]]
-        self.key = next((key for key in page.keys if page.modes[key[0]].of == "world"), None)
+        self.key = page.world_key
         if sets and ("world" not in sets or self.key is None):
             page.refuse("has coordinates, and no mode in those called `world`, which a unit shows")
         self.start_of = start.of if start.of != "world" else None
@@ -91,8 +91,7 @@ class World:
         rates = page.rates(key)
         found = {n: rates.get(n, lift(0)) for n in self.states}
         if self.key is not None and of not in (None, "world"):
-            moving = Variation({page.symbol_of(n, "x"): rates.get(n, lift(0)) for n in page.states})
-            moving.found |= {page.symbol_of(n, "p", True): lift(0) for n in page.parameters}
+            moving = page.along_motion(rates, Variation({}))
             seen = trace(page.at(key).in_coordinates, "world", name="world")
             found |= {n: moving.of(lift(value)) for n, value in seen.items() if n in self.states}
         for name, observed in page.observed.items():
