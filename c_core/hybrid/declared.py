@@ -4,9 +4,9 @@ from types import SimpleNamespace as Record
 from xml.etree import ElementTree
 
 from .errors import PageError
-from .unit import LARGEST, Guard, Unit
+from .unit import LARGEST, TYPES, Guard, Unit
 
-KINDS = {"Real": float, "Integer": int, "Boolean": bool}
+KINDS = {name: kind for kind, name in TYPES.items()}
 SETTINGS = {"solver.relative_tolerance": "TOLERANCE", "solver.method": "METHOD"}
 WORK = {f"solver.{name}": f"WORK_{name.upper()}" for name in ("steps", "evaluations", "layer_steps")}
 
