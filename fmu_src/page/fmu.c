@@ -12,7 +12,7 @@
 enum { LOG_SIZE = 32 };
 
 static const long step_limit = 1000000, event_limit = 100000; /* of a call */
-static const double largest_time = 1e100, finest_tolerance = 1e-16;
+static const double finest_tolerance = 1e-16;
 
 bool fmu_create(fmu *fmu, bool is_exchange) {
     fmu->is_exchange = is_exchange;
@@ -49,10 +49,6 @@ bool fmu_has_begun(const fmu *fmu) {
 
 double fmu_time(const fmu *fmu) {
     return fmu->motion.time;
-}
-
-bool fmu_is_time(double time) {
-    return fabs(time) <= largest_time;
 }
 
 void fmu_set_time(fmu *fmu, double time) {

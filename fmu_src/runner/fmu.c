@@ -19,8 +19,6 @@ typedef struct {
     bool fallen;
 } fmu_mark;
 
-static const double largest_time = 1e100;
-
 bool fmu_create(fmu *fmu, bool is_exchange) {
     fmu->is_exchange = is_exchange;
     return true;
@@ -166,10 +164,6 @@ void fmu_flow(const fmu *fmu, struct fmu *seed) {
     memset(seed, 0, sizeof *seed);
     tdmf_derivatives(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state, seed->motion.state);
     seed->inputs = fmu->input_rates;
-}
-
-bool fmu_is_time(double time) {
-    return fabs(time) <= largest_time;
 }
 
 void fmu_states(const fmu *fmu, const fmu_view *view, double states[]) {
