@@ -152,13 +152,6 @@ static void add_roots(sign_changes *of, const double *b) {
     }
 }
 
-static void integral_of(const double *g, int order, double *integral) {
-    integral[0] = 0.0;
-    for (int k = 0; k < order; ++k) {
-        integral[k + 1] = g[k] * series_reciprocal[k + 1];
-    }
-}
-
 static void add_piece(positive_pieces *pieces, double from, double to) {
     if (pieces->count > 0 && pieces->to[pieces->count - 1] == from) {
         pieces->to[pieces->count - 1] = to;
@@ -258,8 +251,8 @@ double tdmf_integral_where_positive(const double *integral, int order, const dou
 }
 
 double tdmf_integral_over(const double *g, int order, const positive_pieces *pieces) {
-    double integral[TERMS], sum = 0.0;
-    integral_of(g, order, integral);
+    double integral[TERMS] = {0.0}, sum = 0.0;
+    integrate_polynomial(g, order, integral);
     for (int i = 0; i < pieces->count; ++i) {
         sum += value_of(integral, order, pieces->to[i]) - value_of(integral, order, pieces->from[i]);
     }
