@@ -47,7 +47,7 @@ typedef struct {
     bool takes_plain;
     int64_t next; /* start */
     tdmf_member *members;
-    int places[TDMF_RUNNER_STATES]; /* on the page, of the runner's states */
+    int places[TDMF_PAGE_STATE_COUNT]; /* on the page, of the runner's states */
 } page_job;
 
 /* Begins the next runner that has something to run. False where there is none. */
@@ -110,8 +110,8 @@ static int64_t begin_first(page_job *job, const tdmf_runner_page *page, const ba
     const tdmf_member member = {.ensemble = ensemble,
                                 .page = page,
                                 .places = job->places,
-                                .begins = tdmf_place_of(page->events, model->event_count, EVENT_begins),
-                                .apex = tdmf_place_of(page->events, model->event_count, EVENT_apex)};
+                                .begins = tdmf_event_on_page(page, EVENT_begins),
+                                .apex = tdmf_event_on_page(page, EVENT_apex)};
     for (int64_t i = 0; i < places; ++i) {
         memory->runs[i] = run;
         memory->runs[i].p = memory->numbers + i * (model->parameter_count + model->state_count);
@@ -139,6 +139,13 @@ static void add_work(const page_job *job, int64_t places, const tdmf_batch_work 
     }
 }
 
+/* The places on a page of all states of the runner's page; -1: the page has none. */
+static void find_places(const tdmf_runner_page *page, int places[TDMF_PAGE_STATE_COUNT]) {
+    for (int i = 0; i < TDMF_PAGE_STATE_COUNT; ++i) {
+        places[i] = tdmf_state_on_page(page, i);
+    }
+}
+
 /* Runs the runners of one page. */
 static bool run_on_page(page_job *job, int64_t count, tdmf_ensemble_work *work) {
     const tdmf_ensemble *ensemble = job->ensemble;
@@ -153,7 +160,7 @@ static bool run_on_page(page_job *job, int64_t count, tdmf_ensemble_work *work) 
         return false;
     }
     job->members = memory.members;
-    tdmf_find_places(page, job->places);
+    find_places(page, job->places);
     tdmf_batch batch = {.runs = memory.runs,
                         .count = begin_first(job, page, &memory, places),
                         .until = memory.until,

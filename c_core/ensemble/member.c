@@ -21,13 +21,12 @@
 runner_states tdmf_member_states(const tdmf_member *member) {
     runner_states x;
     memcpy(&x, tdmf_runner_model.state_defaults, sizeof x);
-    tdmf_give_to_runner(member->page->states, member->page->model->state_count, member->run->x, (double *)&x);
+    tdmf_give_states(member->page, member->run->x, &x);
     return x;
 }
 
 void tdmf_set_member_states(const tdmf_member *member, const runner_states *x) {
-    tdmf_take_from_runner(member->page->states, member->page->model->state_count, (const double *)x,
-                          member->run->x);
+    tdmf_take_states(member->page, x, member->run->x);
 }
 
 /* One of the runner's states. */
@@ -50,16 +49,15 @@ static runner_parameters parameters_of(const tdmf_member *member) {
 /* Gives the page what is set before the start, on which nothing depends yet. */
 static void write_parameters(tdmf_member *member) {
     const runner_parameters p = parameters_of(member);
-    tdmf_take_from_runner(member->page->parameters, member->page->model->parameter_count, (const double *)&p,
-                          member->run->p);
+    tdmf_take_parameters(member->page, &p, member->run->p);
 }
 
 /* Gives the page what is set at an apex. The leg does work where its length is set. */
 static void write_settings(tdmf_member *member) {
     const tdmf_model_kind *model = member->page->model;
     const runner_parameters p = parameters_of(member);
-    double set[TDMF_RUNNER_STATES], before[TDMF_RUNNER_STATES];
-    tdmf_take_from_runner(member->page->parameters, model->parameter_count, (const double *)&p, set);
+    double set[TDMF_PAGE_STATE_COUNT], before[TDMF_PAGE_STATE_COUNT];
+    tdmf_take_parameters(member->page, &p, set);
     for (int i = 0; i < model->parameter_count; ++i) {
         if (member->run->p[i] != set[i]) {
             tdmf_page_set(model, member->run, false, i, set[i]);
@@ -68,7 +66,7 @@ static void write_settings(tdmf_member *member) {
     runner_states x = tdmf_member_states(member);
     memcpy(before, member->run->x, (size_t)model->state_count * sizeof *before);
     tdmf_write_page_inputs(&member->inputs, &x);
-    tdmf_take_from_runner(member->page->states, model->state_count, (const double *)&x, set);
+    tdmf_take_states(member->page, &x, set);
     for (int i = 0; i < model->state_count; ++i) {
         if (before[i] != set[i]) { /* an input */
             tdmf_page_set(model, member->run, true, i, set[i]);
@@ -266,7 +264,7 @@ static void start_anew(tdmf_member *member) {
 }
 
 static void see_from_world(tdmf_member *member) {
-    double world[TDMF_RUNNER_STATES];
+    double world[TDMF_PAGE_STATE_COUNT];
     const tdmf_page_run *run = member->run;
     const size_t size = (size_t)member->page->model->state_count * sizeof *world;
     const tdmf_mode_kind *mode = &member->page->model->modes[run->mode];
@@ -324,7 +322,7 @@ static bool start(tdmf_member *member, const double section[TDMF_SECTION_COUNT])
     inputs.ground.height += tdmf_has_terrain(&member->its_case->rules) ? x.segment_height : 0.0;
     tdmf_write_page_inputs(&member->inputs, &x);
     if (member->ensemble->map == TDMF_REDUCED_MAP) {
-        double before[TDMF_RUNNER_STATES];
+        double before[TDMF_PAGE_STATE_COUNT];
         tdmf_set_member_states(member, &x);
         memcpy(before, member->run->x, (size_t)model->state_count * sizeof *before);
         model->sections[0].enter(member->run->p, before, section, member->run->x);
@@ -441,14 +439,16 @@ static void stand(const tdmf_member *member) {
 static void load_checkpoint(tdmf_member *member, const tdmf_ensemble_checkpoint *checkpoint) {
     const tdmf_runner_page *page = member->page;
     tdmf_page_run *run = member->run;
-    run->mode = tdmf_place_of(page->modes, page->model->mode_count, checkpoint->mode);
+    runner_states x;
+    run->mode = tdmf_mode_on_page(page, checkpoint->mode);
     run->chain = checkpoint->chain;
     run->time = checkpoint->time;
     run->time_rest = checkpoint->time_rest;
     run->taken = tdmf_events_on_page(page, checkpoint->taken);
     run->above = tdmf_events_on_page(page, checkpoint->above);
     run->late = tdmf_events_on_page(page, checkpoint->late);
-    tdmf_take_from_runner(page->states, page->model->state_count, checkpoint->states, run->x);
+    memcpy(&x, checkpoint->states, sizeof x);
+    tdmf_take_states(page, &x, run->x);
     member->inputs.ground.height = checkpoint->ground_height;
     member->inputs.ground.slope = checkpoint->ground_slope;
 }

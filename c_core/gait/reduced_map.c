@@ -7,8 +7,6 @@
 #include "page_fields.h"
 #include "page_solver.h"
 #include "patch.h"
-#include "plain_reduced_runner_in_runner.h"
-#include "reduced_runner_in_runner.h"
 #include "request.h"
 #include "return_record.h"
 #include "tdmf_slip/automaton.h"
@@ -16,30 +14,14 @@
 #include <math.h>
 #include <string.h>
 
-/* A page of the map, and the places of what it has on the runner's page; -1: the runner's page has it not. */
-typedef struct {
-    const tdmf_model_kind *model;
-    const int *parameters, *states, *modes, *events;
-} page;
-
-extern const tdmf_model_kind tdmf_reduced_runner_model, tdmf_plain_reduced_runner_model;
-static const page whole = {&tdmf_reduced_runner_model, reduced_parameters_in_whole, reduced_states_in_whole,
-                           reduced_modes_in_whole, reduced_events_in_whole};
-static const page plain = {&tdmf_plain_reduced_runner_model, plain_reduced_parameters_in_whole,
-                           plain_reduced_states_in_whole, plain_reduced_modes_in_whole,
-                           plain_reduced_events_in_whole};
-
-/* Numbers of the whole page, which has more of them. */
-enum {
-    PARAMETERS = sizeof reduced_parameters_in_whole / sizeof *reduced_parameters_in_whole,
-    STATES = sizeof reduced_states_in_whole / sizeof *reduced_states_in_whole
-};
+/* Numbers of the runner's page, which has more of them than a page of the map. */
+enum { PARAMETERS = TDMF_PAGE_PARAMETER_COUNT, STATES = TDMF_PAGE_STATE_COUNT };
 
 /* In the runner's unit of time: nothing takes longer, also where any time is allowed. */
 static const double longest_time = 1e12;
 
 typedef struct {
-    const page *page;
+    const tdmf_runner_page *page;
     tdmf_solver *solver;
     tdmf_system system;
     tdmf_motion start;
@@ -52,53 +34,25 @@ typedef struct {
     double row_states[TDMF_EVENT_CAPACITY * STATES];
 } stride;
 
-/* ---- places on the runner's page ----------------------------------------------------------------------- */
+/* ---- the runner's page --------------------------------------------------------------------------------- */
 
-static void take(const int *places, int count, const double *whole, double *own) {
-    for (int i = 0; i < count; ++i) {
-        own[i] = whole[places[i]];
-    }
-}
-
-static void take_parameters(const page *page, const runner_parameters *p, double *own) {
-    take(page->parameters, page->model->parameter_count, (const double *)p, own);
-}
-
-static void take_states(const page *page, const runner_states *x, double *own) {
-    take(page->states, page->model->state_count, (const double *)x, own);
-}
-
-static runner_states states_of(const page *page, const double *own) {
+static runner_states states_of(const tdmf_runner_page *page, const double *own) {
     runner_states x;
     memset(&x, 0, sizeof x);
-    for (int i = 0; i < page->model->state_count; ++i) {
-        ((double *)&x)[page->states[i]] = own[i];
-    }
+    tdmf_give_states(page, own, &x);
     return x;
-}
-
-static int place_of_event(const page *page, int event_of_whole) {
-    int i = 0;
-    while (i < page->model->event_count - 1 && page->events[i] != event_of_whole) {
-        ++i;
-    }
-    return i;
 }
 
 /* A point of the runner's page, with the leg where it is placed; after lift-off with the leg as it was lost.
  * A mode that only the map's page has is in the world's coordinates, as the fallen runner is. */
 static tdmf_page_point point_at(const stride *s, const double *x, int mode, double time) {
-    const int mode_of_runner = s->page->modes[mode];
-    tdmf_page_point point = {
+    const int mode_of_runner = tdmf_mode_in_runner(s->page, mode);
+    const tdmf_page_point point = {
         .p = tdmf_page_parameters(&s->system.model->parameters, s->system.inputs),
         .x = states_of(s->page, x),
         .mode = mode_of_runner >= 0 ? mode_of_runner : MODE_fallen,
         .time = time,
     };
-    if (s->page == &plain) {
-        point.x.vertical_so_far = point.x.peak_force_so_far;
-        point.x.peak_vertical_force = point.x.peak_force;
-    }
     return point;
 }
 
@@ -106,32 +60,33 @@ static tdmf_page_point point_at(const stride *s, const double *x, int mode, doub
 static tdmf_motion motion_at(const stride *s, const double *x, int mode, int last_mode, double time) {
     const tdmf_page_point point = point_at(s, x, mode, time);
     tdmf_motion motion = s->start;
-    tdmf_motion_of_page(s->system, &point, s->page->modes[last_mode], &motion);
+    tdmf_motion_of_page(s->system, &point, tdmf_mode_in_runner(s->page, last_mode), &motion);
     return motion;
 }
 
 /* ---- the start ----------------------------------------------------------------------------------------- */
 
 /* The states of a run from an apex: those of the world, with the leg at rest. `inputs` are those before. */
-static void enter(const page *page, const double *p, const double *apex, double *inputs, double *x) {
+static void enter(const tdmf_runner_page *page, const double *p, const double *apex, double *inputs,
+                  double *x) {
     memcpy(x, inputs, (size_t)page->model->state_count * sizeof *x);
     page->model->sections->enter(p, inputs, apex, x);
 }
 
-static void read_system(const page *page, tdmf_system system, double *p, double *x) {
+static void read_system(const tdmf_runner_page *page, tdmf_system system, double *p, double *x) {
     const runner_parameters parameters = tdmf_page_parameters(&system.model->parameters, system.inputs);
     runner_states inputs = states_of(page, page->model->state_defaults);
     tdmf_write_page_inputs(system.inputs, &inputs);
-    take_parameters(page, &parameters, p);
-    take_states(page, &inputs, x);
+    tdmf_take_parameters(page, &parameters, p);
+    tdmf_take_states(page, &inputs, x);
 }
 
 void tdmf_reduced_state(tdmf_system system, const double apex[TDMF_REDUCED_COUNT],
                         double state[TDMF_STATE_COUNT]) {
     double p[PARAMETERS], inputs[STATES], x[STATES];
-    read_system(&whole, system, p, inputs);
-    enter(&whole, p, apex, inputs, x);
-    const runner_states world = states_of(&whole, x);
+    read_system(&tdmf_reduced_page, system, p, inputs);
+    enter(&tdmf_reduced_page, p, apex, inputs, x);
+    const runner_states world = states_of(&tdmf_reduced_page, x);
     tdmf_write_page_state(&world, state);
 }
 
@@ -162,8 +117,8 @@ static void begin_variation(stride *s, const double *start, const double *apex, 
     memset(&d_inputs, 0, sizeof d_inputs);
     tdmf_write_page_inputs(&given->inputs, &d_inputs);
     double *dp = s->dp + i * model->parameter_count, *dx = s->dx + i * model->state_count;
-    take_parameters(s->page, &of_whole, dp);
-    take_states(s->page, &d_inputs, d_start);
+    tdmf_take_parameters(s->page, &of_whole, dp);
+    tdmf_take_states(s->page, &d_inputs, d_start);
     if (!seed) {
         d_apex[coordinate] = 1.0;
     }
@@ -219,7 +174,7 @@ static tdmf_return_outcome run_to(stride *s, int event, double duration, tdmf_re
     const double longest = longest_time * s->system.model->scales.time;
     s->run.step_limit = s->solver->step_limit - steps;
     s->run.event_limit = s->solver->event_limit - s->run.events;
-    s->run.stop_event = place_of_event(s->page, event);
+    s->run.stop_event = tdmf_event_on_page(s->page, event);
     const double until = s->run.time + (duration < longest ? duration : longest);
     switch (tdmf_page_run_to(s->page->model, &s->run, until)) {
     case TDMF_RUN_STOPPED:
@@ -265,7 +220,7 @@ static tdmf_event event_at(const stride *s, int number) {
     const double *x = s->row_states + number * s->page->model->state_count;
     const tdmf_motion before = motion_at(s, x, row->before, row->before, row->time);
     tdmf_event event = {.time = row->time,
-                        .guard = (int)tdmf_guard_of_event(s->page->events[row->event]),
+                        .guard = (int)tdmf_guard_of_event(tdmf_event_in_runner(s->page, row->event)),
                         .before = before.mode};
     memcpy(event.state, before.state, sizeof event.state);
     return event;
@@ -279,19 +234,20 @@ static void log_events(const stride *s) {
     for (int i = 0; i < count; ++i) {
         const tdmf_event_row *row = &s->rows[i];
         const double *after = i + 1 < count ? s->row_states + (i + 1) * s->page->model->state_count : s->x;
-        const bool has_guard = tdmf_guard_of_event(s->page->events[row->event]) != TDMF_GUARD_COUNT;
+        const bool has_guard =
+            tdmf_guard_of_event(tdmf_event_in_runner(s->page, row->event)) != TDMF_GUARD_COUNT;
         if (is_open && row->time != s->rows[i - 1].time) {
             tdmf_log_event(s->solver, &event);
             is_open = false;
         }
-        if (!is_open && has_guard && s->page->modes[row->before] >= 0) {
+        if (!is_open && has_guard && tdmf_mode_in_runner(s->page, row->before) >= 0) {
             event = event_at(s, i);
             is_open = true;
         }
-        if (is_open && s->page->modes[row->after] >= 0) {
+        if (is_open && tdmf_mode_in_runner(s->page, row->after) >= 0) {
             event.after = motion_at(s, after, row->after, row->before, row->time).mode;
         }
-        if (s->page->events[row->event] == EVENT_apex) {
+        if (tdmf_event_in_runner(s->page, row->event) == EVENT_apex) {
             break;
         }
     }
@@ -319,7 +275,7 @@ static double leg_loss_of(const stride *s) {
     return energy_of_leg(model, x.length_rate, x.momentum / x.length, rest_length - x.length) - given;
 }
 
-static tdmf_stride_variation variation_of(const page *page, const double *own) {
+static tdmf_stride_variation variation_of(const tdmf_runner_page *page, const double *own) {
     const runner_states d = states_of(page, own);
     const tdmf_stride_variation variation = {
         .apex = {d.apex_com_height, d.apex_com_speed},
@@ -329,7 +285,7 @@ static tdmf_stride_variation variation_of(const page *page, const double *own) {
         .stance_time = d.stance_time,
         .slip_distance = d.slip_distance,
         .peak_force = d.peak_force,
-        .peak_vertical_force = page == &plain ? d.peak_force : d.peak_vertical_force,
+        .peak_vertical_force = d.peak_vertical_force,
     };
     return variation;
 }
@@ -348,10 +304,10 @@ static void write_stride(const stride *s, tdmf_return *result) {
 }
 
 /* The plain page, which is faster, where it has all that acts on the runner and all that changes. */
-static const page *page_of(tdmf_system system, const tdmf_seed *seeds, int count) {
+static const tdmf_runner_page *page_of(tdmf_system system, const tdmf_seed *seeds, int count) {
     tdmf_page_point point = {.p = tdmf_page_parameters(&system.model->parameters, system.inputs)};
     tdmf_write_page_inputs(system.inputs, &point.x);
-    return tdmf_suits_plain_page_varied(&point, seeds, count) ? &plain : &whole;
+    return tdmf_suits_plain_page_varied(&point, seeds, count) ? &tdmf_plain_reduced_page : &tdmf_reduced_page;
 }
 
 tdmf_return tdmf_reduced_map(tdmf_solver *solver, tdmf_system system, const double apex[TDMF_REDUCED_COUNT],

@@ -4,7 +4,7 @@
  *     tdmf_page_point point = tdmf_page_of_motion(system, rates, motion);
  *     tdmf_runner_run run;
  *     tdmf_begin_runner_run(&run, &point, tdmf_suits_plain_page(&point));
- *     ... the driver or a batch takes run.run on, a run of run.model ...
+ *     ... the driver or a batch takes run.run on, a run of run.page->model ...
  *     tdmf_end_runner_run(&run, &point);
  *     tdmf_motion_of_page(system, &point, last_mode, motion);
  */
@@ -12,15 +12,10 @@
 #define TDMF_RUNNER_PAGE_RUN_H
 
 #include "page_motion.h"
-
-enum {
-    TDMF_PAGE_PARAMETER_COUNT = sizeof(runner_parameters) / sizeof(double),
-    TDMF_PAGE_STATE_COUNT = sizeof(runner_states) / sizeof(double)
-};
+#include "page_places.h"
 
 typedef struct {
-    const tdmf_model_kind *model;
-    bool is_plain;
+    const tdmf_runner_page *page;
     tdmf_page_run run;
     double p[TDMF_PAGE_PARAMETER_COUNT], x[TDMF_PAGE_STATE_COUNT]; /* of the page that runs */
 } tdmf_runner_run;
@@ -33,16 +28,5 @@ void tdmf_begin_runner_run(tdmf_runner_run *run, const tdmf_page_point *point, b
 
 /* Writes where the run has come to into the point at which it began. */
 void tdmf_end_runner_run(const tdmf_runner_run *run, tdmf_page_point *point);
-
-/* The mode and the event of the whole page for one of the page that runs. */
-int tdmf_mode_in_whole(bool is_plain, int mode);
-int tdmf_event_in_whole(bool is_plain, int event);
-int tdmf_event_of_whole(bool is_plain, int event); /* -1 for -1 */
-
-/* Copies parameters or states of the whole page to those of the page that runs, and back. */
-void tdmf_take_parameters(bool is_plain, const double *whole, double *own);
-void tdmf_take_states(bool is_plain, const double *whole, double *own);
-void tdmf_give_parameters(bool is_plain, const double *own, double *whole);
-void tdmf_give_states(bool is_plain, const double *own, double *whole);
 
 #endif

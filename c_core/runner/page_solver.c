@@ -88,16 +88,15 @@ void tdmf_add_direction(tdmf_page_solver *s, const tdmf_page_direction *directio
     const int i = r->seed_count++;
     r->observes = TDMF_OBSERVE_USUAL;
     s->shift[i] = 0.0;
-    tdmf_take_parameters(s->run.is_plain, (const double *)&direction->p,
-                         s->dp + i * s->run.model->parameter_count);
-    tdmf_take_states(s->run.is_plain, (const double *)&direction->x, s->dx + i * s->run.model->state_count);
+    tdmf_take_parameters(s->run.page, &direction->p, s->dp + i * s->run.page->model->parameter_count);
+    tdmf_take_states(s->run.page, &direction->x, s->dx + i * s->run.page->model->state_count);
 }
 
 tdmf_page_direction tdmf_direction_at_end(const tdmf_page_solver *s, int i) {
     tdmf_page_direction direction;
     memset(&direction, 0, sizeof direction);
-    tdmf_give_parameters(s->run.is_plain, s->dp + i * s->run.model->parameter_count, (double *)&direction.p);
-    tdmf_give_states(s->run.is_plain, s->dx + i * s->run.model->state_count, (double *)&direction.x);
+    tdmf_give_parameters(s->run.page, s->dp + i * s->run.page->model->parameter_count, &direction.p);
+    tdmf_give_states(s->run.page, s->dx + i * s->run.page->model->state_count, &direction.x);
     return direction;
 }
 
@@ -121,7 +120,7 @@ static void report_event(tdmf_page_solver *s) {
 
 /* TDMF_GUARD_COUNT, too, for a thrust of 0, which changes nothing. */
 static tdmf_guard guard_of_row(const tdmf_page_solver *s, const tdmf_event_row *row) {
-    const int event = tdmf_event_in_whole(s->run.is_plain, row->event);
+    const int event = tdmf_event_in_runner(s->run.page, row->event);
     const bool thrusts = s->point.p.thrust + s->point.p.more_thrust > 0.0;
     return event == EVENT_greatest_compression && !thrusts ? TDMF_GUARD_COUNT : tdmf_guard_of_event(event);
 }
@@ -184,14 +183,14 @@ static tdmf_run_outcome to_event(tdmf_page_solver *s, working_memory *w, double 
     r->log_count = 0;
     r->log_size = 1;
     const tdmf_run_outcome outcome = tdmf_drive_to_event(w->driver, &w->state, &w->at, until);
-    if (tdmf_mode_in_whole(s->run.is_plain, mode) == MODE_slip_falling) {
+    if (tdmf_mode_in_runner(s->run.page, mode) == MODE_slip_falling) {
         s->solver->layer_steps += r->steps - steps;
     }
     if (r->events == events) {
         return outcome;
     }
-    if (tdmf_mode_in_whole(s->run.is_plain, r->mode) == MODE_fallen) {
-        s->last_mode = tdmf_mode_in_whole(s->run.is_plain, mode);
+    if (tdmf_mode_in_runner(s->run.page, r->mode) == MODE_fallen) {
+        s->last_mode = tdmf_mode_in_runner(s->run.page, mode);
     }
     const tdmf_guard guard = guard_of_row(s, &row);
     count_event(s, guard);
@@ -277,10 +276,10 @@ tdmf_outcome tdmf_run_page_solver(tdmf_page_solver *s, double duration, int stop
     const long steps = r->steps;
     tdmf_outcome limit;
     r->memory = s->memory;
-    r->stop_event = tdmf_event_of_whole(s->run.is_plain, stop_event);
+    r->stop_event = tdmf_event_on_page(s->run.page, stop_event);
     r->event_limit = LONG_MAX - r->events;
     s->events_left = s->solver->event_limit;
-    w.driver = tdmf_begin_in_memory(&w.state, &w.at, s->run.model, r);
+    w.driver = tdmf_begin_in_memory(&w.state, &w.at, s->run.page->model, r);
     const tdmf_run_outcome outcome = run_with(s, &w, duration, &limit);
     const bool stands = outcome == TDMF_RUN_STOPPED;
     s->has_stopped = stands && r->stop_event >= 0 && (r->taken >> r->stop_event & 1) != 0;
