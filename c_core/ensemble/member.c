@@ -517,31 +517,7 @@ static void record_apex(tdmf_member *member) {
     end->damper_loss = STATE(member, damper_loss);
     end->friction_loss = STATE(member, friction_loss);
     end->impact_loss = STATE(member, impact_loss);
-    end->word_code = tdmf_word_code(STATE(member, word_code));
-}
-
-static tdmf_stride stride_closed(const tdmf_member *member, const runner_states *x) {
-    tdmf_stride stride = {
-        .count = member->end->strides + 1,
-        .period = x->period,
-        .length = x->distance,
-        .rise = x->rise_of_stride,
-        .speed = x->speed,
-        .work = x->work_of_stride,
-        .hip_work = x->hip_work,
-        .leg_work = x->leg_work_of_stride,
-        .positive_work = x->positive_work,
-        .cost_of_transport = x->distance == 0.0 ? 0.0 : x->cost_of_transport,
-        .touchdowns = (int)x->touchdowns,
-        .stance_time = x->stance_time,
-        .duty_factor = x->duty_factor,
-        .slip_distance = x->slip_distance,
-        .peak_force = x->peak_force,
-        .peak_vertical_force = x->peak_vertical_force,
-        .word_code = member->end->word_code,
-    };
-    tdmf_write_word(x->word_code, stride.word);
-    return stride;
+    end->word_code = tdmf_short_word_code(STATE(member, word_code));
 }
 
 /* Records the stride that has closed between these ends. */
@@ -551,7 +527,8 @@ static void record_stride(const tdmf_member *member, const tdmf_ensemble_end *be
     const runner_states x = tdmf_member_states(member);
     memcpy(record->apex, end->apex, sizeof record->apex);
     record->foot_x = end->foot_x;
-    record->stride = stride_closed(member, &x);
+    record->stride = tdmf_page_stride_of(&x);
+    record->stride.count = end->strides + 1;
     record->liftoff_angle = x.liftoff_angle;
     record->external_work = end->external_work - before->external_work;
     record->damper_loss = end->damper_loss - before->damper_loss;

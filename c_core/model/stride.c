@@ -4,14 +4,13 @@
 #include "record.h"
 
 #include "ground_line.h"
+#include "words.h"
 
 #include "tdmf_slip/kinematics.h"
 
 #include <limits.h>
 #include <math.h>
 #include <string.h>
-
-enum { LONGEST_CODED_WORD = 15 }; /* letters of two bits in a 32-bit Integer */
 
 static void append(char word[TDMF_WORD_CAPACITY], char letter) {
     const size_t length = strlen(word);
@@ -44,18 +43,6 @@ static void write_letter(tdmf_open_stride *open, char letter) {
 /* Stops at the largest int. */
 static void count(int *counter) {
     *counter += *counter < INT_MAX;
-}
-
-static int code_of(const char *word) {
-    static const char digits[] = "|-0+";
-    int code = 0;
-    if (strlen(word) > LONGEST_CODED_WORD) {
-        return -1;
-    }
-    for (const char *letter = word; *letter != '\0'; ++letter) {
-        code = 4 * code + (int)(strchr(digits, *letter) - digits);
-    }
-    return code;
 }
 
 tdmf_instant tdmf_instant_of(const tdmf_motion *motion) {
@@ -143,7 +130,7 @@ static void close_stride(tdmf_stride *stride, const tdmf_open_stride *open, cons
     stride->peak_force = open->peak_force;
     stride->peak_vertical_force = open->peak_vertical_force;
     memcpy(stride->word, open->word, sizeof stride->word);
-    stride->word_code = code_of(stride->word);
+    stride->word_code = tdmf_short_word_code(tdmf_code_of_word(stride->word));
 }
 
 void tdmf_record_apex(tdmf_motion *motion, const tdmf_model *model) {

@@ -1,6 +1,9 @@
 /* The places of fields, in one table for each struct. */
 #include "page_fields.h"
 
+#include "words.h"
+
+#include <limits.h>
 #include <string.h>
 
 runner_parameters tdmf_page_parameters(const tdmf_parameters *p, const tdmf_inputs *inputs) {
@@ -79,4 +82,32 @@ void tdmf_write_page_state(const runner_states *x, double state[TDMF_STATE_COUNT
         [TDMF_ENERGY_EXTERNAL_WORK] = x->external_work,
     };
     memcpy(state, written, sizeof written);
+}
+
+int tdmf_page_count(double count) {
+    return count < INT_MAX ? (int)count : INT_MAX;
+}
+
+tdmf_stride tdmf_page_stride_of(const runner_states *x) {
+    tdmf_stride stride = {
+        .count = tdmf_page_count(x->count),
+        .period = x->period,
+        .length = x->distance,
+        .rise = x->rise_of_stride,
+        .speed = x->speed,
+        .work = x->work_of_stride,
+        .hip_work = x->hip_work,
+        .leg_work = x->leg_work_of_stride,
+        .positive_work = x->positive_work,
+        .cost_of_transport = x->distance == 0.0 ? 0.0 : x->cost_of_transport,
+        .touchdowns = tdmf_page_count(x->touchdowns),
+        .stance_time = x->stance_time,
+        .duty_factor = x->duty_factor,
+        .slip_distance = x->slip_distance,
+        .peak_force = x->peak_force,
+        .peak_vertical_force = x->peak_vertical_force,
+        .word_code = tdmf_short_word_code(x->word_code),
+    };
+    tdmf_write_word(x->word_code, stride.word);
+    return stride;
 }

@@ -11,59 +11,12 @@
 #include "page_fields.h"
 #include "patch.h"
 #include "record.h"
+#include "words.h"
 
-#include <limits.h>
 #include <math.h>
-#include <string.h>
 
-/* Letters of a gait word by their digits in base 4. */
-static const char letters[] = "|-0+";
-enum { LONGEST_WORD = TDMF_WORD_CAPACITY - 2, LONGEST_CODED_WORD = 15, TOO_LONG = -1 };
 static const double far_away = 1e12; /* of borders that are never reached */
 static const double long_ago = -1.0; /* a time before the motion */
-
-/* ---- gait words ---------------------------------------------------------------------------------------- */
-
-static double digit_of(char letter) {
-    return (double)(strchr(letters, letter) - letters);
-}
-
-static double code_of_word(const char *word) {
-    const size_t length = strcspn(word, "~");
-    double code = 0.0;
-    for (size_t i = 0; i < length && i < LONGEST_WORD; ++i) {
-        code = 4.0 * code + digit_of(word[i]);
-    }
-    return word[length] == '~' ? -code : code;
-}
-
-static void write_word(double code, char word[TDMF_WORD_CAPACITY]) {
-    int length = 0;
-    double unread = fabs(code);
-    memset(word, 0, TDMF_WORD_CAPACITY);
-    while (unread > 0.0) {
-        unread = floor(unread / 4.0);
-        ++length;
-    }
-    if (code < 0.0) {
-        word[length] = '~';
-        code = -code;
-    }
-    for (int i = length - 1; i >= 0; --i) {
-        const double rest = floor(code / 4.0);
-        word[i] = letters[(int)(code - 4.0 * rest)];
-        code = rest;
-    }
-}
-
-static double last_letter_of(const char *word) {
-    const size_t length = strlen(word);
-    return length > 0 && word[length - 1] != '~' ? digit_of(word[length - 1]) : 0.0;
-}
-
-static int as_int(double count) {
-    return count < INT_MAX ? (int)count : INT_MAX;
-}
 
 static void write_rates(const tdmf_inputs *rates, runner_states *x) {
     x->friction_rate = rates->ground.friction;
@@ -92,8 +45,8 @@ static void read_open_stride(const tdmf_motion *motion, double cosine, runner_st
     x->stance_so_far = open->stance_time;
     x->slid_from = open->contact_start_x / cosine;
     x->mode_began = tdmf_time_between(now, open->contact_start);
-    x->word_so_far = code_of_word(open->word);
-    x->last_letter = last_letter_of(open->word);
+    x->word_so_far = tdmf_code_of_word(open->word);
+    x->last_letter = tdmf_last_letter(open->word);
     x->bar_is_due = open->flew_since_letter;
 }
 
@@ -110,33 +63,6 @@ static void read_record(const tdmf_record *record, runner_states *x) {
     x->apex_angle = apex->leg_angle;
     x->apex_length_rate = apex->leg_length_rate;
     x->apex_angle_rate = apex->leg_angle_rate;
-}
-
-static double quotient_or_zero(double numerator, double denominator) {
-    return denominator == 0.0 ? 0.0 : numerator / denominator;
-}
-
-static void write_stride(const tdmf_model *model, const runner_states *x, tdmf_stride *stride) {
-    const double weight = model->total_mass * model->parameters.gravity;
-    stride->count = as_int(x->count);
-    stride->period = x->period;
-    stride->length = x->distance;
-    stride->rise = x->rise_of_stride;
-    stride->speed = x->speed;
-    stride->work = x->work_of_stride;
-    stride->hip_work = x->hip_work;
-    stride->leg_work = x->leg_work_of_stride;
-    stride->positive_work = x->positive_work;
-    stride->cost_of_transport = quotient_or_zero(x->work_of_stride, weight * x->distance);
-    stride->touchdowns = as_int(x->touchdowns);
-    stride->stance_time = x->stance_time;
-    stride->duty_factor = x->duty_factor;
-    stride->slip_distance = x->slip_distance;
-    stride->peak_force = x->peak_force;
-    stride->peak_vertical_force = x->peak_vertical_force;
-    write_word(x->word_code, stride->word);
-    stride->word_code =
-        strlen(stride->word) <= LONGEST_CODED_WORD && x->word_code >= 0.0 ? (int)x->word_code : TOO_LONG;
 }
 
 /* A time of the page's clock, which is rounded in each step; the time of the run is not. */
@@ -167,10 +93,10 @@ static void write_open_stride(const tdmf_page_point *point, tdmf_instant begin, 
     open->start_positive_work = x->positive_work_then;
     open->peak_force = x->peak_force_so_far;
     open->peak_vertical_force = x->vertical_so_far;
-    open->touchdowns = as_int(x->touchdowns_so_far);
+    open->touchdowns = tdmf_page_count(x->touchdowns_so_far);
     open->slip_distance = x->slip_so_far;
     open->stance_time = x->stance_so_far;
-    write_word(x->word_so_far, open->word);
+    tdmf_write_word(x->word_so_far, open->word);
     open->flew_since_letter = flies || x->bar_is_due > 0.0;
     open->contact_start_x = x->slid_from * cosine;
     if (x->mode_began >= 0.0) {
@@ -178,15 +104,15 @@ static void write_open_stride(const tdmf_page_point *point, tdmf_instant begin, 
     }
 }
 
-static void write_record(const tdmf_model *model, const tdmf_page_point *point, tdmf_instant begin,
-                         const tdmf_mode *mode, const runner_states *x, tdmf_record *record) {
-    record->event_count = as_int(x->events);
+static void write_record(const tdmf_page_point *point, tdmf_instant begin, const tdmf_mode *mode,
+                         const runner_states *x, tdmf_record *record) {
+    record->event_count = tdmf_page_count(x->events);
     if (x->last_event >= 0.0) {
         record->last_event_time = instant_of(point, begin, x->last_event).time;
     }
     record->impact_loss = x->impact_loss;
     if (x->count > record->stride.count) {
-        write_stride(model, x, &record->stride);
+        record->stride = tdmf_page_stride_of(x);
     }
     if (x->is_open > 0.0 && x->apex_time >= 0.0) {
         write_apex(instant_of(point, begin, x->apex_time), x, record);
@@ -388,7 +314,7 @@ void tdmf_motion_of_page(tdmf_system system, const tdmf_page_point *point, int l
     x.y_then += point->base;
     tdmf_write_page_state(&x, motion->state);
     write_mode(system, point, last_mode, &motion->mode);
-    write_record(system.model, point, begin, &motion->mode, &x, &motion->record);
+    write_record(point, begin, &motion->mode, &x, &motion->record);
     motion->record.progress.now = instant_of(point, begin, point->x.time);
     motion->time = motion->record.progress.now.time;
 }
