@@ -2,10 +2,8 @@
 #ifndef TDMF_MODEL_FRICTION_H
 #define TDMF_MODEL_FRICTION_H
 
-#include "contact_mode.h"
 #include "friction_laws.h"
 #include "patch.h"
-#include "seed.h"
 
 /* Friction falls with the foot's speed. */
 static inline bool tdmf_friction_falls(const tdmf_model *model) {

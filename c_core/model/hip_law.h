@@ -3,8 +3,6 @@
 #define TDMF_MODEL_HIP_LAW_H
 
 #include "hip_laws.h"
-#include "input_rates.h"
-#include "seed.h"
 
 /* Whether the law has the clamp of (12): in retract, with hip.swing_clamp. */
 static inline bool tdmf_has_clamp(const tdmf_model *model, const tdmf_mode *mode) {

@@ -5,8 +5,6 @@
 
 #include "tdmf_slip/automaton.h"
 
-#include <math.h>
-
 /* Half-width of the band around zero in which a quantity that may settle there counts as unchanged. */
 #define TDMF_DEAD_BAND 1e-10
 

@@ -5,6 +5,8 @@
 
 #include "tdmf_slip/page.h"
 
+#include <stdint.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif

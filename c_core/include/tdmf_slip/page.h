@@ -9,7 +9,6 @@
 #include "tdmf_slip/export.h"
 
 #include <stdbool.h>
-#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
