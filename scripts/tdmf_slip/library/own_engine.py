@@ -17,7 +17,7 @@ from .own_runs import OwnStrides, strides_of
 
 NO_START = FATES.index("no_start")
 RUNNING = -1
-"""Fate of runners that have not come to an end."""
+"""Fate of runners that still run."""
 _FATES = np.full(7, UNSOLVED)
 """Fates of runners, by outcomes of runs."""
 for _outcome, _fate in (
@@ -137,7 +137,7 @@ class OwnEngine:
             if len(self.ends) * strides <= FEW:
                 engine()
             else:
-                uninterrupted(engine, flag)
+                uninterrupted(engine)
         except KeyboardInterrupt:
             self.ends["fate"][self.ends["fate"] == RUNNING] = STOPPED
             raise StoppedError(self.ends) from None
@@ -169,7 +169,6 @@ class OwnEngine:
         work.strides += len(done)
         work.events += int(made.ends["event_count"].sum())
         work.steps += int(made.ends["steps"].sum())
-        work.begun = len(self.ends)
         if self.recorded is not None:
             self._write(made, runs, closed, self.made - self._first_recorded)
         is_running = np.full(len(self.ends), False)
