@@ -14,10 +14,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ..builds import FOLDER, TABLE, host
 from ..checks import path_of
 from ..errors import InputError, RunError, reason
 from ..version import __version__
-from .compilers import Compiler, compiler_for, host
+from .compilers import Compiler, compiler_for
 from .sources import page_file, page_in
 
 PACKAGE = Path(__file__).parents[1]
@@ -25,10 +26,6 @@ KERNEL = PACKAGE / "hybrid" / "kernel", PACKAGE / "kernel"
 """Folders of the driver and of what it includes."""
 HEADERS, MAPS = PACKAGE / "native", PACKAGE / "gait"
 """The public headers, and the sources of return maps of pages."""
-FOLDER = "build"
-"""The folder of what is built, in the folder of a page."""
-TABLE = "model.json"
-"""The file of the model's table, which names its libraries."""
 FLAGS = (
     "-std=c99",
     "-ffp-contract=off",

@@ -2,7 +2,6 @@
 
 import importlib.util
 import os
-import platform
 import shlex
 import shutil
 import subprocess
@@ -11,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..builds import host
 from ..checks import is_one_of, shown
 from ..errors import InputError, RunError
 
@@ -27,15 +27,6 @@ TARGETS: Mapping[str, str] = {
 INSTALL_ZIG = "pip install 'ziglang==0.17.*' (the extra build)"
 LONGEST_ERROR = 2000
 """Characters of a compiler's message that are repeated."""
-
-
-def host() -> str:
-    """The platform of this machine."""
-    machine = {"amd64": "x86_64", "arm64": "aarch64"}.get(
-        platform.machine().lower(), platform.machine().lower()
-    )
-    system = {"win32": "windows"}.get(sys.platform, sys.platform)
-    return f"{machine}-{system}"
 
 
 @dataclass(frozen=True)

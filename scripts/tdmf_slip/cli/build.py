@@ -6,8 +6,9 @@ from pathlib import Path
 
 import click
 
-from ..building.build import TABLE, build
+from ..building.build import build
 from ..building.compilers import TARGETS
+from ..builds import TABLE
 from .options import JSON_OPTION, Command, json_text
 
 

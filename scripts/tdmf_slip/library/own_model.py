@@ -2,7 +2,6 @@
 
 import json
 import os
-import sys
 import threading
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -14,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..builds import FOLDER, TABLE, host
 from ..checks import is_one_of, path_of, shown
 from ..errors import InputError, reason
 from ..variables.table import ALIASES, MODELS, OWN_MODELS, Model, Quantity, Variables
@@ -21,8 +21,6 @@ from ..variables.variable import Value, Variable
 from ..version import __version__
 from .binding import ffi, text_of
 
-FOLDER, TABLE = "build", "model.json"
-"""Where `build` leaves the model in the folder of a page, and the file of its table."""
 WORD, LIFTOFF = "stride.word", "hip.liftoff_angle"
 """Names in a unit of a stride's word and of the leg's angle at lift-off."""
 OF_A_STRIDE, OF_ENERGY, OF_APEX = "stride.", "energy.", "apex."
@@ -250,7 +248,7 @@ def _model(folder: Path, table: Mapping[str, Any], section: int) -> OwnModel:
 def _library(folder: Path, table: Mapping[str, Any]) -> Any:
     """The library for this machine, loaded."""
     made = table["libraries"]
-    own = _host()
+    own = host()
     if own not in made:
         raise InputError(
             f"model {folder}: was built for {', '.join(made)}, this is {own}; build it here, too"
@@ -264,15 +262,6 @@ def _library(folder: Path, table: Mapping[str, Any]) -> Any:
     if found != table["id"]:
         raise InputError(f"{path}: is build {found}, not {table['id']} as {TABLE} says; build it anew")
     return library
-
-
-def _host() -> str:
-    """The name of this machine's platform in FMI 3.0."""
-    import platform
-
-    machine = platform.machine().lower()
-    system = {"win32": "windows"}.get(sys.platform, sys.platform)
-    return f"{ {'amd64': 'x86_64', 'arm64': 'aarch64'}.get(machine, machine) }-{system}"
 
 
 def _variable(of: Mapping[str, Any]) -> Variable:
