@@ -211,7 +211,7 @@ def about_of(model: Model) -> Callable[[str], Mapping[str, Any]]:
     def about(name: str) -> Mapping[str, Any]:
         if name in ABOUT:
             return ABOUT[name]
-        variables, quantities = model.variables, (MODELS["full"] if not model.map_class else model).quantities
+        variables, quantities = model.variables, model.full.quantities
         known = variables.get(f"stride.{name}") or quantities.get(name) or variables.get(name)
         return {} if known is None else known.attributes
 

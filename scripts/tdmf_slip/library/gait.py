@@ -350,7 +350,7 @@ def gaits_dataset(
     """
     over, shape = tuple(coordinates), tuple(map(len, coordinates.values()))
     known = model or next(gait.runner.model for gait in gaits if gait is not None)
-    model = known if known.map_class else MODELS["full"]
+    model = known.full
     modes = max((len(gait.apex) for gait in gaits if gait is not None), default=len(model.coordinates))
     spectra = np.full((len(gaits), modes), np.nan, complex)
     for row, gait in zip(spectra, gaits, strict=True):

@@ -195,7 +195,7 @@ def weight_by(values: Mapping[str, Any], name: str) -> Any:
 
 def unit_of(quantity: str, model: Model = MODELS["full"]) -> str:
     """The unit of a quantity; `1` for one that is not in the table."""
-    known = (model if model.map_class else MODELS["full"]).quantities.get(quantity)
+    known = model.full.quantities.get(quantity)
     return "1" if known is None else known.unit
 
 
@@ -236,15 +236,15 @@ def allowed_quantities(model: Model) -> tuple[str, ...]:
 
 def check_quantities(runner: Runner, names: Sequence[str]) -> None:
     """Refuse quantities that the runner's map does not have."""
+    known = known_quantities(runner)
     for name in names:
-        if name not in known_quantities(runner) and runner.model.map_class:
-            known = ", ".join(known_quantities(runner))
-            raise InputError(f"quantity {name} of the model {runner.model.name}; allowed: {known}")
-        if name not in known_quantities(runner):
-            raise InputError(
-                f"quantity {name} of the reduced map, where the leg in flight is placed as if by itself; "
-                f"allowed: {', '.join(REDUCED_QUANTITIES)}"
+        if name not in known:
+            whose = (
+                f"model {runner.model.name}"
+                if runner.model.map_class
+                else "reduced map, where the leg in flight is placed as if by itself"
             )
+            raise InputError(f"quantity {name} of the {whose}; allowed: {', '.join(known)}")
 
 
 def quantity_of(name: str, reported: Mapping[str, float]) -> float:

@@ -155,6 +155,11 @@ class Model:
         return None
 
     @property
+    def full(self) -> "Model":
+        """The model that has all quantities of a stride: the full one for the reduced map, else this one."""
+        return self if self.map_class else MODELS["full"]
+
+    @property
     def units(self) -> tuple[str, ...]:
         """Units of the coordinates."""
         return tuple(self.coordinate(name).unit for name in self.coordinates)
