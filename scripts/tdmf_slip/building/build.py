@@ -26,15 +26,8 @@ KERNEL = PACKAGE / "hybrid" / "kernel", PACKAGE / "kernel"
 """Folders of the driver and of what it includes."""
 HEADERS, MAPS = PACKAGE / "native", PACKAGE / "gait"
 """The public headers, and the sources of return maps of pages."""
-FLAGS = (
-    "-std=c99",
-    "-ffp-contract=off",
-    "-fno-math-errno",
-    "-fPIC",
-    "-fvisibility=hidden",
-    "-DTDMF_BUILDS_SHARED_LIBRARY",
-    "-Wno-psabi",
-)
+LIBRARY_FLAGS = ("-DTDMF_BUILDS_SHARED_LIBRARY", "-Wno-psabi")
+"""Flags of the compiler beside those that FMI units have, too."""
 LANES = "batch_lanes.c"
 """The file that is compiled once for each number of lanes, beside the motions."""
 _one_at_a_time = threading.Lock()
@@ -46,9 +39,9 @@ class Source:
     """A file to compile, and its flags."""
 
     path: Path
-    """Of the C file."""
+    """The C file."""
     flags: tuple[str, ...]
-    """Of the compiler, beside those that all files have."""
+    """Flags of the compiler, beside those that all files have."""
 
 
 def build(
@@ -195,6 +188,8 @@ def _library_name(table: Mapping[str, Any], compiler: Compiler) -> str:
 
 def _compile(table: Mapping[str, Any], files: Mapping[str, str], compiler: Compiler, made: Path) -> None:
     """Compile the C of a page into a library in a folder."""
+    from ..hybrid.unit_files import FLAGS
+
     with tempfile.TemporaryDirectory(prefix="tdmf_slip_") as temporary:
         folder = Path(temporary)
         for name, text in files.items():
@@ -205,7 +200,7 @@ def _compile(table: Mapping[str, Any], files: Mapping[str, str], compiler: Compi
 
         def compiled(number: int) -> None:
             source = sources[number]
-            compiler.run([*FLAGS, *source.flags, *includes, "-c", source.path, "-o", objects[number]])
+            compiler.run([*FLAGS, *LIBRARY_FLAGS, *source.flags, *includes, "-c", source.path, "-o", objects[number]])
 
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             list(pool.map(compiled, range(len(sources))))
