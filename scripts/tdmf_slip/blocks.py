@@ -62,13 +62,13 @@ def run_blocks(
 
 
 def in_order(
-    results: Iterable[tuple[int, Result]], tell: Callable[[int], object] = lambda _: None
+    results: Iterable[tuple[int, Result]], block_done: Callable[[int], object] = lambda _: None
 ) -> list[Result]:
-    """Results in the order of the blocks; `tell` is called with the number of each block that is done."""
+    """Results in the order of the blocks; `block_done` is called with each number."""
     found: dict[int, Result] = {}
     for number, result in results:
         found[number] = result
-        tell(number)
+        block_done(number)
     return [found[number] for number in range(len(found))]
 
 

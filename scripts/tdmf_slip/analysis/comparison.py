@@ -109,7 +109,7 @@ def compare(
     -------
     xarray.Dataset
         Over `runner` and `step`, which is `before` or `after`: all quantities of the gaits, and as
-        coordinates the parameters that are varied or tell the runners apart. `held`, over `runner`
+        coordinates the parameters that are varied or differ between runners. `held`, over `runner`
         and `quantity`, is 1 where a quantity could be made equal. `gait_at(matched.isel(runner=1, step=1))`
         is a gait.
 

@@ -10,7 +10,7 @@ from ..errors import InputError, reason
 
 TEMPLATES = Path(__file__).parent / "templates"
 STARTS = ("runner", "scratch")
-"""What a page can begin from."""
+"""Beginnings of a page."""
 
 
 def new(name: str | os.PathLike[str], *, start: str = "runner") -> Path:

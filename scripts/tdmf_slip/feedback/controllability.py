@@ -39,7 +39,7 @@ from ..variables.table import Model, full_names
 CHOSEN = tuple(name for name in SETTINGS if not name.startswith("ground."))
 """Settings that a controller may choose anew at each apex: all but the ground's."""
 THRUSTS = ("leg.thrust", "control.thrust")
-"""Their sum is held at 0 and above."""
+"""Settings whose sum is held at 0 and above."""
 CLOSED = 1e-9
 """Largest difference of an apex and the next over the scales, of what counts as a gait."""
 IDLE = 1e-12
@@ -53,7 +53,7 @@ class Linearization:
     gait: Gait
     """The gait."""
     inputs: tuple[str, ...]
-    """Those that are chosen at each apex, of `CHOSEN`."""
+    """Settings of `CHOSEN` that are chosen at each apex."""
     nominal: NDArray[np.float64]
     """The settings of the gait, shape (k,), in their units."""
     state_matrix: NDArray[np.float64]
@@ -61,7 +61,7 @@ class Linearization:
     input_matrix: NDArray[np.float64]
     """B, shape (n, k): its change by the settings."""
     setting_scales: NDArray[np.float64]
-    """Of the settings, shape (k,): 1 rad, sqrt(k/m), l0, k l0, k l0^2, and for gains of the hip k l0^2
+    """Scales of the settings, shape (k,): 1 rad, sqrt(k/m), l0, k l0, k l0^2, and for gains of the hip k l0^2
     and l0^2 sqrt(k m), each per rad."""
 
     @cached_property
@@ -179,7 +179,7 @@ class Modes:
 
     @property
     def count(self) -> int:
-        """How many there are."""
+        """Number of the modes."""
         return len(self.state_matrix)
 
     def gain_of(self, model: Linearization, gain: NDArray[np.float64]) -> NDArray[np.float64]:

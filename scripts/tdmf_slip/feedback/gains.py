@@ -100,7 +100,7 @@ class Feedback(AffineLaw):
     """After so many a dead-beat law has moved every mode that it does not leave alone; None of another."""
 
     def __repr__(self) -> str:
-        """In a line: what is set, at which gait, and the closed loop's largest eigenvalue."""
+        """One line: the settings, the gait, and the closed loop's largest eigenvalue."""
         gait = self.linearization.gait
         where = f", {FRICTION} = {gait.friction:.6g}" if FRICTION in gait.runner else ""
         at = f"the gait {gait.word}{where}"

@@ -3,8 +3,8 @@
 Intervals by the profile likelihood: a parameter is held, the others are fitted anew, and the loss rises.
 
 The interval ends where it has risen by the quantile of chi square with one degree of freedom (Venzon and
-Moolgavkar 1988, Applied Statistics 37, 87-94). Where the data tell the parameter well this is the linear
-interval; where they tell it badly it is not symmetric, and may have no end.
+Moolgavkar 1988, Applied Statistics 37, 87-94). Where the data identify the parameter well this is the
+linear interval; where they identify it poorly it is not symmetric, and may have no end.
 """
 
 from collections.abc import Iterator
@@ -42,7 +42,7 @@ class End:
 
 
 class BetterFitError(Exception):
-    """With a parameter held, the loss is less than the least one."""
+    """The loss with a parameter held is less than the least one."""
 
     def __init__(self, at: NDArray[np.float64]) -> None:
         """Where."""
@@ -74,7 +74,7 @@ class Profile:
         return low, high
 
     def _end(self, number: int, sign: float) -> End:
-        """By the secant method on the root of the rise, which is nearly linear."""
+        """One end, by the secant method on the root of the rise, which is nearly linear."""
         self.problem.restart(self.best.at, self._apexes)
         begin, bound = float(self.best.at[number]), float(self.bounds[sign > 0.0][number])
         spread = float(np.sqrt(self.covariance[number, number]))
@@ -109,7 +109,7 @@ class Profile:
         return End(begin + sign * far, "")
 
     def _next(self, inside: tuple[float, float], outside: tuple[float, float] | None, why: str) -> float:
-        """How far to go."""
+        """Distance of the next point from the best fit."""
         if outside is not None:
             span = outside[0] - inside[0]
             return float(np.clip(self._interpolated(inside, outside), inside[0] + 0.1 * span, outside[0]))

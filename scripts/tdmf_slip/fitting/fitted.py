@@ -279,7 +279,7 @@ class LeftOut:
     """Fit of all other data, with linear intervals."""
 
     def shifts(self, of: Fit) -> Mapping[str, float]:
-        """By label: how far shared estimates move, over their standard errors in the whole fit."""
+        """Changes of shared estimates by label, over their standard errors in the whole fit."""
         shared = [estimate for estimate in of.estimates if estimate.label == estimate.name]
         return {
             one.label: (self.fit.parameters[one.label].value - one.value) / one.standard_error

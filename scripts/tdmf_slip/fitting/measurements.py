@@ -70,7 +70,7 @@ class Measurements:
 
 
 Data: TypeAlias = "Measurements | Mapping[str, Sequence[float]] | str | Path | Any"
-"""What a fit takes as data; a DataFrame is known by what it can do."""
+"""Data of a fit; a DataFrame is known by what it can do."""
 
 
 def shipped_names() -> list[str]:

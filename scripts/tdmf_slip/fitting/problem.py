@@ -48,9 +48,9 @@ class Prior:
     name: str
     """Name of the parameter, which all rows share."""
     value: float
-    """In the unit's unit."""
+    """Expected value, in the unit's unit."""
     error: float
-    """Its standard error, in the same unit."""
+    """Standard error of the value, in the same unit."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +62,7 @@ class Request:
     shared: tuple[str, ...]
     """Parameters to be found that all rows share."""
     each: tuple[str, ...]
-    """Those of which each row has its own."""
+    """Parameters to be found of which each row has its own."""
     priors: tuple[Prior, ...]
     """Priors of shared parameters."""
     robust: bool

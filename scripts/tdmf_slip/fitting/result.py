@@ -3,8 +3,8 @@
 Combinations of parameters that data do not identify, by the singular values of the weighted Jacobian.
 
 Its rows are changes of the measured quantities over their errors, its columns are by the parameters over
-their scales. A direction of the parameters is not told at all where its singular value is zero up to
-rounding, and is told badly where a change as large as the parameters themselves stays within the errors of
+their scales. A direction of the parameters is not identified at all where its singular value is zero
+up to rounding, and poorly where a change as large as the parameters themselves stays within the errors of
 the data.
 """
 
@@ -35,7 +35,7 @@ ROUNDING = 1e-9
 SMALL = 1e-5
 """Share of a combination's largest member below which a parameter has no part in it."""
 MINOR = 0.1
-"""The same in a combination that is told badly, of which every parameter has a little."""
+"""This share in a combination that is poorly identified, of which every parameter has a little."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,9 +45,9 @@ class Combination:
     members: Mapping[str, float]
     """Change of each over its scale, which is its value, or 1 in its unit where it is 0; the largest is 1."""
     changes: Mapping[str, float]
-    """The same in the parameters' units."""
+    """Change of each in its unit."""
     standard_error: float
-    """By how many times such a change the data may be wrong; infinite where it changes nothing at all."""
+    """Standard error in multiples of the change; infinite where the change has no effect on the data."""
 
     @property
     def name(self) -> str:
@@ -55,7 +55,7 @@ class Combination:
         return ", ".join(f"{label} {change:+.4g}" for label, change in self.changes.items())
 
     def as_json(self) -> dict[str, object]:
-        """As a plain object."""
+        """The combination as a plain object."""
         return {
             "combination": self.name,
             "changes": dict(self.changes),
@@ -71,7 +71,7 @@ class Identified:
     covariance: NDArray[np.float64]
     """Covariance of the identified parts of the parameters over their scales, shape (p, p)."""
     reported: NDArray[np.bool_]
-    """Which parameters have no part in what is not told at all, shape (p,)."""
+    """True for parameters without a part in combinations that are not identified at all, shape (p,)."""
     unidentified: tuple[Combination, ...]
     """Combinations that are poorly identified; those that are not identified at all come first."""
 
@@ -121,7 +121,7 @@ def _combination(
     standard_error: float,
     minimum: float,
 ) -> Combination:
-    """With the largest member first, whose change is 1."""
+    """The combination of a direction, with the largest member first, whose change is 1."""
     shares = np.round(direction / direction[np.argmax(np.abs(direction))], 9)
     order = [int(k) for k in np.argsort(-np.abs(shares), kind="stable") if abs(shares[k]) >= minimum]
     return Combination(

@@ -218,7 +218,7 @@ def past_kinks(problem: Problem, ended: Ended, bounds: Bounds, robust: bool) -> 
 
 @dataclass(frozen=True, eq=False)
 class _Step:
-    """Where to go on."""
+    """Outcome of a step along a kink: the point at which the search goes on, if any."""
 
     to: NDArray[np.float64] | None
     is_minimum: bool
@@ -270,7 +270,7 @@ class _Walk:
     def _slopes(
         self, at: NDArray[np.float64], free: NDArray[np.bool_]
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Half the gradient of the loss, and of its second derivatives what the first ones tell."""
+        """Half the gradient of the loss, and the Gauss-Newton part of its second derivatives."""
         residuals = self.problem.residuals(at)
         if not np.isfinite(residuals).all():
             raise RunError("there are no gaits beside the kink")
@@ -311,7 +311,7 @@ class Across:
         self.begin = np.append(unknowns, np.zeros(self._apexes.size))
 
     def unknowns(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Those of the problem."""
+        """Unknowns of the problem among all unknowns."""
         return at[: len(self.problem.parameters)]
 
     def apexes(self, at: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -35,14 +35,14 @@ CLOCK_ROUNDING = 1e-12
 """Relative error of FMPy's times, which are sums."""
 
 
-class Input(fmpy.simulation.Input):  # type: ignore[misc] # FMPy tells no types
+class Input(fmpy.simulation.Input):  # type: ignore[misc] # FMPy has no types
     """FMPy's inputs, set together with the unit's clock. Once a jump is taken, the values after it hold."""
 
     taken = -math.inf
     next_jump = math.inf
 
     def __init__(self, *given: object, set_input_derivatives: bool = False, **named: object) -> None:
-        """As FMPy's; with derivatives, a communication step ends wherever an input's slope changes."""
+        """Take FMPy's arguments; with derivatives, communication steps end where an input's slope changes."""
         super().__init__(*given, **named)
         self.sets_rates = set_input_derivatives and self.t is not None
         if self.sets_rates:
@@ -56,14 +56,14 @@ class Input(fmpy.simulation.Input):  # type: ignore[misc] # FMPy tells no types
         return set_time(time)
 
     def nextEvent(self, time: float) -> float:  # noqa: N802 # FMPy's name
-        """As FMPy's, which asks before each step."""
+        """Return FMPy's next event, and keep it; FMPy asks before each step."""
         self.next_jump = super().nextEvent(time)
         return self.next_jump
 
     def apply(
         self, time: float, continuous: bool = True, discrete: bool = True, after_event: bool = False
     ) -> None:
-        """As FMPy's, but an event stays taken."""
+        """Set inputs as FMPy does, but keep an event that was taken."""
         if after_event:
             self.taken = time
         super().apply(time, continuous, discrete, after_event or time == self.taken)
@@ -72,7 +72,7 @@ class Input(fmpy.simulation.Input):  # type: ignore[misc] # FMPy tells no types
 
     @classmethod
     def interpolate(cls, *given: object, **named: object) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """As FMPy's, but a table of one row, too, gives one value for each input."""
+        """Interpolate as FMPy does; a table of one row gives one value for each input, too."""
         values, rates = super().interpolate(*given, **named)
         return values.ravel(), rates.ravel()
 

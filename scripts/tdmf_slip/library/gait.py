@@ -41,7 +41,7 @@ class Event:
     time: float
     """s since the apex at which the stride begins."""
     guard: int
-    """Which guard fired, by the library's number."""
+    """Guard that fired, by the library's number."""
     contact_before: int
     """Contact mode, by the library's number; as the following."""
     contact_after: int
@@ -157,12 +157,12 @@ class Gait:
         kind, label = "stable" if self.stable else "unstable", self.runner.label
         at = f" at {FRICTION} = {self.friction:.6g}" if FRICTION in self.runner else ""
         some = {"period": "s", "speed": "m/s", "cost_of_transport": ""}
-        told = [
+        texts = [
             f"{name.replace('_', ' ')} {self.stride[name]:.6g} {label(unit) if unit else ''}".rstrip()
             for name, unit in some.items()
             if name in self.stride
         ]
-        return f"<Gait {self.word}{at}: {', '.join(told)}, {kind}, largest eigenvalue {self.lambda_max:.6g}>"
+        return f"<Gait {self.word}{at}: {', '.join(texts)}, {kind}, largest eigenvalue {self.lambda_max:.6g}>"
 
     def _repr_html_(self) -> str:
         """Box for a notebook: eight rows with units beside the eigenvalues in the unit circle."""

@@ -97,7 +97,7 @@ class OwnModel(Model):
 
     @cached_property
     def value_places(self) -> tuple[tuple[bool, int], ...]:
-        """Of each value of a runner, whether it is a state, and its number."""
+        """Place of each value of a runner: whether it is a state, and its number."""
         places = {
             of["public"]: (kind == "states", number)
             for kind in ("parameters", "states")

@@ -79,7 +79,7 @@ class OwnRunner(Runner):
         if end.outcome != c.TDMF_PAGE_CROSSED:
             mode = " ".join(self.model.table["modes"][end.mode])
             raise GaitNotFoundError(
-                f"no gait: the run from the start values does not come to the section; it is in the mode "
+                f"no gait: the run from the start values does not reach the section; it is in the mode "
                 f"`{mode}` after {end.time:.6g} s"
             )
         return states[list(self.model.coordinate_numbers)]
@@ -99,7 +99,7 @@ class OwnRunner(Runner):
     def trajectory(self, times: NDArray[np.float64]) -> "xarray.Dataset":
         """States and outputs along a run of the engine from the start values, at times that rise from 0 on.
 
-        The run ends before the last time where it comes to a mode that ends runs.
+        The run ends before the last time where it reaches a mode that ends runs.
         """
         check_size("times", len(times), "rows", MAX_ROWS)
         times = np.ascontiguousarray(times, float)

@@ -49,13 +49,13 @@ class OwnStrides:
     model: OwnModel
     """The model of the runners."""
     points: NDArray[np.float64]
-    """Where they begin, shape (runners, n)."""
+    """Points of the section where the strides begin, shape (runners, n)."""
     ends: NDArray[Any]
     """Ends of the runs, shape (runners,)."""
     states: NDArray[np.float64]
     """States at the next crossing, shape (runners, states)."""
     d_states: NDArray[np.float64] | None
-    """Their derivatives by coordinates and seeds, shape (runners, by, states); None where not asked for."""
+    """Derivatives of the states by coordinates and seeds, shape (runners, by, states), or None."""
     events: NDArray[Any]
     """Events, shape (runners, `EVENT_ROOM`)."""
 
@@ -72,7 +72,7 @@ class OwnStrides:
 
     @property
     def next_points_by(self) -> NDArray[np.float64]:
-        """Their derivatives, shape (runners, n, by)."""
+        """Derivatives of the next points, shape (runners, n, by)."""
         assert self.d_states is not None
         return self.d_states[:, :, list(self.model.coordinate_numbers)].swapaxes(1, 2)
 
@@ -128,7 +128,7 @@ class OwnStrides:
         return {
             c.TDMF_PAGE_CROSSED: None,
             c.TDMF_PAGE_ENDED: f"the run ends {at}",
-            c.TDMF_PAGE_TOO_LONG: f"the run comes to no `{event}` and is {at}",
+            c.TDMF_PAGE_TOO_LONG: f"the run reaches no `{event}` and is {at}",
             c.TDMF_PAGE_REFUSED: "a number is out of its range or not finite",
         }.get(end["outcome"], f"the run cannot be followed {at}")
 

@@ -26,7 +26,7 @@ from .runner import Runner
 from .section import Apex, checked_apex
 
 PATCH = ("ground.patch_begin", "ground.patch_end")
-"""Where a part of the ground with its own friction begins and ends, along the ground."""
+"""Beginning and end of a part of the ground with its own friction, along the ground."""
 
 
 class Map:
@@ -108,7 +108,7 @@ def map_of(runner: Runner) -> Map:
 
 
 def refuse_patch(values: Mapping[str, float]) -> None:
-    """Refuse a patch of ground: an apex does not tell where the foot is."""
+    """Refuse a patch of ground: an apex does not determine where the foot is."""
     begin, end = (values[name] for name in PATCH)
     if begin < end:
         raise InputError(

@@ -27,7 +27,7 @@ class VariedStride:
     residual: NDArray[np.float64]
     """Next apex minus this one, shape (n,)."""
     quantities: NDArray[np.float64]
-    """In the order in which they were asked for, shape (q,)."""
+    """Quantities in the order in which they were asked for, shape (q,)."""
     by_all: NDArray[np.float64]
     """Changes of `residual` and `quantities` by the coordinates and the parameters, shape (n + q, n + p)."""
 
@@ -51,7 +51,7 @@ class PlainStride:
     residual: NDArray[np.float64]
     """Next apex minus this one, shape (n,)."""
     quantities: NDArray[np.float64]
-    """In the order in which they were asked for, shape (q,)."""
+    """Quantities in the order in which they were asked for, shape (q,)."""
     word: str
     """Word of the stride's stance."""
 
@@ -85,11 +85,11 @@ class VariedGait:
     """Quantities of a gait, and how they and its apex change with parameters while it stays a gait."""
 
     quantities: NDArray[np.float64]
-    """In the order in which they were asked for, shape (q,)."""
+    """Quantities in the order in which they were asked for, shape (q,)."""
     by_parameters: NDArray[np.float64]
-    """Their changes, shape (q, p)."""
+    """Derivatives of the quantities by the parameters, shape (q, p)."""
     apex_by_parameters: NDArray[np.float64]
-    """Those of the apex, shape (n, p)."""
+    """Derivatives of the apex by the parameters, shape (n, p)."""
     apex_by_residual: NDArray[np.float64]
     """Derivative of the apex by the residual of its stride: the inverse of the map less one, shape (n, n)."""
 

@@ -263,7 +263,7 @@ def best_compromises(
 def _between(
     optimizer: Optimizer, goals: Sequence[Goal], begin: Start, end: Start, count: int, bar: Bar
 ) -> Iterator[Optimum]:
-    """With limits on the second quantity, each from the one before and from the last."""
+    """Optima with limits on the second quantity, each searched from the one before and from the last."""
     first, second = goals
     low, high = (reported(start.gait)[second.objective] for start in (begin, end))
     for limit in np.linspace(low, high, count)[1:-1]:

@@ -4,7 +4,7 @@ Clark and Higham (2011): `guinea_fowl.toml` has their words, and the runner that
 
 Runners that meet a slippery patch, and whether they fall, by the angle at which the leg comes down on it.
 
-A runner on its gait comes to an apex with the patch before it. For that landing the leg is placed at a
+A runner on its gait reaches an apex with the patch before it. For that landing the leg is placed at a
 contact angle of its own, and for some strides the friction is another one; then all is as before. By the
 reduced map, whose leg is where it is to be placed.
 """
@@ -101,7 +101,7 @@ def _followed(
     strides: int,
     until: Sequence[Sequence[NDArray[np.float64]]] | None = None,
 ) -> tuple[list[tuple[int, int]], list[NDArray[np.float64]]]:
-    """Those that are up after some strides, and their apices then."""
+    """Cells whose runners are up after some strides, and their apices then."""
     if not cells:
         return [], []
     run = Batch(runners, np.array(apices)).run(strides, until)

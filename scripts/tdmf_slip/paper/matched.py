@@ -19,20 +19,20 @@ from ..terminal.progress import progress_bar
 
 @dataclass(frozen=True, eq=False)
 class Trial:
-    """Who runs on what: a block of work."""
+    """Runners on one ground: a block of work."""
 
     runner: Runner
     """Parameters and inputs."""
     roughness: float
     """Standard deviation of a step, m."""
     runners: int
-    """How many run."""
+    """Number of runners."""
     seed: int
     """Seed of the ground."""
     max_strides: int
     """A runner that has made as many is still up."""
     law: Law | None = None
-    """By which the runners are set."""
+    """Law that the runners follow."""
 
 
 def first_passage(trial: Trial) -> FirstPassage:

@@ -263,7 +263,7 @@ def of_runs(runs: "xarray.Dataset") -> Figure:
 
 
 VIABLE_COLOURS = ListedColormap(matplotlib.colormaps["GnBu"](np.linspace(0.18, 1.0, 256)))
-"""Without the palest, which are hardly told from the paper."""
+"""Colours without the palest, which are hardly distinguished from the paper."""
 OPEN, NOT_VIABLE = "#f0b35a", "#efe9e4"
 """Colours of cells that the grid leaves open, and of those from which no action of the grid helps."""
 

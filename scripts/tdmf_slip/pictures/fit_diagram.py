@@ -147,7 +147,7 @@ def write(path: Path, fit: Fit) -> None:
 
 
 def _picture(fit: Fit) -> str:
-    """As PNG in base 64."""
+    """The figure as PNG in base 64."""
     return base64.b64encode(style.png_of(figure_of(fit))).decode()
 
 

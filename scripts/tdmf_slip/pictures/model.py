@@ -20,7 +20,7 @@ FOOT_RADIUS = 0.05
 
 @dataclass(frozen=True)
 class Pose:
-    """Where body and foot are, over l0."""
+    """Positions of body and foot, over l0."""
 
     body: tuple[float, float]
     """x and y."""

@@ -14,7 +14,7 @@ def identity(size: int) -> arb_mat:
 
 
 def middle(matrix: arb_mat) -> arb_mat:
-    """Its midpoints."""
+    """Midpoints of a matrix."""
     return arb_mat(matrix.nrows(), matrix.ncols(), [x.mid() for x in matrix.entries()])
 
 

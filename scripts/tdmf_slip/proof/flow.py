@@ -66,7 +66,7 @@ class Tube:
         return value
 
     def __neg__(self) -> "Tube":
-        """Its opposite."""
+        """The negative."""
         return Tube(self.span, -self.polynomial, -self.remainder)
 
     def __add__(self, other: Any) -> "Tube":
@@ -151,7 +151,7 @@ class Unfolding:
         return self.terms
 
     def __neg__(self) -> "Unfolding":
-        """Its opposite."""
+        """The negative."""
         return self * -1
 
     def __add__(self, other: Any) -> "Unfolding":
@@ -185,7 +185,7 @@ class Unfolding:
     __rmul__ = __mul__
 
     def __rtruediv__(self, other: Any) -> "Unfolding":
-        """A number over it: v w = 1 tells w_k."""
+        """A number over this one; w_k follows from v w = 1."""
         inverse = Unfolding(None, [])
 
         def following(k: int) -> arb:

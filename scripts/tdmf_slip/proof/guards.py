@@ -73,8 +73,8 @@ class Guard:
     def zero_after(self, begin: arb, end: arb) -> arb | None:
         """Times of its only zero between two times, where it falls through it; None where that is not proved.
 
-        Every function in the tube has one zero in the ball, and is positive before; the slope that tells so
-        is checked by the caller at the instant, since a remainder has none.
+        Every function in the tube has one zero in the ball, and is positive before; the slope that
+        shows this is checked by the caller at the instant, since a remainder has none.
         """
         root = self._guess(begin, end)
         if root is None:

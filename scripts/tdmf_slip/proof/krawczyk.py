@@ -137,7 +137,7 @@ def left_times_right(left: acb_mat, right: acb_mat, k: int) -> acb:
 
 
 def _discs(matrix: acb_mat) -> list[acb]:
-    """By rows: around the diagonal, with the sum of the others as radius."""
+    """Gershgorin's discs, row by row: around the diagonal, with the sum of the others as radius."""
     sizes = absolute(matrix)
     for k, row in enumerate(sizes):
         row[k] = arb(0)

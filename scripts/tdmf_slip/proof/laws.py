@@ -29,7 +29,7 @@ class Entered:
     values: dict[str, Number]
     """Numbers of the motion, by the names of the mode."""
     zeros: Mapping[str, int] = field(default_factory=dict)
-    """By guard: to which order in time it begins at exactly zero."""
+    """Order in time to which each guard begins at exactly zero."""
     closes: bool = False
     """A stride ends here, at an apex in flight."""
     impact: bool = False
@@ -288,7 +288,7 @@ def foot_rests(velocity: Number) -> bool:
 
 
 def absolute(number: Number, what: str, runner: Any, fall: Number) -> Number:
-    """The absolute value; where the sign is open, a bound that is enough to tell that an impact sticks."""
+    """The absolute value; where the sign is open, a bound that suffices to show that an impact sticks."""
     value = value_of(number)
     if value > 0:
         return number

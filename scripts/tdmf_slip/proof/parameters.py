@@ -49,7 +49,7 @@ class Mode:
 
     @property
     def letter(self) -> str:
-        """Its letter in the gait word; empty for none."""
+        """The mode's letter in the gait word; empty for none."""
         return {"stick": "0", "slip": "+" if self.sign > 0 else "-"}.get(self.contact, "")
 
     @property
@@ -77,7 +77,7 @@ def kept_names(runner: Any, mode: Mode) -> tuple[str, ...]:
 
 
 def names_of(runner: Any, mode: Mode) -> tuple[str, ...]:
-    """All numbers that tell the motion in a mode, in the order of the rows of its matrices."""
+    """All numbers that describe the motion in a mode, in the order of the rows of its matrices."""
     free = BALLISTIC if mode.contact == "flight" else ()
     return moving_names(runner, mode) + kept_names(runner, mode) + free
 
@@ -87,12 +87,12 @@ Kind = Literal["rest at the limit of the cone", "rest as it lifts off", "impact 
 
 @dataclass(frozen=True)
 class Forced:
-    """Which event, and what is made of it."""
+    """An event, and how it is taken."""
 
     index: int
     """Index among the stride's events, from 0 on."""
     event: str
-    """Its name."""
+    """Name of the event."""
     kind: Kind
     """Kind of the two events that happen at once there."""
     sign: int = 0

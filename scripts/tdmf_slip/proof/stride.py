@@ -61,7 +61,7 @@ class Ledger:
             self.leg_work += leg.work_of_jump(self.runner.model.parameters.leg.stiffness, length, old, new)
 
     def quantities(self, period: arb) -> dict[str, arb]:
-        """Of the whole stride, by the names of the unit's group `stride`, and the angle at lift-off."""
+        """Quantities of the stride by the names of the unit's group `stride`, and the angle at lift-off."""
         runner = self.runner
         length = self.along * runner.line.cosine
         weight = runner.model.total_mass * runner.model.parameters.gravity
@@ -84,7 +84,7 @@ class Ledger:
 
 
 def integral(tube: Tube, end: arb) -> arb:
-    """Of a tube from 0 to a time."""
+    """Integral of a tube from 0 to a time."""
     terms = tube.span.degree + 2
     return tube.polynomial.integral()(end) + end**terms * tube.remainder / terms * arb(0).union(arb(1))
 

@@ -77,7 +77,7 @@ class Spread:
 
 
 class Drift:
-    """How far the true motion may be from the point that stands for it: Q e, with balls e."""
+    """Distance that the true motion may have from the point that stands for it: Q e, with balls e."""
 
     def __init__(self, size: int) -> None:
         """None yet, of a motion of so many numbers."""
@@ -91,7 +91,7 @@ class Drift:
         self._inside = (back * turned) * inside + back * arb_mat(len(fresh), 1, fresh)
 
     def balls(self) -> list[arb]:
-        """By number."""
+        """The drift of each number."""
         return list((self._frame * self._inside).entries())
 
 
@@ -168,7 +168,7 @@ class VariedFlow(Flow):
         return Dual(decay, gradient)
 
     def _weights(self) -> list[arb]:
-        """Of what moves, in the norm, so that a fast swing is as large one way as the other."""
+        """Weights of the moving numbers in the norm; a fast swing is then as large one way as the other."""
         swing = arb(self.runner.swing)
         return [swing if name.endswith(("_rate", "_speed")) else arb(1) for name in self.active]
 
@@ -214,7 +214,7 @@ class VariedFlow(Flow):
 
 
 def slopes_of_slope(runner: Any) -> dict[str, arb]:
-    """By what is varied: how the leg's angle from the ground's normal changes."""
+    """Change of the leg's angle from the ground's normal, by what is varied."""
     slope = slope_of(runner.line.slope, PARAMETER)
     return {} if slope == 0 else {PARAMETER: -slope}
 
@@ -409,7 +409,7 @@ class Section:
     middle: dict[str, float]
     """Centres of the motion's numbers: the leg's, and by mode those of the centre of mass or of the foot."""
     radius: dict[str, float]
-    """How far a start of the set may be from the middle."""
+    """Distance that a start of the set may have from the middle."""
 
 
 def tube_along(gait: RunnerLike = None, radius: Radius = Fraction(1, 10**8)) -> list[Section]:

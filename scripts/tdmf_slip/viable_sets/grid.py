@@ -184,7 +184,7 @@ class Transitions:
 
     @property
     def closed(self) -> int:
-        """How many strides closed."""
+        """Number of strides that closed."""
         return int(np.count_nonzero(self.fate == CLOSED))
 
 
@@ -193,7 +193,7 @@ class Corners:
     """Some rows of corners: a block of work."""
 
     runner: Runner
-    """Who makes the strides."""
+    """Runner that makes the strides."""
     grid: Grid
     """Grid of all corners."""
     rows: tuple[int, ...]
@@ -380,7 +380,7 @@ def _reach(
     grid: Grid,
     factor: float,
 ) -> NDArray[np.float64]:
-    """How far the image of a cell may be from the mean, NaN where no derivative is known."""
+    """Distance of a cell's image from the mean at the most, NaN where no derivative is known."""
     down = np.abs(np.diff(images, axis=1))
     along_rows = np.fmax(down[:, :, :-1], down[:, :, 1:])
     by_row = _largest_of_three(along_rows, 1)[:, here]
@@ -404,7 +404,7 @@ def _largest_of_three(values: NDArray[np.float32], axis: int) -> NDArray[np.floa
 
 
 def _accuracy(grid: Grid, scales: NDArray[np.float64]) -> NDArray[np.float64]:
-    """By how much an image may be off as it is kept, shape (2,)."""
+    """Largest error of an image as it is kept, shape (2,)."""
     largest = np.array([np.abs(edges).max() for edges in grid.edges.values()])
     off: NDArray[np.float64] = ACCURACY * scales + ROUNDING * largest
     return off
@@ -415,22 +415,22 @@ class Kept:
     """A set of states, and the pairs that keep runners in it."""
 
     states: NDArray[np.bool_]
-    """Which states, shape (rows, columns)."""
+    """True for the states of the set, shape (rows, columns)."""
     pairs: NDArray[np.intp]
     """Numbers of the pairs among those that were given."""
     passes: int
-    """In which it was found; the last took no state away."""
+    """Number of passes; the last one took no state away."""
 
 
 def sums_of(states: NDArray[np.bool_]) -> NDArray[np.int32]:
-    """How many states count above and left of each corner, shape (rows + 1, columns + 1)."""
+    """Number of states above and left of each corner that count, shape (rows + 1, columns + 1)."""
     sums = np.zeros((states.shape[0] + 1, states.shape[1] + 1), np.int32)
     np.cumsum(np.cumsum(states, axis=0, dtype=np.int32), axis=1, out=sums[1:, 1:])
     return sums
 
 
 def lands(boxes: Boxes, states: NDArray[np.bool_], *, inner: bool) -> NDArray[np.bool_]:
-    """Which pairs lead into a set."""
+    """True for pairs that lead into a set."""
     sums, width = sums_of(states).ravel(), states.shape[1] + 1
     top, left = boxes.low.astype(np.int32)
     bottom, right = boxes.high.astype(np.int32) + 1

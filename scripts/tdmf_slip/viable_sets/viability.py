@@ -43,8 +43,9 @@ GRADES = ("not viable", "open", "viable")
 class ViableController:
     """At each apex the viable action nearest to a wish, over the ranges of the settings.
 
-    Of the inner set where the apex's cell has some, else of the outer one. Where neither has any, or outside
-    of the grid, nothing is known to help, and the wish itself is set; `grade_at` tells.
+    Actions are those of the inner set where the apex's cell has some, else those of the outer one. Where
+    neither has any, or outside of the grid, nothing is known to help, and the wish itself is set; `grade_at`
+    says which case holds.
 
     Parameters
     ----------
@@ -338,7 +339,7 @@ def _sets(
 
 
 def _largest_drop(states: NDArray[np.bool_], grid: Grid, *, inner: bool) -> NDArray[np.float64]:
-    """How far cells of a set go on above each cell: a drop adds to the height above the ground."""
+    """Height to which cells of a set go on above each cell: a drop adds to the height above the ground."""
     above = np.zeros(states.shape)
     for row in range(len(states) - 2, -1, -1):
         above[row] = np.where(states[row + 1], above[row + 1] + 1.0, 0.0)
