@@ -1,8 +1,7 @@
 """The gait of a runner: near a guess, by settling, along the friction, or from starts everywhere.
 
-Gaits from starts all over the section, side by side.
-
-Runners settle on stable gaits. Newton's method from where strides come back nearest finds unstable ones, too.
+The last search begins all over the section, with runners side by side. They settle on stable gaits. Newton's
+method from where strides come back nearest finds unstable ones, too.
 """
 
 import contextlib

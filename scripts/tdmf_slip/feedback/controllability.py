@@ -1,23 +1,20 @@
 """Effect of settings on a gait's modes, in numbers.
 
-R. E. Kalman's test: the modes are controllable where [G, F G, F^2 G, ...] has their rank. How near they are
-to losing it, its singular values tell.
-
-A gait's return map with settings that are chosen at each apex, to first order.
-
-With the deviations x of an apex from the gait's and u of the settings from theirs, the next apex deviates by
+The return map of a gait and the settings that are chosen at each apex are taken to first order. With the
+deviations x of an apex from the gait's and u of the settings from theirs, the next apex deviates by
 
     x' = A x + B u,
 
 both matrices exact, by the variational equations of the C library. The horizontal position and the time are
 no coordinates of the section: the map does not depend on them.
 
-Modes of a return map that last: its strides do not forget them by themselves.
+Only modes that last need a feedback. A touchdown and a sticking foot lose coordinates for ever: of the six
+eigenvalues of a return map some are 0 but for rounding, three where the stance sticks at some time, two where
+it does not. These modes and the effect of a setting on them are forgotten. With the left invariant subspace W
+of the other eigenvalues, z = W' x obeys a map of its own, z' = F z + G u.
 
-A touchdown and a sticking foot lose coordinates for ever: of the six eigenvalues of a return map some are 0
-but for rounding, three where the stance sticks at some time, two where it does not. These modes need no
-feedback, and what a setting makes of them is forgotten, too. With the left invariant subspace W of the other
-eigenvalues, z = W' x obeys a map of its own, z' = F z + G u.
+By R. E. Kalman's test these modes are controllable where [G, F G, F^2 G, ...] has their rank. Its singular
+values show how near they are to losing it.
 """
 
 from collections.abc import Sequence

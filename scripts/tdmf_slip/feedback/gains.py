@@ -2,10 +2,9 @@
 
 Each is an affine law from the apex to the settings of the stride that follows, with limits on each setting.
 
-The gain by which modes reach 0 in the fewest steps.
-
-The modes from which 0 is reached in j steps make a subspace: S_0 = {0}, and z is in S_j where F z + G u is in
-S_(j-1) for some u. The gain takes each S_j into S_(j-1), with the least settings that do.
+The dead-beat gain takes modes to 0 in the fewest steps. The modes from which 0 is reached in j steps make a
+subspace: S_0 = {0}, and z is in S_j where F z + G u is in S_(j-1) for some u. The gain takes each S_j into
+S_(j-1), with the least settings that do.
 """
 
 from __future__ import annotations

@@ -2,11 +2,10 @@
 
 The largest eigenvalue says nothing of these: settings have limits, sensors are noisy, and disturbances large.
 
-How far a runner strays from its gait where its sensors are noisy and the ground is rough, to first order.
-
-At each apex the law measures x + v, with noise v of covariance N, and the ground then steps by s, of standard
-deviation r, so that the next apex's deviation is x' = A (x - e s) + B G (x + v), with e the height. In the
-long run its covariance P solves the discrete Lyapunov equation
+Noisy sensors and rough ground lead a runner away from its gait, here to first order. At each apex the law
+measures x + v, with noise v of covariance N, and the ground then steps by s, of standard deviation r, so that
+the next apex's deviation is x' = A (x - e s) + B G (x + v), with e the height. In the long run its covariance
+P solves the discrete Lyapunov equation
 
     P = (A + B G) P (A + B G)' + B G N G' B' + r^2 A e e' A'.
 """

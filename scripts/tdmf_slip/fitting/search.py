@@ -1,17 +1,14 @@
 """The search for the least sum of squares, or of a loss that a datum far off changes little.
 
-A search that has ended on a kink: where words of gaits change, their quantities have one.
-
-There a sum of squares may be least without being level. With gradients of the regions that meet, it is least
-where a mean of them, with weights that are not negative, is zero; else their shortest mean, in the metric of
-the Gauss-Newton method, leads down along the kink (Lemarechal 1975; Wolfe 1975, Mathematical Programming
-Study 3, 145-173).
-
-A fit across folds: parameters and apices at once, with strides that need not close on the way.
+A search may end on a kink: where words of gaits change, their quantities have one. There a sum of squares may
+be least without being level. With gradients of the regions that meet, it is least where a mean of them, with
+weights that are not negative, is zero. Else their shortest mean, in the metric of the Gauss-Newton method,
+leads down along the kink (Lemarechal 1975; Wolfe 1975, Mathematical Programming Study 3, 145-173).
 
 Where a branch of gaits turns back, its gaits have no derivatives by parameters, and a search along them ends.
-Here the apices are unknowns, too, and what a stride leaves over is a residual that weighs so much that little
-is left over in the end: near enough to a gait for the search along the gaits to go on from there.
+A fit across folds searches parameters and apices at once, with strides that need not close. The difference
+between the ends of a stride is then a residual, with so large a weight that little is left of it in the end:
+near enough to a gait for the search along the gaits to go on from there.
 """
 
 from collections.abc import Iterator, Sequence

@@ -1,10 +1,9 @@
 """One instance of the unit in FMPy: made, run, read, and always freed.
 
-How FMPy follows inputs that change in time, made exact: its own way is good to one step of its solver.
-
-FMPy's CVODE sets inputs where it looks for events, not where it evaluates the right-hand side, and at the
-time of an event those of before it once more. In Co-Simulation FMPy holds inputs over a communication step;
-their rates it can set, but takes those of before where the slope changes.
+Inputs that change in time are followed exactly; FMPy's own way is good to one step of its solver. Its CVODE
+sets inputs where it looks for events, not where it evaluates the right-hand side, and at the time of an event
+those of before it once more. In Co-Simulation FMPy holds inputs over a communication step; it can set their
+rates, but takes those of before where the slope changes.
 """
 
 import contextlib

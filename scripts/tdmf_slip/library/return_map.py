@@ -1,9 +1,8 @@
 """One stride from apex to apex, by the return map or the reduced one, with its exact derivatives.
 
-The maps that take a runner from apex to apex, as the C library has them.
-
-The return map is that of the full model. The reduced map places the leg in flight as if by itself, so that
-the height and the speed of the centre of mass are all that an apex has.
+The library has two maps from apex to apex. The return map is that of the full model. The reduced map places
+the leg in flight as if by itself, so that the height and the speed of the centre of mass are all that an apex
+has.
 """
 
 from collections.abc import Mapping

@@ -2,11 +2,10 @@
 
 Clark and Higham (2011): `guinea_fowl.toml` has their words, and the runner that stands for a bird.
 
-Runners that meet a slippery patch, and whether they fall, by the angle at which the leg comes down on it.
-
-A runner on its gait reaches an apex with the patch before it. For that landing the leg is placed at a
-contact angle of its own, and for some strides the friction is another one; then all is as before. By the
-reduced map, whose leg is where it is to be placed.
+Computed are runners that meet a slippery patch, and whether they fall, by the angle at which the leg lands. A
+runner on its gait reaches an apex with the patch before it. For that landing the leg is placed at a contact
+angle of its own, and for some strides the friction is another one; then all is as before. The map is the
+reduced one, whose leg is where it is to be placed.
 """
 
 import math

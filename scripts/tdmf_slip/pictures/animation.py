@@ -1,10 +1,7 @@
 """One stride as an animation that loops: the leg as a spring, and on the ground where the foot slipped.
 
-As a GIF, as MP4 where ffmpeg is, or as a page of HTML that needs nothing else, with a slider.
-
-An animation as a page of HTML that needs nothing else: its frames, a slider, and a script of a few lines.
-
-Matplotlib's own page fetches its buttons from elsewhere.
+It is a GIF, an MP4 where ffmpeg is, or a page of HTML that needs nothing else: the frames, a slider, and a
+script of a few lines. Matplotlib's own page fetches its buttons from elsewhere.
 """
 
 import base64

@@ -1,8 +1,7 @@
-"""The data of a figure, by column.
+"""The data of a figure, by column, computed or stored.
 
-Stored data of figures that take minutes to compute.
-
-`tdmf-slip figures --measure` recomputes them and writes them beside the figures.
+Data of figures that take minutes to compute are stored. `tdmf-slip figures --measure` recomputes them and
+writes them beside the figures.
 """
 
 import csv
