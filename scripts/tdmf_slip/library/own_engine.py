@@ -13,21 +13,13 @@ from ..uninterrupted import stop_flag, uninterrupted
 from .binding import c, ffi
 from .engine import FATES, FELL, FEW, SETTLED, STOPPED, UNDECIDED, UNSOLVED, AffineSettings
 from .own_model import OwnModel
-from .own_runs import OwnStrides, strides_of
+from .own_runs import OwnStrides, by_outcome, strides_of
 
 NO_START = FATES.index("no_start")
 RUNNING = -1
 """Fate of runners that still run."""
-_FATES = np.full(7, UNSOLVED)
+_FATES = by_outcome(RUNNING, FELL, UNDECIDED, NO_START, UNSOLVED)
 """Fates of runners, by outcomes of runs."""
-for _outcome, _fate in (
-    (c.TDMF_PAGE_CROSSED, RUNNING),
-    (c.TDMF_PAGE_ENDED, FELL),
-    (c.TDMF_PAGE_TOO_LONG, UNDECIDED),
-    (c.TDMF_PAGE_REFUSED, NO_START),
-    (c.TDMF_PAGE_CANCELLED, STOPPED),
-):
-    _FATES[_outcome] = _fate
 
 
 class OwnEngine:

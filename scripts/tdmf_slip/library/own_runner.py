@@ -115,7 +115,6 @@ class OwnRunner(Runner):
         )
         self.model.library.tdmf_page_begin(request.map, ffi.from_buffer("double[]", states), samples, count)
         made = int(count[0])
-        seen = {"states": lambda of: of["role"] in ("start", "input") or of["is_named"], "outputs": bool}
         variables = {
             of["public"]: (
                 "time",
@@ -124,7 +123,7 @@ class OwnRunner(Runner):
             )
             for kind in ("outputs", "states")
             for number, of in enumerate(table[kind])
-            if seen[kind](of)
+            if kind == "outputs" or of["role"] in ("start", "input") or of["is_named"]
         }
         names = np.array([" ".join(mode) for mode in table["modes"]])
         variables["mode"] = "time", names[modes[:made]], {"long_name": "mode"}
@@ -136,11 +135,11 @@ class OwnRunner(Runner):
 
     @property
     def c_system(self) -> Any:
-        """Nothing: other libraries do not take the runner."""
+        """Refuse: the package's library does not take the runner."""
         self._refuse("a system of the package's library")
 
     def solver(self, log: Any | None = None) -> Any:
-        """Nothing: other libraries do not solve the runner."""
+        """Refuse: the package's solver does not follow the runner."""
         self._refuse("the package's solver")
 
 

@@ -23,16 +23,29 @@ LONGEST = 1e6
 SEEDS = 8
 """Parameters and inputs by which one call differentiates."""
 END, EVENT = dtype_of("tdmf_page_end"), dtype_of("tdmf_page_event")
-CLOSED: int = c.TDMF_RETURN_CLOSED
-OUTCOMES = np.full(7, c.TDMF_RETURN_UNSOLVED)
+
+
+def by_outcome(crossed: int, ended: int, too_long: int, refused: int, unsolved: int) -> NDArray[np.int64]:
+    """Numbers by the outcomes of runs; a run that was cancelled has none, because it raises an error."""
+    numbers = np.full(c.TDMF_PAGE_NO_MEMORY + 1, unsolved)
+    for outcome, number in (
+        (c.TDMF_PAGE_CROSSED, crossed),
+        (c.TDMF_PAGE_ENDED, ended),
+        (c.TDMF_PAGE_TOO_LONG, too_long),
+        (c.TDMF_PAGE_REFUSED, refused),
+    ):
+        numbers[outcome] = number
+    return numbers
+
+
+OUTCOMES = by_outcome(
+    c.TDMF_RETURN_CLOSED,
+    c.TDMF_RETURN_FELL,
+    c.TDMF_RETURN_TOO_LONG,
+    c.TDMF_RETURN_REFUSED,
+    c.TDMF_RETURN_UNSOLVED,
+)
 """Outcomes of strides, by those of runs."""
-for _page, _own in (
-    (c.TDMF_PAGE_CROSSED, CLOSED),
-    (c.TDMF_PAGE_ENDED, c.TDMF_RETURN_FELL),
-    (c.TDMF_PAGE_TOO_LONG, c.TDMF_RETURN_TOO_LONG),
-    (c.TDMF_PAGE_REFUSED, c.TDMF_RETURN_REFUSED),
-):
-    OUTCOMES[_page] = _own
 
 
 def seeds_of(model: OwnModel, along: Sequence[Along]) -> NDArray[np.float64]:
