@@ -409,7 +409,7 @@ class PageRun:
         return self.rows[LOG_SIZE - 1].time if self.run.events > LOG_SIZE else np.inf
 
     def modes_entered(self):
-        """Times at which modes began, with contact and hip phase in the core's words."""
+        """Times at which modes began, with contact and hip phase in the words of `native_runs`."""
         befores = [self.states_before[i] for i in range(1, self.run.log_count)] + [self.x]
         way, driving = map(self.of.states.index, ("way", "driving"))
         phases = {"rest": "retract"}

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import some_of
-from old_core import STATES, OldRun
+from native_runs import STATES, NativeRun
 from test_page_random import INPUTS, STEP_LIMIT, drawn
 
 RUNS = json.loads((Path(__file__).parent / "core_runs.json").read_text(encoding="utf-8"))
@@ -19,7 +19,7 @@ RUNS = json.loads((Path(__file__).parent / "core_runs.json").read_text(encoding=
 def test_runs_end_where_the_hand_written_core_ended_them(expected):
     parameters, inputs, world, segments, (length, rate, force) = drawn(expected["number"])
     clamps = {"hip.swing_clamp": bool(expected["number"] % 2)}
-    run = OldRun(parameters | clamps, inputs, [world[n] for n in STATES[:8]], 1e-13, STEP_LIMIT)
+    run = NativeRun(parameters | clamps, inputs, [world[n] for n in STATES[:8]], 1e-13, STEP_LIMIT)
     until = 0.0
     for duration, sets, rates in segments[: expected["segments"]]:
         tunable, given = ({n: v for n, v in sets.items() if (n in INPUTS) is of} for of in (False, True))

@@ -1,10 +1,10 @@
-"""Ground that varies, as the page's table of segments: a patch, a profile, drawn steps, beside the core."""
+"""Ground that varies, as the page's table of segments: a patch, a profile, drawn steps, beside the native solver."""
 
 import ctypes
 
 import numpy as np
 import pytest
-from old_core import STATES, OldRun, lasting
+from native_runs import STATES, NativeRun, lasting
 from page_runs import COMPILER, TableStruct
 from tdmf_slip import Profile
 from tdmf_slip.library.binding import c
@@ -36,17 +36,17 @@ def ways_of(page, given, times, **more):
     return rows, run
 
 
-def old_run(page, given, inputs, **parameters):
-    """A run of the core with values by the page's names."""
+def native_run(page, given, inputs, **parameters):
+    """A run of the native solver, with values by the page's names."""
     start = [given[n] for n in STATES[:8]]
-    return OldRun(parameters, {"ground.friction": given["friction"], **inputs}, start, 1e-13)
+    return NativeRun(parameters, {"ground.friction": given["friction"], **inputs}, start, 1e-13)
 
 
-def assert_same(page, mine, theirs, run, old, until):
+def assert_same(page, mine, theirs, run, native, until):
     scales = dict.fromkeys(("m", "m/s", "rad", "rad/s", "J", "s"), 1.0)
     worst = max(difference(page, *pair, scales) for pair in zip(mine, theirs, strict=True))
     assert worst[0] < 1e-9, worst
-    entered = [lasting(modes, 1.0, until) for modes in (run.modes_entered(), old.modes)]
+    entered = [lasting(modes, 1.0, until) for modes in (run.modes_entered(), native.modes)]
     assert [row[1:] for row in entered[0]] == [row[1:] for row in entered[1]]
     assert [row[0] for row in entered[0]] == pytest.approx([row[0] for row in entered[1]], abs=1e-9)
 
@@ -60,20 +60,20 @@ PROFILES = {
 
 
 @pytest.mark.parametrize("name", PROFILES)
-def test_runs_over_a_profile_are_those_of_the_core(whole, name):  # noqa: F811
-    """The core gets the line below the foot at each of many instants, as the unit does over a profile."""
+def test_runs_over_a_profile_are_those_of_the_native_solver(whole, name):  # noqa: F811
+    """The native solver gets the line below the foot at each of many instants, as the unit does."""
     profile, times = PROFILES[name], np.arange(0.05, 70.0, 0.05)
     given = {"friction": 0.6, **world_of(GAIT["apex"])}
     mine, run = ways_of(whole, given, times, tables={"ground_segment": segments_of(profile)})
-    old, theirs = old_run(whole, given, {}), []
+    native, theirs = native_run(whole, given, {}), []
     for time in times:
-        line = profile.line(old.state["seen_x"])
-        if (line.height, line.slope) != (old.inputs.ground.height, old.inputs.ground.slope):
-            old.set(inputs={"ground.height": line.height, "ground.slope": line.slope})
-        theirs.append(old.to(time).state)
-    assert old.outcome == 0
+        line = profile.line(native.state["seen_x"])
+        if (line.height, line.slope) != (native.inputs.ground.height, native.inputs.ground.slope):
+            native.set(inputs={"ground.height": line.height, "ground.slope": line.slope})
+        theirs.append(native.to(time).state)
+    assert native.outcome == 0
     assert run.segment > 0
-    assert_same(whole, mine, theirs, run, old, times[-1])
+    assert_same(whole, mine, theirs, run, native, times[-1])
 
 
 def test_a_patch_is_three_segments(whole):  # noqa: F811
@@ -87,12 +87,12 @@ def test_a_patch_is_three_segments(whole):  # noqa: F811
     assert run.log == other.log
     assert [name for _, name, *_ in run.log].count("crosses_border") >= 2
     parameters = {"ground." + name: value for name, value in patch.items()}
-    old = old_run(whole, given, {}, **parameters, **{"ground.static_friction_ratio": 1.2})
-    assert_same(whole, by_page, [old.to(time).state for time in times], run, old, times[-1])
+    native = native_run(whole, given, {}, **parameters, **{"ground.static_friction_ratio": 1.2})
+    assert_same(whole, by_page, [native.to(time).state for time in times], run, native, times[-1])
 
 
 @pytest.mark.parametrize("runner", [0, 3])
-def test_drawn_steps_come_at_apices_as_in_the_core(whole, runner):  # noqa: F811
+def test_drawn_steps_come_at_apices_as_in_the_native_solver(whole, runner):  # noqa: F811
     """Each apex has a step of its own, drawn by the number of the stride in a function of the run."""
     seed, roughness, times, strides = 7, 0.05, np.arange(0.05, 120.0, 0.05), 6
     heights = np.cumsum([roughness * c.tdmf_ground_step(seed, runner, i) for i in range(strides)])
@@ -107,17 +107,17 @@ def test_drawn_steps_come_at_apices_as_in_the_core(whole, runner):  # noqa: F811
     given = {"friction": 0.6, **world_of(GAIT["apex"])}
     run = whole.start(by_stride=1, tolerance=1e-13, **given)
     run.run.tables = ctypes.addressof(table)
-    old, theirs, mine, closed = old_run(whole, given, {}), [], [], -1
+    native, theirs, mine, closed = native_run(whole, given, {}), [], [], -1
     for time in times:
-        if old.motion.record.stride.count > closed:
-            closed = old.motion.record.stride.count
-            old.set(inputs={"ground.height": heights[min(closed, strides - 1)]})
-        theirs.append(old.to(time).state)
+        if native.motion.record.stride.count > closed:
+            closed = native.motion.record.stride.count
+            native.set(inputs={"ground.height": heights[min(closed, strides - 1)]})
+        theirs.append(native.to(time).state)
         mine.append(run.to(time).world())
-    assert run.count == old.motion.record.stride.count >= 4
+    assert run.count == native.motion.record.stride.count >= 4
     assert run.segment == run.count
     assert set(asked) >= set(range(5))
-    assert_same(whole, mine, theirs, run, old, times[-1])
+    assert_same(whole, mine, theirs, run, native, times[-1])
 
 
 @pytest.mark.parametrize("seed", ["patch_begin", "patch_end", "patch_friction", "friction"])

@@ -1,18 +1,18 @@
-"""Random runs of the whole runner's page beside the core: everything on, ramps and jumps in mid-stance."""
+"""Random runs of the whole page beside the native solver: everything on, ramps and jumps in mid-stance."""
 
 from collections import Counter
 
 import numpy as np
 import pytest
 from conftest import some_of
-from old_core import STATES, VARIABLES, OldRun, clipped, lasting
+from native_runs import STATES, VARIABLES, NativeRun, clipped, lasting
 from page_runs import COMPILER, CompiledPage
 from test_page_runner import (
     STRIDE,
     difference,
     difference_of_strides,
     first_hop,
-    trace_core,
+    trace_native,
     trace_page,
     world_of,
 )
@@ -124,7 +124,7 @@ def drawn(number):
     return parameters, inputs, world, segments, (length, rate, force)
 
 
-def same_inputs(old):
+def same_inputs(native):
     """Change nothing."""
 
 
@@ -136,35 +136,35 @@ def compare(page, number, tolerance=1e-13):
     given |= {"swing_clamp": clamps, "tolerance": tolerance, "step_limit": STEP_LIMIT}
     state = [world[n] for n in STATES[:8]]
     setup = parameters | {"hip.swing_clamp": clamps}, inputs, state, tolerance, STEP_LIMIT
-    old = OldRun(*setup)
-    if old.refused:
-        return "refused", 0.0, old.refused
-    mine_segments, old_segments = [], []
+    native = NativeRun(*setup)
+    if native.refused:
+        return "refused", 0.0, native.refused
+    mine_segments, native_segments = [], []
     for duration, sets, rates in segments:
         ramps = {f"{n}_rate": v for n, v in page.names(rates).items()}
         mine_segments.append((duration, page.names(sets) | ramps))
 
-        def change(old, sets=sets, rates=rates):
-            old.set(
+        def change(native, sets=sets, rates=rates):
+            native.set(
                 {n: v for n, v in sets.items() if n not in INPUTS},
                 {n: v for n, v in sets.items() if n in INPUTS},
                 rates,
             )
 
-        old_segments.append((duration, change))
+        native_segments.append((duration, change))
     scales = {"m": length, "m/s": length * rate, "rad/s": rate, "J": force * length, "s": 1 / rate, "rad": 1,
               "N": force, "1": 1}  # fmt: skip
     mine, run = trace_page(page, given, mine_segments)
-    theirs = trace_core(old, old_segments)
+    theirs = trace_native(native, native_segments)
     worst = [difference(page, *pair, scales) for pair in zip(mine, theirs, strict=False)]
-    fell_alone = (run.outcome == "ended") != old.fell
-    noted_until = min(old.noted_until, run.noted_until) - 1e-6 / rate
-    entered = [lasting(modes, 1 / rate, noted_until) for modes in (run.modes_entered(), old.modes)]
+    fell_alone = (run.outcome == "ended") != native.fell
+    noted_until = min(native.noted_until, run.noted_until) - 1e-6 / rate
+    entered = [lasting(modes, 1 / rate, noted_until) for modes in (run.modes_entered(), native.modes)]
     same = [[row[1:] for row in rows] for rows in entered]
     is_same = len(mine) == len(theirs) and not fell_alone and same[0] == same[1]
     if is_same and max(worst, default=(0,))[0] < 1e-9:
         text = difference_of_strides(
-            run, old, {n: scales[u] for n, u in STRIDE.items() if n != AT_JUMPS}, 1e-6
+            run, native, {n: scales[u] for n, u in STRIDE.items() if n != AT_JUMPS}, 1e-6
         )
         return ("stride" if text else "same"), max(worst, default=(0,))[0], text
     ends = np.cumsum([duration for duration, *_ in segments])
@@ -180,13 +180,13 @@ def compare(page, number, tolerance=1e-13):
         return "sensitive", 0.0, ""
     parts = 20  # the core's steps may be too long for falling friction
     shorter = [
-        (d / parts, change if i == 0 else same_inputs) for d, change in old_segments for i in range(parts)
+        (d / parts, change if i == 0 else same_inputs) for d, change in native_segments for i in range(parts)
     ]
-    rows = trace_core(OldRun(*setup), shorter)[parts - 1 :: parts]
+    rows = trace_native(NativeRun(*setup), shorter)[parts - 1 :: parts]
     off = [difference(page, *pair, scales)[0] for pair in zip(mine, rows, strict=False)]
     if len(rows) == len(mine) and max(off, default=0) < 1e-9:
         return "coarse core", 0.0, ""
-    is_stiff = run.outcome == "too-many-steps" or old.outcome in (2, 3, 5)
+    is_stiff = run.outcome == "too-many-steps" or native.outcome in (2, 3, 5)
     if is_stiff and max(worst, default=(0,))[0] < 1e-9:
         return "stiff", 0.0, ""
     first = next((i for i, (off, _) in enumerate(worst) if off > 1e-9), len(worst))
@@ -194,11 +194,11 @@ def compare(page, number, tolerance=1e-13):
     return (
         "differs",
         0.0,
-        f"{run.outcome} {old.outcome} at {ends[first - 1]}: {worst[first : first + 1]}, {parting}",
+        f"{run.outcome} {native.outcome} at {ends[first - 1]}: {worst[first : first + 1]}, {parting}",
     )
 
 
-def test_random_runs_with_everything_on_are_those_of_the_core(whole):  # noqa: F811
+def test_random_runs_with_everything_on_are_those_of_the_native_solver(whole):  # noqa: F811
     found, faults = Counter(), []
     for number in some_of(range(20000), 100):
         kind, _, text = compare(whole, number)

@@ -1,4 +1,4 @@
-"""The runner's page, run by the plain driver: reference gaits, Jacobians, and random runs beside the core."""
+"""The runner's page, run by the plain driver: reference gaits, Jacobians, and random runs."""
 
 import json
 from collections import Counter
@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import reference_gaits, some_of
-from old_core import STATES, OldRun, lasting
+from native_runs import STATES, NativeRun, lasting
 from page_runs import COMPILER, CompiledPage
 
 from c_core.pages.runner import PlainRunner
@@ -179,7 +179,7 @@ def test_a_runner_in_other_units_moves_alike(runner):
     )
 
 
-# ---- random runs beside the core -----------------------------------------------------------------
+# ---- random runs beside the native solver --------------------------------------------------------
 
 
 def drawn(number):
@@ -245,15 +245,15 @@ def trace_page(page, given, segments, nudge=0.0):
     return rows, run
 
 
-def trace_core(old, segments):
-    """World states of a run of the core at the end of each segment, which begins with a call of `change`."""
+def trace_native(native, segments):
+    """World states of a native run at the end of each segment, which begins with a call of `change`."""
     rows, until = [], 0.0
     for duration, change in segments:
-        change(old)
+        change(native)
         until += duration
-        if old.to(until).fell or old.outcome:
+        if native.to(until).fell or native.outcome:
             break
-        rows.append(old.state)
+        rows.append(native.state)
     return rows
 
 
@@ -275,11 +275,11 @@ STRIDE = {
 """Quantities of a stride, and their units."""
 
 
-def difference_of_strides(run, old, scales, tolerance=1e-8):
-    """The first difference between the last strides of a page and of the core; empty if they agree."""
-    stride = old.motion.record.stride
-    if (run.count, word(run), run.touchdowns) != (stride.count, old.word, stride.touchdowns):
-        return f"{run.count} {word(run)}, {stride.count} {old.word}"
+def difference_of_strides(run, native, scales, tolerance=1e-8):
+    """The first difference between the last strides of a page and of a native run; empty if they agree."""
+    stride = native.motion.record.stride
+    if (run.count, word(run), run.touchdowns) != (stride.count, native.word, stride.touchdowns):
+        return f"{run.count} {word(run)}, {stride.count} {native.word}"
     for name, scale in scales.items():
         mine, theirs = getattr(run, name) / scale, getattr(stride, name) / scale
         if mine != pytest.approx(theirs, rel=tolerance, abs=tolerance / 10):
@@ -308,18 +308,19 @@ def compare(page, number, tolerance=1e-13):
     clamps = bool(number % 2)
     given = page.names(parameters | inputs) | world
     given |= {"swing_clamp": clamps, "tolerance": tolerance}
-    old = OldRun(parameters | {"hip.swing_clamp": clamps}, inputs, [world[n] for n in STATES[:8]], tolerance)
-    if old.refused:
+    parameters = parameters | {"hip.swing_clamp": clamps}
+    native = NativeRun(parameters, inputs, [world[n] for n in STATES[:8]], tolerance)
+    if native.refused:
         return "refused", 0.0, ""
     length = parameters["leg.free_length"]
     force = parameters["leg.stiffness"] * length
     scales = {"m": length, "m/s": length * rate, "rad/s": rate, "J": force * length, "s": 1 / rate, "rad": 1}
     durations = [4 / rate] * 17
     mine, run = trace_page(page, given, [(d, {}) for d in durations])
-    theirs = trace_core(old, [(d, lambda old: None) for d in durations])
+    theirs = trace_native(native, [(d, lambda native: None) for d in durations])
     worst = [difference(page, *pair, scales) for pair in zip(mine, theirs, strict=False)]
-    worst.append((abs(run.time - old.motion.time) * rate, "time"))
-    fell_alone = (run.outcome == "ended") != old.fell
+    worst.append((abs(run.time - native.motion.time) * rate, "time"))
+    fell_alone = (run.outcome == "ended") != native.fell
     if len(mine) != len(theirs) or fell_alone or max(worst)[0] > 1e-9:
         nudged, other = trace_page(page, given, [(d, {}) for d in durations], 1e-14)
         allowed = [difference(page, *pair, scales)[0] for pair in zip(mine, nudged, strict=False)]
@@ -332,17 +333,18 @@ def compare(page, number, tolerance=1e-13):
                 f"{before}, hop at {hop}",
             )
         if len(mine) != len(theirs) or fell_alone or max(worst)[0] > most:
-            return "differs", max(worst)[0], f"{max(worst)}: {run.log[-4:]}, {old.modes[-4:]}"
+            return "differs", max(worst)[0], f"{max(worst)}: {run.log[-4:]}, {native.modes[-4:]}"
         return "sensitive", 0.0, ""
-    mine, theirs = lasting(run.modes_entered(), 1 / rate), lasting(old.modes, 1 / rate)
+    mine, theirs = lasting(run.modes_entered(), 1 / rate), lasting(native.modes, 1 / rate)
     if [m[1:] for m in mine] != [m[1:] for m in theirs]:
         return "modes", max(worst)[0], f"{mine}, {theirs}"
-    if text := difference_of_strides(run, old, dict.fromkeys(STRIDE, 1)):
+    if text := difference_of_strides(run, native, dict.fromkeys(STRIDE, 1)):
         return "stride", max(worst)[0], text
     return "same", max(worst)[0], ""
 
 
-def test_random_runs_are_those_of_the_core(runner):
+def test_random_runs_are_those_of_the_native_solver(runner):
+    """The library starts a run, reads motions into the page and back, and keeps a record of strides."""
     found, faults, worst = Counter(), [], []
     for number in some_of(range(20000), 400):
         kind, off, text = compare(runner, number)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from old_core import STATES, TABLE, VARIABLES
+from native_runs import STATES, TABLE, VARIABLES
 from page_runs import COMPILER, CompiledPage
 from test_page_runner import SECTION, jacobian, section, word, world_of
 
@@ -150,7 +150,7 @@ def test_the_world_seen_from_every_mode_its_rates_and_all_variations(whole):
     assert kinds == {"flight", "stick", "slip", "graze"}
 
 
-# ---- what the random runs beside the core found, settled by the model's text ----------------------------
+# ---- differences between engines that random runs found, settled by the model's text --------------------
 
 
 def test_a_ramp_of_the_friction_coefficient_ends_at_0(whole):

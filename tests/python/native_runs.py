@@ -15,7 +15,7 @@ STATES = (
     "seen_x", "seen_y", "length", "angle", "seen_vx", "seen_vy", "length_rate", "angle_rate", "work",
     "placing", "leg_work", "damper_loss", "friction_loss", "positive_work_so_far", "external_work",
 )  # fmt: skip
-"""The core's states, in its order, by the names of the page."""
+"""The states of a motion in the library's order, by the names of the page."""
 CONTACTS = ("", "flight", "stick", "slip+", "slip-", "graze")
 PHASES = ("", "drive", "coast", "retract", "place")
 
@@ -27,7 +27,7 @@ def write(struct, values):
         setattr(reduce(getattr, path, struct), last, value)
 
 
-class OldRun:
+class NativeRun:
     """A run from a state of the world; `refused` names what was refused."""
 
     def __init__(self, parameters, inputs, state, tolerance=1e-12, step_limit=None):
