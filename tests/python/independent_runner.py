@@ -4,6 +4,15 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 
+def torque_of_gains(stance_kp, stance_kd, stance_target):
+    """The hip's torque in stance: that of (11), and a proportional-derivative law."""
+
+    def torque(_time, angle, turn, drives):
+        return -0.2 * drives - stance_kp * (angle - stance_target) - stance_kd * turn
+
+    return torque
+
+
 class Stride:
     """One stride from an apex at Table 1 values, with laws of one's own."""
 
@@ -112,8 +121,9 @@ class Stride:
             y[1] = y[5] = 0.0
 
     def run(self, world):
-        """From the world's eight states to the next apex: time, its six coordinates, the hip's work."""
-        x, height, r, angle, vx, vy, rate, turn = world
+        """From the world's states by name to the next apex: time, its six coordinates, the hip's work."""
+        x, height, r, angle = (world[name] for name in ("seen_x", "seen_y", "length", "angle"))
+        vx, vy, rate, turn = (world[name] for name in ("seen_vx", "seen_vy", "length_rate", "angle_rate"))
         sine, cosine = np.sin(angle), np.cos(angle)
         body = [x - r * sine, height + r * cosine]
         moves = [vx - rate * sine - r * turn * cosine, vy + rate * cosine - r * turn * sine]

@@ -7,11 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import reference_gaits
-from independent_runner import Stride
+from independent_runner import Stride, torque_of_gains
 from page_runs import COMPILER, ROOT, CompiledPage
 from scipy.integrate import solve_ivp
 from tdmf_slip.library.page import PageMap
-from test_page_laws import STATES
 from test_page_runner import SECTION, word, world_of
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
@@ -344,17 +343,14 @@ def assert_stride_is_scipys(page, point, stride, **given):
     """A stride from an apex, beside SciPy's."""
     world = world_of(point)
     run = page.start(friction=stride.friction, **given, **TIGHT, **world).to(stop="apex")
-    time, apex, work = stride.run([world[name] for name in STATES])
+    time, apex, work = stride.run(world)
     assert run.time == pytest.approx(time, abs=1e-9)
     assert [getattr(run, name) for name in SECTION] == pytest.approx(apex, abs=1e-9)
     assert run.work == pytest.approx(work, abs=1e-9)
 
 
 def test_the_gains_in_stance_act_as_in_an_independent_program(pd_runner):
-    def torque(time, angle, turn, drives):
-        return -0.2 * drives - 0.05 * (angle + np.radians(20)) - 0.02 * turn
-
-    assert_stride_is_scipys(pd_runner, APEX, Stride(0.43, torque=torque))
+    assert_stride_is_scipys(pd_runner, APEX, Stride(0.43, torque=torque_of_gains(**GAINS)))
 
 
 def test_a_runner_whose_gains_are_zero_is_the_paper_s(pd_runner):

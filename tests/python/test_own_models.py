@@ -8,11 +8,10 @@ import numpy as np
 import pytest
 import tdmf_slip
 from conftest import ROOT
-from independent_runner import Stride
+from independent_runner import Stride, torque_of_gains
 from own_pages import loaded
 from page_runs import COMPILER
 from tdmf_slip import Batch, InputError, Runner, find_gait, load_model, stride_map
-from test_page_laws import STATES
 from test_page_runner import world_of
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
@@ -61,29 +60,17 @@ def test_strides_of_many_balls_are_those_of_the_closed_form(ball):
     assert found["fate"].values.max() == 0
 
 
-def scipys(gains):
-    """The hip's torque in stance for an independent program."""
-
-    def torque(_time, angle, turn, drives):
-        servo = gains["stance_kp"] * (angle - gains["stance_target"]) + gains["stance_kd"] * turn
-        return -0.2 * drives - servo
-
-    return torque
-
-
 def test_a_stride_under_a_law_of_one_s_own_is_scipy_s(pd_runner):
     apex = (1.4, 1.05, 1.0, -0.55, 0.0, 0.0)
     stride = Batch(Runner(pd_runner, friction=0.43, **GAINS), apex).stride()
-    world = world_of(apex)
-    time, wanted, work = Stride(0.43, torque=scipys(GAINS)).run([world[name] for name in STATES])
+    time, wanted, work = Stride(0.43, torque=torque_of_gains(**GAINS)).run(world_of(apex))
     assert stride.next_apex == pytest.approx(wanted, abs=1e-9)
     assert (stride.period, stride.work) == pytest.approx((time, work), abs=1e-9)
 
 
 def test_the_gait_under_a_law_of_one_s_own_closes_in_scipy_and_its_jacobian_is_differences(pd_runner):
     gait = find_gait(pd_runner, friction=0.6, **GAINS)
-    world = world_of(gait.apex)
-    _, again, _ = Stride(0.6, torque=scipys(GAINS)).run([world[name] for name in STATES])
+    _, again, _ = Stride(0.6, torque=torque_of_gains(**GAINS)).run(world_of(gait.apex))
     assert again == pytest.approx(gait.apex, abs=1e-9)
     names = ["hip.stance_kp", "stance_kd", "friction", "hip.stance_torque"]
     exact = Batch(gait, gait.apex).stride(along=names)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from conftest import reference_gaits
-from independent_runner import Stride
+from independent_runner import Stride, torque_of_gains
 from page_runs import COMPILER, CompiledPage
 from scipy.optimize import brentq
 from test_page_runner import SECTION, section, world_of
@@ -12,7 +12,6 @@ from c_core.hybrid import Model, cos, event, mode, parameter, sin, state
 from c_core.pages.runner import PlainRunner
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
-STATES = ["seen_x", "seen_y", "length", "angle", "seen_vx", "seen_vy", "length_rate", "angle_rate"]
 
 
 class StanceGains(PlainRunner):
@@ -57,7 +56,7 @@ class Clock(PlainRunner):
 LAWS = [
     (
         StanceGains,
-        {"torque": lambda t, angle, turn, drives: -0.2 * drives - 0.05 * (angle + 0.4) - 0.02 * turn},
+        {"torque": torque_of_gains(0.05, 0.02, -0.4)},
         ["stance_kp", "stance_kd"],
     ),
     (HardSpring, {"spring": lambda short: short + 3 * short**3}, ["hardening", "stiffness"]),
@@ -75,7 +74,7 @@ def test_a_law_of_ten_lines_agrees_with_scipy_and_its_derivatives_with_differenc
     page = CompiledPage(model, level="-O1")
     world = world_of(next(gait for gait in reference_gaits(False) if gait["friction"] == 0.43)["apex"])
     run = page.start(friction=0.43, tolerance=1e-13, **world).to(stop="apex")
-    time, apex, work = Stride(0.43, **laws).run([world[name] for name in STATES])
+    time, apex, work = Stride(0.43, **laws).run(world)
     assert run.time == pytest.approx(time, abs=1e-9)
     assert section(run) == pytest.approx(apex, abs=1e-9)
     assert run.work == pytest.approx(work, abs=1e-9)
