@@ -140,6 +140,12 @@ if platform.machine().lower() in ("x86_64", "amd64"):
 """For each number of lanes, the macro that says that a build has them, and the compiler's flags."""
 
 
+def compiler():
+    """The command of the compiler, behind ccache where there is one."""
+    has_cache = shutil.which("ccache") and "CCACHE_DIR" in os.environ
+    return ["ccache", "cc"] if has_cache else ["cc"]
+
+
 def library_of(files, name, level, folders, in_lanes):
     """Compile derived C, once for equal texts."""
     sources = {**files, **{f.name: f.read_text() for folder in folders for f in sorted(folder.iterdir())}}
@@ -164,12 +170,10 @@ def library_of(files, name, level, folders, in_lanes):
         for width, (_, flags) in LANES.items() if in_lanes else ():
             wide = f"{level} -DTDMF_LANES={width} -Wno-psabi {flags}"
             jobs += [(motions, wide), (lanes, wide)]
-        ccache = [shutil.which("ccache")] if shutil.which("ccache") and "CCACHE_DIR" in os.environ else []
         running = [
             subprocess.Popen(
                 [
-                    *ccache,
-                    COMPILER,
+                    *compiler(),
                     *flags.split(),
                     *FLAGS,
                     f"-I{own}",

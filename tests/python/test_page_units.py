@@ -11,9 +11,10 @@ from fmpy import extract, read_model_description
 from fmpy.fmi1 import FMICallException
 from fmpy.fmi3 import FMU3Slave
 from fmpy.validation import validate_fmu
+from page_runs import compiler
 from scipy.integrate import solve_ivp
-from unit_pages import Ball, Cart, Hopper, Yoyo, compiler, units_of
-from unit_runs import UnitRun, address
+from unit_pages import Ball, Cart, Hopper, Yoyo, units_of
+from unit_runs import UnitRun
 
 from c_core.hybrid.unit_files import compile_unit, fmi_headers, write_unit
 
@@ -193,35 +194,22 @@ def test_directional_derivatives_are_those_of_the_values(time):
     run.integrate(time)
     results = [f"der({name})" for name in ("y", "vy", "push.work", "push.positive_work")]
     results += ["energy.total", "spring.force"]
-    x = run.states
     for name in ("y", "vy", "push", "spring.stiffness"):
-        found = []
-        value, in_event_mode = run[name], name == "spring.stiffness"
-        for sign in (1, -1):
-            run.fmu.setContinuousStates(address(x), len(x))
-            if in_event_mode:
-                run.fmu.enterEventMode()
-            run.write(name, value + sign * 1e-6)
-            found.append([run[result] for result in results])
-            run.write(name, value)
-            if in_event_mode:
-                run.fmu.enterContinuousTimeMode()
-        differences = (np.array(found[0]) - found[1]) / 2e-6
+        if in_event_mode := name == "spring.stiffness":
+            run.fmu.enterEventMode()
+        differences = run.differences(results, name)
+        if in_event_mode:
+            run.fmu.enterContinuousTimeMode()
         slopes = [run.slope(result, name) for result in results]
         assert slopes == pytest.approx(differences, abs=2e-8), name
 
 
 def test_derivatives_of_a_start_go_through_its_decisions():
     run = UnitRun(units_of(Hopper)[2], "cs", begins=False, push=2.0, vy=-0.5)
+    results = "der(vy)", "energy.total", "der(push.work)"
     for name in ("y", "vy", "push", "mass"):
-        value, found = run[name], []
-        for sign in (1, -1):
-            run.write(name, value + sign * 1e-6)
-            found.append([run["der(vy)"], run["energy.total"], run["der(push.work)"]])
-        run.write(name, value)
-        differences = (np.array(found[0]) - found[1]) / 2e-6
-        slopes = [run.slope(result, name) for result in ("der(vy)", "energy.total", "der(push.work)")]
-        assert slopes == pytest.approx(differences, abs=1e-8), name
+        slopes = [run.slope(result, name) for result in results]
+        assert slopes == pytest.approx(run.differences(results, name), abs=1e-8), name
 
 
 # ---- saved states --------------------------------------------------------------------------------------

@@ -6,8 +6,8 @@ import zipfile
 import pytest
 import tdmf_slip
 from conftest import RELEASE
+from page_runs import compiler
 from test_structure import random_start
-from unit_pages import compiler
 from unit_runs import UnitRun, unpacked
 
 from c_core.hybrid.unit import unit_texts

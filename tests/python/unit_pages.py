@@ -1,12 +1,10 @@
 """Pages that the tests of units build: a ball, and a hopper that has everything a page can have."""
 
 import functools
-import os
-import shutil
 import tempfile
 from pathlib import Path
 
-import page_runs  # noqa: F401  # puts the folder of c_core on the path
+from page_runs import compiler  # puts the folder of c_core on the path, too
 
 from c_core.hybrid import (
     Model,
@@ -263,12 +261,6 @@ class Yoyo(Model):
     def tight(m):
         """The string takes the velocity along it."""
         return m.to("swing", swings=m.swings + 1)
-
-
-def compiler():
-    """The compiler, behind ccache where there is one."""
-    has_cache = shutil.which("ccache") and "CCACHE_DIR" in os.environ
-    return ["ccache", "cc"] if has_cache else ["cc"]
 
 
 @functools.cache

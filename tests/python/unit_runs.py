@@ -66,6 +66,15 @@ class UnitRun:
         references = [self.of[result].valueReference], [self.of[known].valueReference]
         return self.fmu.getDirectionalDerivative(*references, [1.0])[0]
 
+    def differences(self, results, known, step=1e-6):
+        """Derivatives of results by a variable, by central differences."""
+        value, found = self[known], []
+        for shift in (step, -step):
+            self.write(known, value + shift)
+            found.append([self[result] for result in results])
+        self.write(known, value)
+        return (np.array(found[0]) - found[1]) / (2 * step)
+
     # ---- Model Exchange
 
     def update(self):
