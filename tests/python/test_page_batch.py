@@ -137,11 +137,9 @@ def test_random_runs_with_everything_on_end_as_the_driver_ends_them(whole, width
     """Ramps and jumps in mid-stance, every parameter over its range, stiff and extreme runners."""
     if width not in widths_of(whole):
         pytest.skip(f"this processor has no {width} lanes")
-    names = {whole.model.public(n): n for n in [*whole.states, *whole.parameters]}
-
     def start(number):
         parameters, inputs, world, segments, _ = drawn(number)
-        given = {names[n]: v for n, v in (parameters | inputs).items()} | world
+        given = whole.names(parameters | inputs) | world
         given |= {"swing_clamp": number % 2, "tolerance": 1e-11, "step_limit": 2000}
         return whole.start(seeds=["seen_y", "gravity"], **given), segments
 
@@ -150,8 +148,8 @@ def test_random_runs_with_everything_on_end_as_the_driver_ends_them(whole, width
         until = []
         for run, segments in (*mine, *wanted):
             duration, sets, rates = segments[part]
-            run.set(**{names[n]: v for n, v in sets.items()})
-            run.set(**{f"{names[n]}_rate": v for n, v in rates.items()})
+            run.set(**whole.names(sets))
+            run.set(**{f"{n}_rate": v for n, v in whole.names(rates).items()})
             until.append(run.time + duration)
         run_batch([run for run, _ in mine], until[: len(mine)], width=width)
         driven([run for run, _ in wanted], until[len(mine) :])

@@ -135,13 +135,13 @@ def events_of(run):
 
 
 def test_random_runners_of_any_stiffness_vary_as_differences_do(whole):
-    names, checked = {whole.model.public(n): n for n in [*whole.states, *whole.parameters]}, 0
+    checked = 0
     observed = [whole.states.index(o.into) for o in whole.model.marked("is_observed").values()]
     for number in some_of(range(3000), 60):
         parameters, inputs, world, segments, (length, rate, _) = drawn(number)
-        values = {names[n]: v for n, v in (parameters | inputs).items()} | world
+        values = whole.names(parameters | inputs) | world
         values |= {"swing_clamp": number % 2, "tolerance": 1e-14, "step_limit": 5000}
-        values |= {f"{names[n]}_rate": v for n, v in segments[0][2].items()}
+        values |= {f"{n}_rate": v for n, v in whole.names(segments[0][2]).items()}
         seeds = {"seen_vx": length * rate, "angle": 1.0, "gravity": values["gravity"] + 1e-9}
 
         def start(values=values, seeds=(), **changes):
