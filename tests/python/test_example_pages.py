@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import reference_gaits
 from independent_runner import Stride, torque_of_gains
-from page_runs import COMPILER, ROOT, CompiledPage
+from page_runs import COMPILER, ROOT, CompiledPage, central_difference
 from scipy.integrate import solve_ivp
 from tdmf_slip.library.page import PageMap
 from test_page_runner import SECTION, word, world_of
@@ -308,7 +308,7 @@ def differences_of(page, given, point, seeds):
             found = page.section("at_apex", tolerance=1e-14, **values).after(at)
             ends[n] = found.next
             kinds.add(tuple(found.state(name) for name in COUNTED))
-        columns.append((8 * (ends[1] - ends[-1]) - (ends[2] - ends[-2])) / (12 * STEP))
+        columns.append(central_difference(ends, STEP))
     return np.transpose(columns) if len(kinds) == 1 else None
 
 
