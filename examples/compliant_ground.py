@@ -18,7 +18,7 @@ from tdmf_slip.pictures import style
 
 PAGE = Path(__file__).parent / "pages" / "compliant_runner.py"
 FRICTIONS = {10.0: "#22303c", 1.2: "#4c78a8", 0.6: "#0b7a75", 0.43: "#b279a2", 0.2: "#e07b00"}
-"""Frictions with other gait words on rigid ground, and their colours."""
+"""Frictions whose gaits on rigid ground have different words, and their colours."""
 STIFFNESSES = np.geomspace(1e5, 10, 33)
 OPTIMA = {20.0: "#e07b00", 100.0: "#b279a2", 1000.0: "#0b7a75", np.inf: "#22303c"}
 """Stiffnesses at which speed is compared over friction, and their colours; the last one is rigid ground."""

@@ -10,7 +10,7 @@ class ClockedRunner(PlainRunner):
     """In stance, the time since touchdown drives the hip. In flight, the leg aims at Raibert's point.
 
     Clock: tau = -tau0 sin(pi t/T) for the time T after touchdown, then 0, in place of (11). The hip needs no
-    sensor of the leg angle. So are legs like those of RHex driven (Seipel and Holmes 2007).
+    sensor of the leg angle. Legs like those of RHex are driven by such a clock (Seipel and Holmes 2007).
 
     Foot placement (Raibert 1986, chapter 2): at an apex with the speed v the foot aims at the distance
     v T_s/2 + k (v - v_d) ahead of the body. The first term alone keeps the speed, the second one corrects it.

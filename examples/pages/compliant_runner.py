@@ -65,7 +65,7 @@ class CompliantRunner(PlainRunner):
     @event("flight graze", only=lambda r: r.mode == "flight" or r.swing == "bounce",
            when=lambda r: (1 - r.in_dent) * r.foot().y / r.free_length - r.in_dent * r.follows())
     def touchdown(r):
-        """Contact begins, at d = 0 or in a dent at 1 + c_g ddot = 0. Out of flight it begins a stance."""
+        """Contact begins, at d = 0 or in a dent at 1 + c_g ddot = 0. After a flight it begins a stance."""
         if r.mode == "flight":
             r = r.replace(
                 driving=select(r.angle >= 0, 1, 0), touchdowns_so_far=r.touchdowns_so_far + 1, bar_is_due=1,
@@ -93,7 +93,7 @@ class CompliantRunner(PlainRunner):
 
     @event("graze", swing="bounce", when=lambda r: -r.foot_off_rate, unit="m/s", only=lambda r: r.pressed < 0)
     def lift_off(r):
-        """The stance is over. One that began at this instant has not ended place."""
+        """The stance is over. A stance that began at this instant has not ended place."""
         return super().lift_off()
 
     @event("flight graze", when=lambda r: r.rise(), unit="m/s", only=lambda r: r.swing != "place",
