@@ -313,7 +313,7 @@ def differences_of(page, given, point, seeds):
 
 
 def assert_jacobians_are_differences(page, own, point, count=100):
-    """On random sets of parameters, of which `own` are those of the page. Some have an event too near."""
+    """Random sets of parameters, of which the page adds `own`. Differences across an event are left out."""
     random, compared, drawn = np.random.default_rng(50), 0, 0
     while compared < count:
         drawn += 1
@@ -495,7 +495,7 @@ def test_jacobians_on_compliant_ground_are_differences(compliant):
 
 
 def test_random_runs_on_compliant_ground_keep_the_ledger_of_energy(compliant):
-    """From above, on and below the ground, with light and heavy feet, without and with much damping."""
+    """Starts are above, on and below the ground, with light and heavy feet, without and with much damping."""
     random, ends = np.random.default_rng(12), set()
 
     def between(low, high):
@@ -535,7 +535,7 @@ def test_random_runs_on_compliant_ground_keep_the_ledger_of_energy(compliant):
 
 
 def test_gaits_approach_those_of_rigid_ground_as_in_the_reference(compliant):
-    """As the ground stiffens, up to a million leg stiffnesses, with damping by which no foot bounces."""
+    """The ground stiffens up to a million leg stiffnesses, with damping by which no foot bounces."""
     rigid = {gait["friction"]: gait["apex"] for gait in reference_gaits(True)}
     assert len(COMPLIANT["convergence"]) == 40
     for case in COMPLIANT["convergence"]:

@@ -31,7 +31,7 @@ def test_the_guide_s_commands_are_those_that_there_are(command, tmp_path, monkey
 
 
 def test_the_guide_s_code_and_the_folder_s_test_run(tmp_path, monkeypatch):
-    """On a build of the same page that all tests share."""
+    """All tests share one build of this page."""
     monkeypatch.chdir(tmp_path)
     folder = tdmf_slip.new("my_runner")
     shutil.copytree(loaded(folder.resolve() / "page.py").folder, folder / "build")

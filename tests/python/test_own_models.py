@@ -97,7 +97,7 @@ def test_without_gains_it_is_the_built_in_runner_with_all_its_quantities(pd_runn
 
 
 def test_what_new_writes_works_as_it_stands(tmp_path, ball):
-    """With a build of the same page that is there already."""
+    """The folder gets a build of the same page that is there already."""
     folder = tdmf_slip.new(tmp_path / "my_ball", start="scratch")
     shutil.copytree(ball.folder, folder / "build")
     program = (folder / "test_my_ball.py").read_text(encoding="utf-8")

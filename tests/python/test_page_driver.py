@@ -278,7 +278,7 @@ class Slides(Model):
 
     @event("slides", when=lambda s: s.speed, unit="m/s")
     def stops(s):
-        """Its speed has come to 0."""
+        """Its speed has fallen to 0."""
         return s.to("lies", speed=0)
 
 

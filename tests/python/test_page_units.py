@@ -152,7 +152,7 @@ def test_interfaces_agree_where_the_string_is_slack_at_once():
 
 
 def gap_of(hand, steps):
-    """What the ledger lacks at most, where the hand is moved along by an importer's Runge-Kutta steps."""
+    """The largest gap of the ledger, where the hand moves along an importer's Runge-Kutta steps."""
     run, size = UnitRun(units_of(Cart)[2], "me"), 2.0 / steps
     start, gap, x = run["energy"], 0.0, run.states
 
@@ -189,7 +189,7 @@ def test_the_work_of_an_input_that_moves_between_events_is_accounted_for():
 
 @pytest.mark.parametrize("time", [0.1, 0.3, 0.45])
 def test_directional_derivatives_are_those_of_the_values(time):
-    """In flight, in stance while the spring shortens, and while it lengthens, of everything by everything."""
+    """The times are in flight, and in stance while the spring shortens and while it lengthens."""
     run = UnitRun(units_of(Hopper)[2], "me", push=1.0, y=1.2)
     run.integrate(time)
     results = [f"der({name})" for name in ("y", "vy", "push.work", "push.positive_work")]
@@ -360,7 +360,7 @@ def test_two_units_link_into_one_program(tmp_path):
 
 
 def test_no_random_calls_crash_a_unit_or_give_nan(tmp_path):
-    """With the sanitizers, in both interfaces, hostile values and forged saved states among them."""
+    """The sanitizers watch both interfaces; some calls pass hostile values and forged saved states."""
     sanitizers = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-g"]
     write_unit(Hopper, tmp_path)
     objects = compile_unit(tmp_path, compiler(), ["-DUNIT_IS_STATIC", "-O1", *sanitizers]).values()

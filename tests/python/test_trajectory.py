@@ -18,7 +18,7 @@ RUNNERS = (
 
 @pytest.mark.parametrize("runner", RUNNERS)
 def test_a_trajectory_is_the_units_run(runner):
-    """At all times of two strides, states and outputs; events fall between the times."""
+    """States and outputs agree at all times of two strides; events fall between the times."""
     runner = Runner(runner)
     gait = find_gait(runner)
     unit = tdmf_slip.simulate(gait, strides=2, interface="cs", tolerance=1e-13)
@@ -53,7 +53,7 @@ STEP = 1e-6
 
 
 def test_derivatives_are_differences():
-    """By more names than the engine takes at once, some of which move the start."""
+    """There are more names than the engine takes at once, and some of them move the start."""
     gait = find_gait({"friction": 0.43, "slope": 0.02})
     times = np.sort(np.random.default_rng(1).uniform(0.0, 1.9 * gait.period, 25))
     run = trajectory(gait, times=times, derivatives=NAMES)
