@@ -28,7 +28,7 @@ static double chosen(random_source *source, double probability, double otherwise
     return random_chance(source, probability) ? random_uniform(source, least, most) : otherwise;
 }
 
-/* New lines, which may wait, come to runners of all kinds. */
+/* Sets a new line of the ground, which may wait to take effect. */
 static void change_ground(random_source *source, tdmf_inputs *inputs, bool is_sloped) {
     inputs->ground.height = chosen(source, 0.7, inputs->ground.height, -0.3, 0.6);
     inputs->ground.slope = is_sloped ? chosen(source, 0.4, inputs->ground.slope, -0.1, 0.1) : 0.0;
