@@ -57,18 +57,18 @@ class BruteForce:
     """The definitions once more, cell by cell in plain Python, with the one-by-one map."""
 
     def __init__(self, found):
-        self.grid, self.factor = grid_in(found), found.factor
-        self.heights, self.speeds = (edges.tolist() for edges in grid_in(found).edges.values())
-        self.rows, self.columns = grid_in(found).cells
+        self.grid, self.factor, runner = grid_in(found), found.factor, runner_of(found)
+        self.heights, self.speeds = (edges.tolist() for edges in self.grid.edges.values())
+        self.rows, self.columns = self.grid.cells
         self.slack = [
             ACCURACY * scale + 2.0**-22 * max(map(abs, edges))
-            for scale, edges in zip(runner_of(found).scales, (self.heights, self.speeds), strict=True)
+            for scale, edges in zip(runner.scales, (self.heights, self.speeds), strict=True)
         ]
-        names = list(grid_in(found).all_actions())
-        self.actions = list(zip(*grid_in(found).all_actions().values(), strict=True))
+        actions = self.grid.all_actions()
+        names, self.actions = list(actions), list(zip(*actions.values(), strict=True))
         self.images = [
             {
-                (i, j): image_of(runner_of(found), [h, v], dict(zip(names, action, strict=True)))
+                (i, j): image_of(runner, [h, v], dict(zip(names, action, strict=True)))
                 for i, h in enumerate(self.heights)
                 for j, v in enumerate(self.speeds)
             }
