@@ -66,9 +66,13 @@ class World:
         for key in page.keys:
             forget_expressions()
             moving |= {n for n, rate in page.rates(key).items() if not rate.is_number(0)}
-        moving |= {o.into for o in page.observed.values() if o.part == "positive integral"}
-        ramps = {f"{n}_rate" for n in page.inputs}
-        own = {n: q for n, q in page.states.items() if q.role == "state" and n not in ramps}
+        self.integrals = {
+            n: o for n, o in page.observed.items() if o.part == "positive integral" and o.is_usual
+        }
+        moving |= {o.into for o in self.integrals.values()}
+        left_out = {f"{n}_rate" for n in page.inputs}
+        left_out |= {o.into for o in page.observed.values() if not o.is_usual}
+        own = {n: q for n, q in page.states.items() if q.role == "state" and n not in left_out}
         self.states = [n for n, q in own.items() if (q.of and "world" in q.of) or (not q.of and n in moving)]
         self.held = [n for n, q in own.items() if not q.of and n not in self.states]
         self.starts = [n for n, q in own.items() if q.of and self.start_of in q.of and "world" not in q.of]
@@ -94,8 +98,8 @@ class World:
             moving = page.along_motion(rates, Variation({}))
             seen = trace(page.at(key).in_coordinates, "world", name="world")
             found |= {n: moving.of(lift(value)) for n, value in seen.items() if n in self.states}
-        for name, observed in page.observed.items():
-            if observed.part == "positive integral" and key[0] in observed.modes:
+        for name, observed in self.integrals.items():
+            if key[0] in observed.modes:
                 found[observed.into] = found[observed.into] + page.number(observed, key, name)
         return found
 
