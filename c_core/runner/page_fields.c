@@ -84,13 +84,13 @@ void tdmf_write_page_state(const runner_states *x, double state[TDMF_STATE_COUNT
     memcpy(state, written, sizeof written);
 }
 
-int tdmf_page_count(double count) {
+int tdmf_count_of(double count) {
     return count < INT_MAX ? (int)count : INT_MAX;
 }
 
 tdmf_stride tdmf_page_stride_of(const runner_states *x) {
     tdmf_stride stride = {
-        .count = tdmf_page_count(x->count),
+        .count = tdmf_count_of(x->count),
         .period = x->period,
         .length = x->distance,
         .rise = x->rise_of_stride,
@@ -100,7 +100,7 @@ tdmf_stride tdmf_page_stride_of(const runner_states *x) {
         .leg_work = x->leg_work_of_stride,
         .positive_work = x->positive_work,
         .cost_of_transport = x->distance == 0.0 ? 0.0 : x->cost_of_transport,
-        .touchdowns = tdmf_page_count(x->touchdowns),
+        .touchdowns = tdmf_count_of(x->touchdowns),
         .stance_time = x->stance_time,
         .duty_factor = x->duty_factor,
         .slip_distance = x->slip_distance,

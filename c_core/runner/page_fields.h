@@ -15,6 +15,6 @@ void tdmf_write_page_state(const runner_states *x, double state[TDMF_STATE_COUNT
 tdmf_stride tdmf_page_stride_of(const runner_states *x);
 
 /* A count, which is a double on the page. */
-int tdmf_page_count(double count);
+int tdmf_count_of(double count);
 
 #endif

@@ -93,7 +93,7 @@ static void write_open_stride(const tdmf_page_point *point, tdmf_instant begin, 
     open->start_positive_work = x->positive_work_then;
     open->peak_force = x->peak_force_so_far;
     open->peak_vertical_force = x->vertical_so_far;
-    open->touchdowns = tdmf_page_count(x->touchdowns_so_far);
+    open->touchdowns = tdmf_count_of(x->touchdowns_so_far);
     open->slip_distance = x->slip_so_far;
     open->stance_time = x->stance_so_far;
     tdmf_write_word(x->word_so_far, open->word);
@@ -106,7 +106,7 @@ static void write_open_stride(const tdmf_page_point *point, tdmf_instant begin, 
 
 static void write_record(const tdmf_page_point *point, tdmf_instant begin, const tdmf_mode *mode,
                          const runner_states *x, tdmf_record *record) {
-    record->event_count = tdmf_page_count(x->events);
+    record->event_count = tdmf_count_of(x->events);
     if (x->last_event >= 0.0) {
         record->last_event_time = instant_of(point, begin, x->last_event).time;
     }
