@@ -81,8 +81,9 @@ call_status exit_initialization(instance *instance, const char *call) {
         return CALL_ERROR;
     }
     if (!fmu_has_solver(&instance->fmu)) {
-        return refuse(instance, call, "solver.method = cvode is refused: this unit was built without "
-                                      "SUNDIALS; allowed: native");
+        return refuse(instance, call,
+                      "solver.method = cvode is refused: this unit was built without "
+                      "SUNDIALS; allowed: native");
     }
     char text[FMU_TEXT];
     if (fmu_start(&instance->fmu, text) != NULL) {

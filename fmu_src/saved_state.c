@@ -1,6 +1,6 @@
 /* Saved and serialized states. A saved state is the bytes of a run (see saved_fields.c) behind a header that
- * shows whether this unit wrote them. A serialized state has the same bytes. So it restores in any instance and
- * process, and everything in it is checked first. */
+ * shows whether this unit wrote them. A serialized state has the same bytes. So it restores in any instance
+ * and process, and everything in it is checked first. */
 #include "guid.h"
 #include "saved_fields.h"
 

@@ -1,5 +1,5 @@
-/* Single values of a saved run. One call writes a value into the bytes, reads and checks it, or only counts its
- * bytes, so that what is written and what is read cannot differ. */
+/* Single values of a saved run. One call writes a value into the bytes, reads and checks it, or only counts
+ * its bytes, so that what is written and what is read cannot differ. */
 #ifndef TDMF_FMU_SAVED_VALUES_H
 #define TDMF_FMU_SAVED_VALUES_H
 

@@ -54,8 +54,8 @@ void fmu_evaluate(const fmu *fmu, fmu_view *view);
 void fmu_differentiate(const fmu *fmu, const struct fmu *seed, fmu_view *variation);
 
 /* The change at the start of a run, along a direction of all that a start follows from: the seed is in the
- * direction's parameters, inputs, states and time. `given` is the unit before fmu_start, `started` the one after. States
- * that the start calculates are written into the seed. */
+ * direction's parameters, inputs, states and time. `given` is the unit before fmu_start, `started` the one
+ * after. States that the start calculates are written into the seed. */
 void fmu_differentiate_start(const fmu *given, const struct fmu *started, struct fmu *seed,
                              fmu_view *variation);
 
@@ -74,7 +74,8 @@ static inline double fmu_within_largest(double value) {
     return bounded > -fmu_largest_state ? bounded : -fmu_largest_state;
 }
 
-/* Takes a solver's trial states, none of which is NaN. They are cut, so that all that follows stays finite. */
+/* Takes a solver's trial states, none of which is NaN. They are cut, so that all that follows stays finite.
+ */
 void fmu_try_states(fmu *fmu, const double states[]);
 
 /* Derivatives are cut as trial states are: an importer's solver then sees that its step was too long. */

@@ -179,7 +179,7 @@ class Description:
         self.add(parent, TYPES_OF_3.get(kind, kind), **given)
 
     def unknowns(self):
-        """Variables in each group of the model structure: outputs, derivatives, initial unknowns, indicators."""
+        """Variables in each group of the structure: outputs, derivatives, initial unknowns, indicators."""
         rows = self.unit.rows
         yield "Output", [row for row in rows if row.causality == "output"]
         yield "ContinuousStateDerivative", [row for row in rows if row.storage == "DERIVATIVE"]

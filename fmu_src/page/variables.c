@@ -82,7 +82,8 @@ const char *fmu_refuse_value(const fmu_variable *variable, double value, char te
         return NULL;
     }
     const char *allowed = unit_allowed[variable - fmu_variables];
-    const char *space = variable->unit == NULL ? "" : " ", *unit = variable->unit == NULL ? "" : variable->unit;
+    const char *space = variable->unit == NULL ? "" : " ",
+               *unit = variable->unit == NULL ? "" : variable->unit;
     char number[TIME_CAPACITY];
     if (allowed == NULL) {
         snprintf(text, FMU_TEXT, "%s = %s%s%s is refused: it has to be finite", variable->name,

@@ -137,6 +137,7 @@ def test_random_runs_with_everything_on_end_as_the_driver_ends_them(whole, width
     """Ramps and jumps in mid-stance, every parameter over its range, stiff and extreme runners."""
     if width not in widths_of(whole):
         pytest.skip(f"this processor has no {width} lanes")
+
     def start(number):
         parameters, inputs, world, segments, _ = drawn(number)
         given = whole.names(parameters | inputs) | world

@@ -1,4 +1,4 @@
-"""Ground that varies, as the page's table of segments: a patch, a profile, drawn steps, beside the native solver."""
+"""Ground that varies by the table of segments: a patch, a profile, drawn steps, beside the native solver."""
 
 import ctypes
 

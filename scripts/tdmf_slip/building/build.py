@@ -200,7 +200,9 @@ def _compile(table: Mapping[str, Any], files: Mapping[str, str], compiler: Compi
 
         def compiled(number: int) -> None:
             source = sources[number]
-            compiler.run([*FLAGS, *LIBRARY_FLAGS, *source.flags, *includes, "-c", source.path, "-o", objects[number]])
+            compiler.run(
+                [*FLAGS, *LIBRARY_FLAGS, *source.flags, *includes, "-c", source.path, "-o", objects[number]]
+            )
 
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             list(pool.map(compiled, range(len(sources))))
