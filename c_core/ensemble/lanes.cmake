@@ -35,12 +35,9 @@ endfunction()
 
 # Vector types are an extension of GCC and clang. GCC for Windows does not align wide vectors on the stack. No product is
 # contracted with a sum: so all numbers of lanes give the same bits.
-if(CMAKE_C_COMPILER_ID MATCHES "^(GNU|Clang|AppleClang)$" AND NOT CMAKE_C_SIMULATE_ID STREQUAL "MSVC")
-    set(two_lanes -ffp-contract=off)
-    if(CMAKE_SYSTEM_PROCESSOR STREQUAL "wasm32")
-        list(APPEND two_lanes -msimd128) # elsewhere two lanes need no flag
-    endif()
-    tdmf_slip_add_lanes(two_lanes 2 ${two_lanes})
+if(CMAKE_C_COMPILER_ID MATCHES "^(GNU|Clang|AppleClang)$" AND NOT CMAKE_C_SIMULATE_ID STREQUAL "MSVC"
+   AND NOT CMAKE_SYSTEM_PROCESSOR STREQUAL "wasm32")
+    tdmf_slip_add_lanes(two_lanes 2 -ffp-contract=off)
     if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND NOT (WIN32 AND CMAKE_C_COMPILER_ID STREQUAL "GNU"))
         tdmf_slip_add_lanes(avx2 4 -mavx2 -ffp-contract=off)
         tdmf_slip_add_lanes(avx512 8 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512 -ffp-contract=off)

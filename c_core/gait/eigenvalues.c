@@ -8,6 +8,8 @@
 #include <string.h>
 
 enum { SIZE = TDMF_SECTION_COUNT, SWEEP_LIMIT = 60 };
+static const double pair_margin =
+    1e-8; /* between an eigenvalue and the conjugate of its partner, over its size */
 
 /* ---- complex numbers ------------------------------------------------------------------------------------
  */
@@ -203,6 +205,18 @@ static void sort_by_size(int count, complex_number *values) {
     }
 }
 
+/* A conjugate pair differs in size by rounding only: the one with the positive imaginary part comes first. */
+static void order_pairs(int count, complex_number *values) {
+    for (int i = 0; i + 1 < count; ++i) {
+        const complex_number first = values[i], second = values[i + 1];
+        const double apart = modulus(difference(first, conjugate(second)));
+        if (first.im < 0.0 && second.im > 0.0 && apart <= pair_margin * modulus(first)) {
+            values[i] = conjugate(first);
+            values[i + 1] = conjugate(second);
+        }
+    }
+}
+
 /* Over a power of two, `exponent`, that makes the largest element about 1, so that no product overflows. */
 static bool read_matrix(int count, const double *matrix, matrix_rows h, int *exponent) {
     double largest = 0.0;
@@ -250,5 +264,6 @@ bool tdmf_eigenvalues(int count, const double *matrix, double *pairs) {
         values[i] = h[i][i];
     }
     sort_by_size(count, values);
+    order_pairs(count, values);
     return write_pairs(count, values, exponent, pairs);
 }

@@ -149,6 +149,8 @@ static void sums_of_their_powers_are_traces(void **unused) {
         for (int i = 0; i < SIZE; ++i) {
             not_real += pairs[2 * i + 1] != 0.0;
             assert_true(i == 0 || size_of(&pairs[2 * i]) <= size_of(&pairs[2 * i - 2]));
+            assert_true(i == 0 || !(pairs[2 * i - 1] < -0.1 * norm && pairs[2 * i + 1] > 0.1 * norm &&
+                                    fabs(pairs[2 * i - 1] + pairs[2 * i + 1]) < 1e-12 * norm));
         }
     }
     assert_true(not_real > MATRICES);

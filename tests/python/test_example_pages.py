@@ -439,7 +439,10 @@ def on_compliant_ground(case):
 
 
 def reported_events(run):
-    """Events and their times in the words of the reference; the end of a contact may be a lift-off."""
+    """Events and their times in the words of the reference.
+
+    The end of a contact may be a lift-off, and a release may end as it begins.
+    """
     found = []
     for time, name, before, _ in run.log[1:]:
         what = REPORTED.get(name)
@@ -449,6 +452,8 @@ def reported_events(run):
             what = None if before == "graze_bounce" else "release_undone"
         if what == "liftoff" and found[-1] == ("contact_ends", time):
             found.pop()
+        if what == "release_ends" and found[-1] == ("liftoff", time):
+            continue
         if what:
             found.append((what, time))
     return found

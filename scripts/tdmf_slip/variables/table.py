@@ -38,7 +38,7 @@ class Variables(Mapping[str, Variable]):
     def __init__(self, variables: Iterable[Variable], aliases: Mapping[str, str] = ALIASES) -> None:
         """Keep variables in their order, and their short names."""
         self._by_name = {variable.name: variable for variable in variables}
-        self._aliases = aliases
+        self._aliases = dict(aliases)
 
     def __getitem__(self, name: str) -> Variable:
         """The variable with this name; short names go through `find`."""
