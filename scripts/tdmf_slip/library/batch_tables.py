@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..variables.table import MODELS, Model
+from ..variables.table import Model
 from .batch_given import Given
 from .engine import FATES, SETTLED, STOPPED, Engine
 from .laws import AffineLaw

@@ -13,13 +13,21 @@ from ..uninterrupted import stop_flag, uninterrupted
 from .binding import c, ffi
 from .engine import FATES, FELL, FEW, SETTLED, STOPPED, UNDECIDED, UNSOLVED, AffineSettings
 from .own_model import OwnModel
-from .own_runs import OwnStrides, by_outcome, strides_of
+from .own_runs import OwnStrides, strides_of
 
 NO_START = FATES.index("no_start")
 RUNNING = -1
-"""Fate of runners that still run."""
-_FATES = by_outcome(RUNNING, FELL, UNDECIDED, NO_START, UNSOLVED)
+"""Fate of runners that have not come to an end."""
+_FATES = np.full(7, UNSOLVED)
 """Fates of runners, by outcomes of runs."""
+for _outcome, _fate in (
+    (c.TDMF_PAGE_CROSSED, RUNNING),
+    (c.TDMF_PAGE_ENDED, FELL),
+    (c.TDMF_PAGE_TOO_LONG, UNDECIDED),
+    (c.TDMF_PAGE_REFUSED, NO_START),
+    (c.TDMF_PAGE_CANCELLED, STOPPED),
+):
+    _FATES[_outcome] = _fate
 
 
 class OwnEngine:
@@ -129,7 +137,7 @@ class OwnEngine:
             if len(self.ends) * strides <= FEW:
                 engine()
             else:
-                uninterrupted(engine)
+                uninterrupted(engine, flag)
         except KeyboardInterrupt:
             self.ends["fate"][self.ends["fate"] == RUNNING] = STOPPED
             raise StoppedError(self.ends) from None
@@ -161,6 +169,7 @@ class OwnEngine:
         work.strides += len(done)
         work.events += int(made.ends["event_count"].sum())
         work.steps += int(made.ends["steps"].sum())
+        work.begun = len(self.ends)
         if self.recorded is not None:
             self._write(made, runs, closed, self.made - self._first_recorded)
         is_running = np.full(len(self.ends), False)

@@ -23,29 +23,16 @@ LONGEST = 1e6
 SEEDS = 8
 """Parameters and inputs by which one call differentiates."""
 END, EVENT = dtype_of("tdmf_page_end"), dtype_of("tdmf_page_event")
-
-
-def by_outcome(crossed: int, ended: int, too_long: int, refused: int, unsolved: int) -> NDArray[np.int64]:
-    """Numbers by the outcomes of runs; a run that was cancelled has none, because it raises an error."""
-    numbers = np.full(c.TDMF_PAGE_NO_MEMORY + 1, unsolved)
-    for outcome, number in (
-        (c.TDMF_PAGE_CROSSED, crossed),
-        (c.TDMF_PAGE_ENDED, ended),
-        (c.TDMF_PAGE_TOO_LONG, too_long),
-        (c.TDMF_PAGE_REFUSED, refused),
-    ):
-        numbers[outcome] = number
-    return numbers
-
-
-OUTCOMES = by_outcome(
-    c.TDMF_RETURN_CLOSED,
-    c.TDMF_RETURN_FELL,
-    c.TDMF_RETURN_TOO_LONG,
-    c.TDMF_RETURN_REFUSED,
-    c.TDMF_RETURN_UNSOLVED,
-)
+CLOSED: int = c.TDMF_RETURN_CLOSED
+OUTCOMES = np.full(7, c.TDMF_RETURN_UNSOLVED)
 """Outcomes of strides, by those of runs."""
+for _page, _own in (
+    (c.TDMF_PAGE_CROSSED, CLOSED),
+    (c.TDMF_PAGE_ENDED, c.TDMF_RETURN_FELL),
+    (c.TDMF_PAGE_TOO_LONG, c.TDMF_RETURN_TOO_LONG),
+    (c.TDMF_PAGE_REFUSED, c.TDMF_RETURN_REFUSED),
+):
+    OUTCOMES[_page] = _own
 
 
 def seeds_of(model: OwnModel, along: Sequence[Along]) -> NDArray[np.float64]:
@@ -62,13 +49,13 @@ class OwnStrides:
     model: OwnModel
     """The model of the runners."""
     points: NDArray[np.float64]
-    """Points of the section where the strides begin, shape (runners, n)."""
+    """Where they begin, shape (runners, n)."""
     ends: NDArray[Any]
     """Ends of the runs, shape (runners,)."""
     states: NDArray[np.float64]
     """States at the next crossing, shape (runners, states)."""
     d_states: NDArray[np.float64] | None
-    """Derivatives of the states by coordinates and seeds, shape (runners, by, states), or None."""
+    """Their derivatives by coordinates and seeds, shape (runners, by, states); None where not asked for."""
     events: NDArray[Any]
     """Events, shape (runners, `EVENT_ROOM`)."""
 
@@ -85,7 +72,7 @@ class OwnStrides:
 
     @property
     def next_points_by(self) -> NDArray[np.float64]:
-        """Derivatives of the next points, shape (runners, n, by)."""
+        """Their derivatives, shape (runners, n, by)."""
         assert self.d_states is not None
         return self.d_states[:, :, list(self.model.coordinate_numbers)].swapaxes(1, 2)
 
@@ -141,7 +128,7 @@ class OwnStrides:
         return {
             c.TDMF_PAGE_CROSSED: None,
             c.TDMF_PAGE_ENDED: f"the run ends {at}",
-            c.TDMF_PAGE_TOO_LONG: f"the run reaches no `{event}` and is {at}",
+            c.TDMF_PAGE_TOO_LONG: f"the run comes to no `{event}` and is {at}",
             c.TDMF_PAGE_REFUSED: "a number is out of its range or not finite",
         }.get(end["outcome"], f"the run cannot be followed {at}")
 
