@@ -10,7 +10,6 @@ PACKAGE = ROOT / "scripts/tdmf_slip"
 PAGES = ROOT / "c_core/equations"
 GROUND = {
     "blocks",
-    "builds",
     "checks",
     "errors",
     "given",
