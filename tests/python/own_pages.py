@@ -6,7 +6,7 @@ import tdmf_slip
 from conftest import ROOT, locked
 from tdmf_slip.building.build import derived
 from tdmf_slip.building.sources import page_in
-from tdmf_slip.library.builds import TABLE
+from tdmf_slip.builds import TABLE
 
 BUILT = ROOT / "build" / "own_pages"
 

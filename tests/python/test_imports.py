@@ -37,6 +37,7 @@ def test_a_gait_loads_what_it_needs():
     assert parts == {
         "__main__",
         "analysis",
+        "builds",
         "checks",
         "cli",
         "errors",

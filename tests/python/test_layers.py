@@ -10,6 +10,7 @@ PACKAGE = ROOT / "scripts/tdmf_slip"
 PAGES = ROOT / "c_core/equations"
 GROUND = {
     "blocks",
+    "builds",
     "checks",
     "errors",
     "given",

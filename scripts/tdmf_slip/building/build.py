@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ..builds import FOLDER, TABLE, host
 from ..checks import path_of
 from ..errors import InputError, RunError, reason
-from ..library.builds import FOLDER, TABLE, host
 from ..version import __version__
 from .compilers import Compiler, compiler_for
 from .sources import page_file, page_in

@@ -10,9 +10,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..builds import host
 from ..checks import is_one_of, shown
 from ..errors import InputError, RunError
-from ..library.builds import host
 
 SUFFIXES: Mapping[str, str] = {"linux": ".so", "darwin": ".dylib", "windows": ".dll"}
 """Endings of shared libraries, by system."""

@@ -8,7 +8,7 @@ import click
 
 from ..building.build import build
 from ..building.compilers import TARGETS
-from ..library.builds import TABLE
+from ..builds import TABLE
 from .options import JSON_OPTION, Command, json_text
 
 

@@ -13,13 +13,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..builds import FOLDER, TABLE, host
 from ..checks import is_one_of, path_of, shown
 from ..errors import InputError, reason
 from ..variables.table import ALIASES, MODELS, OWN_MODELS, Model, Quantity, Variables
 from ..variables.variable import Value, Variable
 from ..version import __version__
 from .binding import ffi, text_of
-from .builds import FOLDER, TABLE, host
 
 WORD, LIFTOFF = "stride.word", "hip.liftoff_angle"
 """Names in a unit of a stride's word and of the leg's angle at lift-off."""
