@@ -9,9 +9,9 @@ import pytest
 from conftest import reference_gaits
 from independent_runner import Stride, torque_of_gains
 from page_runs import COMPILER, ROOT, CompiledPage, central_difference
+from runner_pages import SECTION, word, world_of
 from scipy.integrate import solve_ivp
 from tdmf_slip.library.page import PageMap
-from test_page_runner import SECTION, word, world_of
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 TIGHT = {"tolerance": 1e-13}

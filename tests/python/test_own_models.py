@@ -11,8 +11,8 @@ from conftest import ROOT
 from independent_runner import Stride, torque_of_gains
 from own_pages import loaded
 from page_runs import COMPILER
+from runner_pages import world_of
 from tdmf_slip import Batch, InputError, Runner, find_gait, load_model, stride_map
-from test_page_runner import world_of
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 GAINS = {"stance_kp": 0.02, "stance_kd": 0.03, "stance_target": -0.3}

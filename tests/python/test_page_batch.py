@@ -5,11 +5,9 @@ import ctypes
 import numpy as np
 import pytest
 from page_runs import COMPILER, LANES, OUTCOMES, CompiledPage, StuckError, run_batch, widths_of
-from test_page_random import drawn
-from test_page_runner import world_of
+from runner_pages import drawn, whole_page, world_of
 
 from c_core.hybrid import Model, event, exp, mode, parameter, sin, state
-from c_core.pages.runner import PlainRunner, Runner
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 LEVEL = "-O1"
@@ -52,13 +50,8 @@ def hopper():
 
 
 @pytest.fixture(scope="module")
-def plain():
-    return CompiledPage(PlainRunner, LEVEL, in_lanes=True)
-
-
-@pytest.fixture(scope="module")
 def whole():
-    return CompiledPage(Runner, LEVEL, in_lanes=True)
+    return whole_page()
 
 
 def bits(run):
@@ -106,7 +99,7 @@ def test_any_number_of_runs_in_any_order_ends_as_the_driver_ends_them(hopper, co
             assert [bits(run) for run in runs] == [wanted[i] for i in numbers]
 
 
-def plain_runner(page, number, **more):
+def runner_near_the_gait(page, number, **more):
     """A runner near the gait."""
     random = np.random.default_rng([5, number])
     apex = np.array(APEX) + random.uniform(-0.05, 0.05, 6)
@@ -115,13 +108,13 @@ def plain_runner(page, number, **more):
 
 
 @pytest.mark.parametrize("width", LANES)
-def test_strides_and_jacobians_in_lanes_are_those_of_the_driver(plain, width):
-    if width not in widths_of(plain):
+def test_strides_and_jacobians_in_lanes_are_those_of_the_driver(whole, width):
+    if width not in widths_of(whole):
         pytest.skip(f"this processor has no {width} lanes")
     seeds = ["seen_y", "seen_vx", "length", "angle", "length_rate", "angle_rate", "friction", "kp"]
 
     def runs():
-        return [plain_runner(plain, i, seeds=seeds, tolerance=1e-11) for i in range(60)]
+        return [runner_near_the_gait(whole, i, seeds=seeds, tolerance=1e-11) for i in range(60)]
 
     wanted, mine = runs(), runs()
     for _ in range(3):

@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 from conftest import some_of
 from page_runs import COMPILER, CompiledPage, run_batch, widths_of
-from test_page_random import drawn
+from runner_pages import drawn, whole_page
 
 from c_core.hybrid import Model, event, mode, observe, parameter, sin, state
-from c_core.pages.runner import Runner
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 
@@ -101,7 +100,7 @@ def test_they_are_the_same_in_lanes_in_many_calls_and_sampled(pulse):
 
 @pytest.fixture(scope="module")
 def whole():
-    return CompiledPage(Runner)
+    return whole_page()
 
 
 OBSERVE_ALL = 2
