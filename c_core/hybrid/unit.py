@@ -377,10 +377,7 @@ class Unit:
         page, functions = self.page, Functions(self.page.c)
         names, events = list(page.states), list(page.events)
         starts = {row.offset: c_boolean(row.is_set) for row in self.rows if row.storage == "STATE"}
-        in_world = [c_boolean("world" in (page.states[n].of or ())) for n in self.world.states]
-        shown = [
-            f"{{{names.index(n)}, {in_world[i]}, {starts[i]}}}," for i, n in enumerate(self.world.states)
-        ]
+        shown = [f"{{{names.index(n)}, {starts[i]}}}," for i, n in enumerate(self.world.states)]
         masks = [sum(1 << events.index(n) for n in guard.events) for guard in self.guards.values()]
         peaks = [names.index(guard.into) if guard.into else -1 for guard in self.guards.values()]
         guards = [f"{{UINT64_C({mask}), {into}}}," for mask, into in zip(masks, peaks, strict=True)]

@@ -197,92 +197,36 @@ static const char *message(fmu *fmu, tdmf_run_outcome outcome, char text[FMU_TEX
 
 /* ---- events of Model Exchange -------------------------------------------------------------------------- */
 
-static void note_guards(fmu *fmu, const guard_state *guards) {
-    const tdmf_mode_kind *mode = mode_of(fmu);
-    bool is_watched[UNIT_EVENT_COUNT + 1] = {false};
-    for (int i = 0; i < mode->guard_count; ++i) {
-        const int event = mode->guards[i].event;
-        is_watched[event] = guards[i].is_watched;
-        if (guards[i].is_watched && !guards[i].rises && guards[i].value > 0.0) {
-            fmu->watch[event] = WATCH_ABOVE;
-        }
-    }
-    for (int i = 0; i < UNIT_EVENT_COUNT; ++i) {
-        if (!is_watched[i]) {
-            fmu->watch[i] = WATCH_BELOW;
-        }
-    }
-}
-
 /* Largest values, which an importer's solver shows at its steps only. */
 static void observe(fmu *fmu) {
-    const tdmf_mode_kind *mode = mode_of(fmu);
-    const instant at = instant_of(fmu);
-    for (int i = 0; i < mode->usual_count; ++i) {
-        double value, rate, *into = &states_of(fmu)[mode->watches[i].into];
-        if (mode->watches[i].part == TDMF_LARGEST) {
-            observed_at(fmu, &at, i, &value, &rate);
-            *into = fmax(*into, value);
-        }
-    }
+    const tdmf_page_instant at = instant_of(fmu);
+    tdmf_note_largest(&at, states_of(fmu));
 }
 
-static tdmf_event_row take_event(fmu *fmu, const tdmf_guard_kind *kind) {
-    tdmf_page_run run = run_of(fmu);
-    tdmf_event_row row;
-    run_state state;
-    mode_start at;
-    run.log = &row;
-    run.log_size = 1;
-    tdmf_begin_in_memory(&state, &at, unit_model, &run);
-    tdmf_take_event(&state, kind, &at);
-    keep_run(fmu, &run);
-    for (int i = 0; i < UNIT_EVENT_COUNT; ++i) {
-        fmu->watch[i] = fmu->watch[i] == WATCH_RISING ? WATCH_RISING : WATCH_BELOW;
-    }
-    fmu->watch[kind->event] = WATCH_RISING;
-    return row;
-}
-
-/* Takes events in the page's order until none is due. False: they go on without end. */
+/* Takes the events that are due, until none is. False where they do not come to an end. */
 static bool settle(fmu *fmu, const fmu_observer *observer, bool *changed) {
     const page_motion before = fmu->motion;
-    tdmf_event_row first_row = {0}, row = {0};
-    long count = 0;
-    fmu->motion.chain = 0;
-    fmu->motion.taken = 0;
-    while (fmu->motion.chain <= TDMF_PAGE_CHAIN_LIMIT) {
-        const tdmf_mode_kind *mode = mode_of(fmu);
-        const instant at = instant_of(fmu);
-        guard_state guards[TDMF_GUARD_LIMIT];
-        int first = 0;
-        guards_at(fmu, &at, guards);
-        while (first < mode->guard_count && !guards[first].is_due) {
-            ++first;
-        }
-        note_guards(fmu, guards);
-        if (first == mode->guard_count) {
-            if (count > 0 && observer->on_event != NULL) {
-                report(fmu, observer, &first_row, before.numbers + UNIT_PARAMETER_COUNT, &row,
-                       states_of(fmu));
-            }
-            return true;
-        }
-        row = take_event(fmu, &mode->guards[first]);
-        first_row = count++ == 0 ? row : first_row;
-        *changed = true;
+    tdmf_page_run run = run_of(fmu);
+    tdmf_chain chain;
+    const bool is_settled =
+        tdmf_take_due_events(unit_model, &run, fmu->watch, memory_of_instant(fmu), &chain);
+    keep_run(fmu, &run);
+    *changed |= chain.count > 0;
+    if (is_settled && chain.count > 0 && observer->on_event != NULL) {
+        report(fmu, observer, &chain.first, before.numbers + UNIT_PARAMETER_COUNT, &chain.last,
+               states_of(fmu));
     }
-    return false;
+    return is_settled;
 }
 
 bool fmu_complete_step(fmu *fmu) {
-    const instant at = instant_of(fmu);
+    const tdmf_page_instant at = instant_of(fmu);
     guard_state guards[TDMF_GUARD_LIMIT];
     bool asks = false;
-    guards_at(fmu, &at, guards);
-    note_guards(fmu, guards);
-    observe(fmu);
-    for (int i = 0; i < mode_of(fmu)->guard_count; ++i) {
+    tdmf_view_guards(&at, fmu->watch, guards);
+    tdmf_note_guards(&at, guards, fmu->watch);
+    tdmf_note_largest(&at, states_of(fmu));
+    for (int i = 0; i < at.mode->guard_count; ++i) {
         asks |= guards[i].is_due; /* where an importer has passed over it, or an input lets it be watched */
     }
     if (quantity_has_jumped(fmu)) {
@@ -389,7 +333,7 @@ const char *fmu_advance(fmu *fmu, double until, const fmu_observer *observer, ch
 const char *fmu_advance_to_event(fmu *fmu, double until, const fmu_observer *observer, char text[FMU_TEXT]) {
     fmu_update(fmu, observer); /* an input may have jumped, which is no event of this step */
     struct fmu ahead = *fmu;
-    double *states = instant_of(fmu).x;
+    double states[UNIT_STATE_COUNT + 1];
     page_motion before;
     tdmf_event_row row;
     tdmf_run_outcome outcome;

@@ -23,10 +23,6 @@ typedef enum { SETTING_TOLERANCE, SETTING_TERMINATES, SETTING_METHOD, SETTING_CO
 /* Work of the solver in Co-Simulation. */
 typedef enum { WORK_STEPS, WORK_EVALUATIONS, WORK_LAYER_STEPS, WORK_COUNT } fmu_work;
 
-/* Last view of an event's guard in Model Exchange: not above zero, above it, or still below zero since its
- * event was taken. An importer finds events a little late. */
-typedef enum { WATCH_BELOW, WATCH_ABOVE, WATCH_RISING } watch_state;
-
 /* State of a run between calls of the driver. Numbers are the page's parameters, then its states. Where
  * a mode has coordinates of its own, the states of the world's coordinates follow from them, or in Model
  * Exchange they from those. */

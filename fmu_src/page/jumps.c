@@ -6,8 +6,8 @@
 void account_for_all(fmu *fmu) {
     memcpy(fmu->accounted, fmu->motion.numbers, sizeof fmu->accounted);
     if (fmu->is_exchange && unit_model->set_count > 0) {
-        const instant at = instant_of(fmu);
-        rates_at(fmu, &at, fmu->accounted_rates);
+        const tdmf_page_instant at = instant_of(fmu);
+        tdmf_page_rates(&at, fmu->accounted_rates);
         fmu->accounted_time = fmu->motion.time;
     }
 }
@@ -73,8 +73,8 @@ static void correct_for_drift(const fmu *fmu, const tdmf_set_kind *kind, double 
     const double first = fmu->accounted[place_of(kind)], last = fmu->motion.numbers[place_of(kind)];
     const double jump = last - first, eighth = (fmu->motion.time - fmu->accounted_time) / 8.0;
     double middle[UNIT_STATE_COUNT + 1], rates[UNIT_STATE_COUNT + 1];
-    const instant at = instant_of(fmu);
-    rates_at(fmu, &at, rates);
+    const tdmf_page_instant at = instant_of(fmu);
+    tdmf_page_rates(&at, rates);
     for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
         middle[i] = 0.5 * (start[i] + end[i]) + eighth * (fmu->accounted_rates[i] - rates[i]);
     }

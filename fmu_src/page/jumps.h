@@ -2,7 +2,7 @@
 #ifndef TDMF_PAGE_JUMPS_H
 #define TDMF_PAGE_JUMPS_H
 
-#include "page_instant.h"
+#include "unit_instant.h"
 
 /* Records that all jumps so far have had their effects. */
 void account_for_all(fmu *fmu);

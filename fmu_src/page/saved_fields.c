@@ -1,7 +1,7 @@
 /* The fields of a saved run of a page, but for those that follow from the rest. */
 #include "saved_values.h"
 
-#include "page_instant.h"
+#include "unit_instant.h"
 
 #include <float.h>
 #include <math.h>
@@ -87,8 +87,7 @@ static void fill(saved_run *run) {
 /* Whether the states in the world's coordinates follow from those of the mode, as in Co-Simulation. */
 static bool coordinates_agree(const fmu *fmu) {
     struct fmu shown = *fmu;
-    const instant at = instant_of(fmu);
-    unit_model->scales(parameters_of(fmu), at.scales, at.event_scales);
+    const tdmf_page_instant at = instant_of(fmu);
     show_to_world(&shown);
     for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
         const double value = states_of(fmu)[i], seen = states_of(&shown)[i];

@@ -9,7 +9,6 @@
 /* A continuous state of the unit, among the states of the page. */
 typedef struct {
     int index;
-    bool in_world;  /* of the world's coordinates: modes with other coordinates map it */
     bool has_start; /* else the start calculates it */
 } unit_state;
 

@@ -1,0 +1,187 @@
+/* Rates, guards, outputs and their variations at an instant. */
+#include "unit_instant.h"
+
+#include <math.h>
+#include <string.h>
+
+size_t instant_size(void) {
+    return tdmf_run_memory_size(unit_model, 1) + tdmf_size_of_instant(unit_model);
+}
+
+const tdmf_mode_kind *mode_of(const fmu *fmu) {
+    return &unit_model->modes[fmu->motion.mode];
+}
+
+/* Numbers of a run are never written through a constant one. */
+double *parameters_of(const fmu *fmu) {
+    return (double *)(size_t)fmu->motion.numbers;
+}
+
+double *states_of(const fmu *fmu) {
+    return parameters_of(fmu) + UNIT_PARAMETER_COUNT;
+}
+
+double *memory_of_instant(const fmu *fmu) {
+    return fmu->memory + tdmf_run_memory_size(unit_model, 1);
+}
+
+tdmf_page_instant instant_of(const fmu *fmu) {
+    return tdmf_instant_at(unit_model, fmu->motion.mode, parameters_of(fmu), states_of(fmu),
+                           memory_of_instant(fmu));
+}
+
+/* ---- coordinates --------------------------------------------------------------------------------------- */
+
+void show_to_world(fmu *fmu) {
+    double room[UNIT_STATE_COUNT + 1];
+    tdmf_show_to_world(unit_model, fmu->motion.mode, parameters_of(fmu), states_of(fmu), room);
+}
+
+void take_from_world(fmu *fmu) {
+    double room[UNIT_STATE_COUNT + 1];
+    tdmf_take_from_world(unit_model, fmu->motion.mode, parameters_of(fmu), states_of(fmu), room);
+}
+
+/* ---- guards -------------------------------------------------------------------------------------------- */
+
+static double indicator(const tdmf_page_instant *at, const guard_state *guards, const unit_guard *row) {
+    const tdmf_mode_kind *mode = at->mode;
+    double least = INFINITY;
+    for (int i = 0; i < mode->guard_count; ++i) {
+        if ((row->events >> mode->guards[i].event & 1) != 0) {
+            least = fmin(least, guards[i].value);
+        }
+    }
+    for (int i = 0; row->events == 0 && i < mode->usual_count; ++i) {
+        if (mode->watches[i].part == TDMF_LARGEST && mode->watches[i].into == row->into) {
+            double value, rate;
+            tdmf_page_observed(at, i, &value, &rate);
+            return rate / at->scales[row->into];
+        }
+    }
+    return isinf(least) ? 1.0 : least;
+}
+
+static void indicators_at(const fmu *fmu, const tdmf_page_instant *at, double indicators[]) {
+    guard_state guards[TDMF_GUARD_LIMIT];
+    tdmf_view_guards(at, fmu->watch, guards);
+    for (int i = 0; i < FMU_GUARD_COUNT; ++i) {
+        const double value = indicator(at, guards, &unit_guards[i]);
+        indicators[i] = isnan(value) ? 1.0 : value;
+    }
+}
+
+void fmu_event_indicators(const fmu *fmu, double indicators[]) {
+    const tdmf_page_instant at = instant_of(fmu);
+    indicators_at(fmu, &at, indicators);
+}
+
+/* ---- rates --------------------------------------------------------------------------------------------- */
+
+/* Picks the continuous states of the unit from values by state. */
+static void pick_states(const double *values, double picked[]) {
+    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+        picked[i] = values[unit_states[i].index];
+    }
+}
+
+static void derivatives_at(const tdmf_page_instant *at, double derivatives[]) {
+    double rates[UNIT_STATE_COUNT + 1];
+    tdmf_page_world_rates(at, rates);
+    pick_states(rates, derivatives);
+    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+        derivatives[i] = fmu_within_largest(derivatives[i]);
+    }
+}
+
+void fmu_derivatives(const fmu *fmu, double derivatives[]) {
+    const tdmf_page_instant at = instant_of(fmu);
+    derivatives_at(&at, derivatives);
+}
+
+void fmu_states(const fmu *fmu, const fmu_view *view, double states[]) {
+    pick_states(states_of(fmu), states);
+    for (int i = 0; view != NULL && i < FMU_STATE_COUNT; ++i) {
+        states[i] = unit_states[i].has_start ? states[i] : view->states[i];
+    }
+}
+
+void fmu_try_states(fmu *fmu, const double states[]) {
+    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+        states_of(fmu)[unit_states[i].index] = fmu_within_largest(states[i]);
+    }
+    take_from_world(fmu);
+}
+
+void fmu_nominals(const fmu *fmu, double nominals[]) {
+    const tdmf_page_instant at = instant_of(fmu);
+    pick_states(at.scales, nominals);
+}
+
+/* ---- all that follows ---------------------------------------------------------------------------------- */
+
+/* Writes at most WORD_CAPACITY characters. A negative number stands for the beginning of a longer word. */
+static void write_word(double number, const char *alphabet, char *text) {
+    const double base = (double)strlen(alphabet);
+    char letters[WORD_CAPACITY];
+    int place = WORD_CAPACITY - 1;
+    letters[place] = '\0';
+    if (number < 0.0) {
+        letters[--place] = '~';
+        number = -number;
+    }
+    for (; number >= 1.0 && place > 0; number = floor(number / base)) {
+        letters[--place] = alphabet[(int)fmod(number, base)];
+    }
+    memcpy(text, letters + place, (size_t)(WORD_CAPACITY - place));
+}
+
+void fmu_evaluate(const fmu *fmu, fmu_view *view) {
+    const tdmf_page_instant at = instant_of(fmu);
+    memcpy(view->numbers, fmu->motion.numbers, sizeof view->numbers);
+    fmu_states(fmu, NULL, view->states);
+    derivatives_at(&at, view->derivatives);
+    indicators_at(fmu, &at, view->guards);
+    mode_of(fmu)->outputs(parameters_of(fmu), states_of(fmu), view->outputs);
+    view->work[WORK_STEPS] = (double)fmu->steps;
+    view->work[WORK_EVALUATIONS] = (double)fmu->evaluations;
+    view->work[WORK_LAYER_STEPS] = 0.0;
+    for (int i = 0; i < UNIT_WORD_COUNT; ++i) {
+        const double *of = unit_words[i].is_output ? view->outputs : states_of(fmu);
+        write_word(of[unit_words[i].index], unit_words[i].alphabet, view->words[i]);
+    }
+}
+
+/* ---- variations ---------------------------------------------------------------------------------------- */
+
+void vary_at(const fmu *fmu, const double *dp, const double *dx, fmu_view *variation) {
+    const tdmf_page_instant at = instant_of(fmu);
+    double d_rates[UNIT_STATE_COUNT + 1];
+    memset(variation, 0, sizeof *variation);
+    memcpy(variation->numbers, dp, UNIT_PARAMETER_COUNT * sizeof *dp);
+    memcpy(variation->numbers + UNIT_PARAMETER_COUNT, dx, UNIT_STATE_COUNT * sizeof *dx);
+    tdmf_vary_page_rates(&at, dp, dx, d_rates);
+    pick_states(d_rates, variation->derivatives);
+    at.mode->vary_outputs(at.p, at.x, dp, dx, variation->outputs);
+}
+
+void fmu_differentiate(const fmu *fmu, const struct fmu *seed, fmu_view *variation) {
+    const tdmf_mode_kind *mode = mode_of(fmu);
+    const double *dp = parameters_of(seed);
+    double dx[UNIT_STATE_COUNT + 1];
+    memcpy(dx, states_of(seed), UNIT_STATE_COUNT * sizeof *dx);
+    if (mode->vary_from_world != NULL) {
+        mode->vary_from_world(parameters_of(fmu), states_of(fmu), dp, states_of(seed), dx);
+    }
+    vary_at(fmu, dp, dx, variation);
+}
+
+void fmu_flow(const fmu *fmu, struct fmu *seed) {
+    const tdmf_page_instant at = instant_of(fmu);
+    memset(seed, 0, sizeof *seed);
+    tdmf_page_world_rates(&at, states_of(seed));
+    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+        double *rate = &states_of(seed)[unit_states[i].index];
+        *rate = fmu_within_largest(*rate);
+    }
+}
