@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 from tdmf_slip.analysis.basin import basin
-from tdmf_slip.analysis.branches import branch_over
+from tdmf_slip.analysis.branches import continue_branch
 from tdmf_slip.checks import checked
 from tdmf_slip.fitting.fitted import fit
 from tdmf_slip.fitting.measurements import Measured, Measurements
@@ -125,7 +125,7 @@ def _fits() -> Iterator[_Question]:
 
 def _branches() -> Iterator[_Question]:
     for end in (0.5, 0.2):
-        follow = functools.partial(branch_over, None, {"ground.friction": (FRICTION, end)})
+        follow = functools.partial(continue_branch.plain, None, {"ground.friction": (FRICTION, end)})
         yield _Question("continue", f"friction {FRICTION} to {end}", 1, follow)
 
 

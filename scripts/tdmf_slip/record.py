@@ -6,15 +6,20 @@ attributes, and `result`, the kind of the result. The runner is one JSON text, b
 files are numbers and texts.
 """
 
+import functools
+import inspect
 import json
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, ParamSpec, Protocol, TypeVar
 
 from .version import __version__
 
 if TYPE_CHECKING:
     import xarray
 
+Given = ParamSpec("Given")
+Found = TypeVar("Found")
+Found_co = TypeVar("Found_co", covariant=True)
 RUNNERS = ("runner", "start_values")
 """Entries that hold a runner's values, by the unit's names."""
 NAMES = ("version", "model", *RUNNERS)
@@ -52,6 +57,35 @@ def dataset(
         runner |= record.get(name, {})
     texts = {"version": record["version"], "model": record["model"], "runner": json.dumps(runner)}
     return xarray.Dataset(variables, coordinates, {"result": kind, **texts, **attributes})
+
+
+class Search(Protocol[Given, Found_co]):
+    """A function that returns a dataset."""
+
+    @property
+    def plain(self) -> Callable[Given, Found_co]:
+        """The same function, which returns the object that the dataset is made of."""
+
+    def __call__(self, *given: Given.args, **named: Given.kwargs) -> "xarray.Dataset":
+        """Call the function."""
+
+
+def in_dataset(
+    convert: Callable[[Found], "xarray.Dataset"],
+) -> Callable[[Callable[Given, Found]], Search[Given, Found]]:
+    """Have a function return its result as a dataset; its attribute `plain` is the function as written."""
+
+    def decorate(search: Callable[Given, Found]) -> Search[Given, Found]:
+        @functools.wraps(search)
+        def found(*given: Given.args, **named: Given.kwargs) -> "xarray.Dataset":
+            return convert(search(*given, **named))
+
+        signature = inspect.signature(search).replace(return_annotation="xarray.Dataset")
+        made: Any = found
+        made.plain, made.__signature__ = search, signature
+        return made  # type: ignore[no-any-return] # a function with an attribute
+
+    return decorate
 
 
 def runner_in(data: "xarray.Dataset") -> dict[str, Any]:

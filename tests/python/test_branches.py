@@ -10,7 +10,7 @@ from conftest import CLAMPED, some_of
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from tdmf_slip import Batch, InputError, Runner, continue_branch, gait_at, plot
 from tdmf_slip.analysis.branch_problem import gaits_over
-from tdmf_slip.analysis.branches import branch_dataset, branch_over
+from tdmf_slip.analysis.branches import branch_dataset
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.pictures.branch_diagram import figure_of, values_of
@@ -30,19 +30,19 @@ def runner():
 @pytest.fixture(scope="module")
 def over_low_angle(runner):
     """A branch over falling angles that passes a period doubling."""
-    return branch_over(runner, {ANGLE: (0.575, 0.56)})
+    return continue_branch.plain(runner, {ANGLE: (0.575, 0.56)})
 
 
 @pytest.fixture(scope="module")
 def over_angle(runner):
     """The branch goes from 40 degrees upwards, around two folds."""
-    return branch_over(runner, {ANGLE: (np.radians(40.0), np.radians(53.0))}, max_step=1.0)
+    return continue_branch.plain(runner, {ANGLE: (np.radians(40.0), np.radians(53.0))}, max_step=1.0)
 
 
 @pytest.fixture(scope="module")
 def over_rate():
     """A branch over the rate of retraction, on friction 0.2 and with the clamp of the swing."""
-    return branch_over({FRICTION: 0.2, **CLAMPED}, {"hip.retraction_rate": (0.0, 0.03)})
+    return continue_branch.plain({FRICTION: 0.2, **CLAMPED}, {"hip.retraction_rate": (0.0, 0.03)})
 
 
 def settled(runner, apex, strides=STRIDES):
@@ -156,7 +156,7 @@ def test_where_the_foot_just_touches_the_ground_the_branch_turns_back(over_rate)
 def test_a_branch_does_not_jump_to_another_sheet():
     """At 0.7335 rad its gaits end; others, which it has been at before, are 0.064 away."""
     runner = {"gravity": 0.015, "foot.mass": 0.03, FRICTION: 0.8, **CLAMPED}
-    branch = branch_over(runner, {ANGLE: (0.76, 0.72)}, switch=False)
+    branch = continue_branch.plain(runner, {ANGLE: (0.76, 0.72)}, switch=False)
     assert branch.ended.startswith(f"no convergence at {ANGLE}") and 0.7332 < branch.values[-1] < 0.734
     met = [(s.kind, s.words) for s in branch.specials if s.kind in ("word border", "fold", "Neimark-Sacker")]
     assert len(met) == len(set(met)) >= 2
@@ -208,7 +208,7 @@ def code_of(word):
 def test_a_word_border_is_where_plain_strides_change_their_word(preset, name, begin, end, smallest):
     """On both sides, also of words that hold over 3e-6 of the parameter: side by side in the ensemble."""
     runner = Runner(read_parameters(preset) if preset else {})
-    branch = branch_over(runner, {name: (begin, end)}, switch=False)
+    branch = continue_branch.plain(runner, {name: (begin, end)}, switch=False)
     borders = [(special.value, special) for special in branch.specials if special.kind == "word border"]
     values = [branch.values[0], *(value for value, _ in borders), branch.values[-1]]
     gaits, words = [], []
@@ -231,7 +231,7 @@ def test_a_word_border_is_where_plain_strides_change_their_word(preset, name, be
 def test_the_fast_humans_fold_is_where_plain_strides_lose_the_gait():
     """Beside a word border, on the friction; the runner falls beyond it."""
     human = Runner(read_parameters(FAST_HUMAN))
-    branch = branch_over(human, {FRICTION: (0.6, 0.38)}, switch=False)
+    branch = continue_branch.plain(human, {FRICTION: (0.6, 0.38)}, switch=False)
     fold = one(branch, "fold")
     before = next(gait for gait in branch.gaits[fold.index :: -1] if gait.lambda_max < 0.97)
     gait = next(gaits_over(human, FRICTION, [fold.value + 1e-3], before))
@@ -266,7 +266,7 @@ def test_a_neimark_sacker_point_is_where_plain_strides_spiral_in_or_out(over_ang
 def test_a_range_without_a_gait_at_its_beginning_is_followed_both_ways():
     """The fast human falls at 0.35: the branch begins above its fold."""
     human = Runner(read_parameters(FAST_HUMAN))
-    branch = branch_over(human, {FRICTION: (0.35, 0.5)})
+    branch = continue_branch.plain(human, {FRICTION: (0.35, 0.5)})
     assert branch.began == branch.ended == "end of the range"
     assert branch.values[0] == branch.values[-1] == 0.5
     assert [s.kind for s in branch.specials if s.kind != "word border"] == ["fold"]

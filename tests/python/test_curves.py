@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from closed_form_maps import MapProblem, henon
 from tdmf_slip import InputError, Runner, continue_curves, plot
-from tdmf_slip.analysis.branches import branch_over
+from tdmf_slip.analysis.branches import continue_branch
 from tdmf_slip.analysis.curves import BifurcationProblem, curve_through, curves_in
 from tdmf_slip.analysis.special_points import bialternate
 from tdmf_slip.numerics.following import Limits
@@ -116,7 +116,7 @@ def test_period_doublings_over_two_parameters(command, tmp_path):
     assert sorted(damping for _, damping in ends) == pytest.approx([0.199, 0.201], abs=1e-9)
     angle, damping = curve["points"][len(curve["points"]) // 4]
     runner = Runner({DAMPING: damping})
-    branch = branch_over(runner, {ANGLE: (angle + 2e-3, angle - 2e-3)}, switch=False)
+    branch = continue_branch.plain(runner, {ANGLE: (angle + 2e-3, angle - 2e-3)}, switch=False)
     (doubling,) = (special for special in branch.specials if special.kind == "period doubling")
     assert doubling.value == pytest.approx(angle, rel=1e-8)
     assert (tmp_path / "curves.png").read_bytes()[:4] == b"\x89PNG"
@@ -131,7 +131,7 @@ def test_word_borders_cross_the_ranges_of_two_parameters():
         assert sorted(curve.points[[0, -1], 1]) == pytest.approx([0.15, 0.25])
         friction, damping = curve.points[len(curve.points) // 4]
         runner = Runner({DAMPING: damping})
-        branch = branch_over(runner, {FRICTION: (friction + 0.001, friction - 0.001)}, switch=False)
+        branch = continue_branch.plain(runner, {FRICTION: (friction + 0.001, friction - 0.001)}, switch=False)
         (value,) = (of.value for of in branch.specials if of.words == curve.words)
         assert value == pytest.approx(friction, rel=1e-8)
 

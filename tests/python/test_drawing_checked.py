@@ -37,7 +37,7 @@ def test_texts_by_latex_where_there_is_none_are_told_before_the_work(
         "basin",
         "viability",
         "sweep_row",
-        "branch_over",
+        "continue_branch",
     ):
         monkeypatch.setattr(
             module, work, lambda *_, **__: pytest.fail("work before the check"), raising=False

@@ -19,6 +19,7 @@ from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..numerics.following import SHORTEST_STEP as SHORTEST_STEP
 from ..numerics.following import Limits, Point, both_ways, follow
+from ..record import in_dataset
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model
@@ -72,7 +73,7 @@ def branch_dataset(branch: Branch) -> xarray.Dataset:
     rows = [(number, *row) for number, of in enumerate(branches) for row in _rows(of)]
     numbers, values, gaits, specials = zip(*rows, strict=True)
     runner, points = branch.gaits[0].runner, {"point": np.arange(len(rows), dtype=float)}
-    data = gaits_dataset("branch", runner.record(name), gaits, points, over=name)
+    data = gaits_dataset("branch", gaits, points, varied=[name], over=name)
     apexes = np.full((len(rows), max(of.strides for of in branches), len(runner.coordinates)), np.nan)
     for row, gait in zip(apexes, gaits, strict=True):
         row[: gait.strides] = gait.apexes
@@ -116,6 +117,8 @@ def _rows(branch: Branch) -> Iterator[tuple[float, Gait, Special | None]]:
             yield special.value, special.gait, special
 
 
+@in_dataset(branch_dataset)
+@shares_steps
 def continue_branch(
     runner: RunnerLike,
     vary: Mapping[str, tuple[float, float]],
@@ -125,7 +128,7 @@ def continue_branch(
     max_points: int = 1000,
     switch: bool = True,
     progress: bool = False,
-) -> xarray.Dataset:
+) -> Branch:
     """The branch of gaits over a range of a parameter, through folds, with every special point classified.
 
     The branch begins at the first end of the range with the gait that `find_gait` gives. Where there is
@@ -176,31 +179,6 @@ def continue_branch(
     >>> branch.ended, [str(special) for special in branch["special"].values if special]
     ('end of the range', ['word border', 'word border', 'word border'])
     """
-    return branch_dataset(
-        branch_over(
-            runner,
-            vary,
-            model=model,
-            max_step=max_step,
-            max_points=max_points,
-            switch=switch,
-            progress=progress,
-        )
-    )
-
-
-@shares_steps
-def branch_over(
-    runner: RunnerLike,
-    vary: Mapping[str, tuple[float, float]],
-    *,
-    model: str | Model | None = None,
-    max_step: float = 0.2,
-    max_points: int = 1000,
-    switch: bool = True,
-    progress: bool = False,
-) -> Branch:
-    """The branch of gaits over a range of a parameter, with those of more strides."""
     runner = Runner(runner, model=model)
     allowed = "both ends of a range, by the name of one parameter or input"
     name, ends = varied_alone(vary, allowed, runner.model)

@@ -11,19 +11,18 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
 from ..given import row_of
 from ..library.gait import Gait, gaits_dataset
-from ..library.members import check_varied
-from ..library.quantities import allowed_quantities, check_quantities, quantities_of
+from ..library.members import checked_names
+from ..library.quantities import allowed_quantities, check_quantities, checked_quantity, quantities_of
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
+from ..record import in_dataset
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import Model, full_names
+from ..variables.table import Model
 from ..variables.variable import Given
 from .search import periodic_gait
 from .targeted import TargetNotMetError, find_gait
@@ -75,6 +74,20 @@ class Comparison:
         )
 
 
+def _dataset(found: Comparison) -> xarray.Dataset:
+    gaits = [gait for pair in zip(found.before, found.after, strict=True) for gait in pair]
+    numbers = np.arange(len(found.after))
+    places: dict[str, Any] = {"runner": numbers, "step": np.array(["before", "after"], dtype=object)}
+    hold, vary = ", ".join(found.hold), ", ".join(found.vary)
+    data = gaits_dataset("comparison", gaits, places, varied=found.names, hold=hold, vary=vary)
+    missed = {(of.runner, of.quantity) for of in found.not_held}
+    held = [[(number, name) not in missed for name in found.hold] for number in numbers.tolist()]
+    held_by: dict[str, Any] = {"held": (("runner", "quantity"), np.array(held, np.int8))}
+    return data.assign(held_by).assign_coords(quantity=list(found.hold))
+
+
+@in_dataset(_dataset)
+@shares_steps
 def compare(
     runners: Sequence[RunnerLike],
     *,
@@ -82,7 +95,7 @@ def compare(
     vary: Sequence[str],
     model: str | None = None,
     progress: bool = False,
-) -> xarray.Dataset:
+) -> Comparison:
     """Runners made equal in what could confound a comparison.
 
     The first runner is the reference and stays as it is. Of each other one, what `vary` names is changed
@@ -132,49 +145,13 @@ def compare(
     >>> bool(matched["held"].all()), matched["speed"].sel(runner=1, step="after").item().__round__(6)
     (True, 0.83453)
     """
-    return _dataset(match_runners(runners, hold, vary, model, progress))
-
-
-def _dataset(found: Comparison) -> xarray.Dataset:
-    gaits = [gait for pair in zip(found.before, found.after, strict=True) for gait in pair]
-    numbers = np.arange(len(found.after))
-    places: dict[str, Any] = {"runner": numbers, "step": np.array(["before", "after"], dtype=object)}
-    texts = {"hold": ", ".join(found.hold), "vary": ", ".join(found.vary)}
-    data = gaits_dataset("comparison", gaits[0].runner.record(*found.names), gaits, places).assign_attrs(
-        texts
-    )
-    missed = {(of.runner, of.quantity) for of in found.not_held}
-    held = [[(number, name) not in missed for name in found.hold] for number in numbers.tolist()]
-    known = gaits[0].runner.model.variables
-    values: dict[str, Any] = {
-        name: (("runner", "step"), _values(gaits, name), known[name].attributes) for name in found.names
-    }
-    held_by: dict[str, Any] = {"held": (("runner", "quantity"), np.array(held, np.int8))}
-    return data.assign(held_by).assign_coords(values | {"quantity": list(found.hold)})
-
-
-def _values(gaits: Sequence[Gait], name: str) -> NDArray[np.float64]:
-    return np.array([gait.runner[name] for gait in gaits], float).reshape(-1, 2)
-
-
-@shares_steps
-def match_runners(
-    runners: Sequence[RunnerLike],
-    hold: Sequence[str],
-    vary: Sequence[str],
-    model: str | None = None,
-    progress: bool = False,
-) -> Comparison:
-    """Runners made equal in quantities, see `compare`."""
     given = row_of(runners, "runners", "a list of two runners or more")
     if len(given) < 2:
         raise InputError(f"runners: {len(given)} given; allowed: two or more, the first is the reference")
     before = [_gait_of(runner, model) for runner in given]
     own = before[0].runner.model
     names = _checked_hold(hold, own)
-    varied = full_names(vary, "vary", "a list of names of parameters and inputs", own.aliases)
-    for name in varied:
-        check_varied(name, "vary", own)
+    varied = checked_names(vary, "vary", own)
     for gait in before:
         check_quantities(gait.runner, names)
     goal = quantities_of(before[0], names)
@@ -190,14 +167,10 @@ def match_runners(
 
 def _checked_hold(hold: object, model: Model) -> tuple[str, ...]:
     names = tuple(row_of(hold, "hold", "a list of names of quantities"))
-    known = allowed_quantities(model)
     if not names:
-        raise InputError(f"hold: nothing is held; allowed: {', '.join(known)}")
+        raise InputError(f"hold: nothing is held; allowed: {', '.join(allowed_quantities(model))}")
     for name in names:
-        if not is_one_of(name, known):
-            raise InputError(
-                f"hold {shown(name)} is not allowed{near_matches(name, known)}; allowed: {', '.join(known)}"
-            )
+        checked_quantity(name, "hold", model)
         if names.count(name) > 1:
             raise InputError(f"hold: {name} is given twice; allowed: once")
     return names

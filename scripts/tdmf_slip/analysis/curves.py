@@ -23,7 +23,7 @@ from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model, by_full_name
 from .branch_problem import GaitProblem
-from .branches import branch_over
+from .branches import continue_branch
 from .special_points import (
     BORDER_ACCURACY,
     NEIMARK_SACKER,
@@ -363,7 +363,7 @@ def _curves(
     home = runner[second]
     if not spans[1].min() <= home <= spans[1].max():
         runner = runner.replace({second: float(spans[1, 0])})
-    branch = branch_over(runner, {first: (float(spans[0, 0]), float(spans[0, 1]))}, switch=False)
+    branch = continue_branch.plain(runner, {first: (float(spans[0, 0]), float(spans[0, 1]))}, switch=False)
     limits = Limits(spans.min(axis=1), spans.max(axis=1), MAX_STEP, max_points, parts=PARTS)
     found: list[Curve] = []
     with progress_bar("curves", None, "points", progress) as bar:

@@ -308,7 +308,7 @@ def _blank(runner: Runner, axes: Mapping[str, NDArray[np.float64]], along: str) 
     others = [name for name in over if name != along]
     texts = np.full([len(axes[name]) for name in others], "", dtype=object)
     nothing = [None] * math.prod(shape)
-    data = gaits_dataset("sweep", runner.record(*axes), nothing, axes, runner.model, along=along)
+    data = gaits_dataset("sweep", nothing, axes, runner, along=along)
     if runner.reduced:
         data = data.isel(mode=slice(len(runner.coordinates)))
     return data.assign(
@@ -339,9 +339,7 @@ def columns_of_block(block: _Block) -> dict[str, Any]:
 
 
 def _columns(row: Row) -> dict[str, Any]:
-    data = gaits_dataset(
-        "sweep", row.gaits[0].runner.record(), row.by_value, {row.name: np.array(row.values)}
-    )
+    data = gaits_dataset("sweep", row.by_value, {row.name: np.array(row.values)})
     borders = [[border.value, border.before, border.after] for border in row.borders]
     return {
         **{str(name): array.values for name, array in data.data_vars.items()},

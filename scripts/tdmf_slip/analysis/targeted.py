@@ -8,18 +8,25 @@ from itertools import islice
 
 import numpy as np
 
-from ..checks import checked, is_one_of, near_matches, shown
+from ..checks import checked, near_matches, shown
 from ..errors import InputError, RunError
 from ..given import mapping_of, row_of
 from ..library.gait import Gait
-from ..library.members import check_varied
-from ..library.quantities import SIGNED, allowed_quantities, check_quantities, quantities_of, quantity_given
+from ..library.members import NAMES, checked_names
+from ..library.quantities import (
+    SIGNED,
+    allowed_quantities,
+    check_quantities,
+    checked_quantity,
+    quantities_of,
+    quantity_given,
+)
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..library.shared_steps import shares_steps
 from ..terminal.text import quantity
 from ..variables.parameters import RunnerLike
-from ..variables.table import Model, full_names
+from ..variables.table import Model
 from ..variables.values import model_of
 from ..variables.variable import Given
 from .search import periodic_gait
@@ -39,8 +46,6 @@ DESCENTS = 2
 """Number of the nearest ones that lead on to the gait nearest of all."""
 NO_ACTION = 1e-11
 """Changes over the scales that are no more than rounding."""
-NAMES = "a list of names of parameters and inputs"
-"""Names that `vary` accepts."""
 
 
 class TargetNotMetError(RunError):
@@ -139,7 +144,10 @@ def find_gait(
         runner = Runner(runner, model=model, tolerance=None, **values)
     if target is None and not len(row_of(vary, "vary", NAMES)):
         return periodic_gait(runner, guess, model=model)
-    wanted = _checked_target(target, model_of(runner, model))
+    wanted = checked_target(target, model_of(runner, model))
+    if not wanted:
+        known = ", ".join(allowed_quantities(model_of(runner, model)))
+        raise InputError(f"target: nothing is prescribed; allowed: {known}")
     starting = Runner(runner, model=model)
     names = _checked_vary(vary, wanted, starting.model)
     check_quantities(starting, list(wanted))
@@ -198,20 +206,14 @@ def _met(target: Target, iterate: Iterate) -> Gait:
     return gait
 
 
-def _checked_target(target: object, model: Model) -> dict[str, float]:
-    """Prescribed values by the names of their quantities."""
-    known = allowed_quantities(model)
-    allowed = ", ".join(known)
-    given = mapping_of(target, "target", f"numbers by name: {allowed}")
-    if not given:
-        raise InputError(f"target: nothing is prescribed; allowed: {allowed}")
+def checked_target(target: object, model: Model, from_zero: Sequence[str] = ()) -> dict[str, float]:
+    """Prescribed values by the names of their quantities, of which some may be zero."""
+    given = mapping_of(target, "target", f"numbers by name: {', '.join(allowed_quantities(model))}")
     for name in given:
-        if not is_one_of(name, known):
-            near = near_matches(name, known)
-            raise InputError(f"target {shown(name)} is not allowed{near}; allowed: {allowed}")
+        checked_quantity(name, "target", model)
     if all(name in given for name in TRAVEL):
         raise InputError("target: speed, frequency and length; allowed: two of them, for they set the third")
-    maximum, minimum = {"duty_factor": 1.0}, dict.fromkeys(SIGNED, -MAXIMUM)
+    maximum, minimum = {"duty_factor": 1.0}, dict.fromkeys(SIGNED, -MAXIMUM) | dict.fromkeys(from_zero, 0.0)
     numbers = {name: quantity_given(name, value, "target", model) for name, value in given.items()}
     return {
         name: checked(name, value, minimum.get(name, MINIMUM), maximum.get(name, MAXIMUM))
@@ -221,11 +223,7 @@ def _checked_target(target: object, model: Model) -> dict[str, float]:
 
 def _checked_vary(vary: object, target: Mapping[str, float], model: Model) -> tuple[str, ...]:
     """The varied parameters' names."""
-    names = full_names(vary, "vary", NAMES, model.aliases)
-    for name in names:
-        check_varied(name, "vary", model)
-        if names.count(name) > 1:
-            raise InputError(f"vary: {name} is given twice; allowed: once")
+    names = checked_names(vary, "vary", model)
     if len(names) < len(target):
         raise InputError(
             f"vary: {', '.join(names) or 'nothing'} for {', '.join(target)}; allowed: at least as many "

@@ -5,7 +5,7 @@ from dataclasses import asdict
 
 import click
 
-from ..analysis.comparison import Comparison, match_runners
+from ..analysis.comparison import Comparison, compare
 from ..errors import InputError
 from ..library.gait import Gait
 from ..library.quantities import QUANTITIES, known_quantities, quantities_of, unit_of
@@ -62,7 +62,7 @@ def compare_command(
     The first runner is the reference. A quantity that could not be matched is reported; it is not an error.
     """
     runners = _runners(frictions, files, settings, model)
-    found = match_runners(runners, _names(hold), _names(vary), model, progress=True)
+    found = compare.plain(runners, hold=_names(hold), vary=_names(vary), model=model, progress=True)
     print(json_text(_plain(found)) if as_json_object else _table(found))
 
 

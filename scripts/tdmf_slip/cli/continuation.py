@@ -5,7 +5,14 @@ from pathlib import Path
 
 import click
 
-from ..analysis.branches import LARGEST_STEP, MAX_POINTS, SHORTEST_STEP, Branch, branch_dataset, branch_over
+from ..analysis.branches import (
+    LARGEST_STEP,
+    MAX_POINTS,
+    SHORTEST_STEP,
+    Branch,
+    branch_dataset,
+    continue_branch,
+)
 from ..analysis.curves import Curve, continue_curves, curves_in
 from ..analysis.special_points import Special
 from ..errors import InputError
@@ -91,7 +98,7 @@ def continue_command(
 
         refuse_resumable(output)
     ((name, (begin, end)),) = spans.items()
-    branch = branch_over(
+    branch = continue_branch.plain(
         runner,
         {name: (begin, end)},
         max_step=step,

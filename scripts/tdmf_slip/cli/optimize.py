@@ -8,7 +8,7 @@ import click
 from ..analysis.targeted import TargetNotMetError
 from ..errors import InputError
 from ..library.quantities import QUANTITIES, unit_of
-from ..optimization.optimize import MAX_POINTS, MAX_STARTS, POINTS, STARTS, best_compromises, optimize
+from ..optimization.optimize import MAX_POINTS, MAX_STARTS, POINTS, STARTS, optimize, pareto_front
 from ..optimization.optimum import Optimum, reported
 from ..record import origin_of
 from ..terminal.text import headed, table
@@ -90,7 +90,7 @@ def optimize_command(
     try:
         if len(minimize) + len(maximize) == 2:
             sought: dict[str, Any] = {"minimize": minimize, "maximize": maximize, "points": points}
-            objectives, optima = best_compromises(runner, vary, **sought, **common)
+            objectives, optima = pareto_front.plain(runner, vary, **sought, **common)
             plain = {"objectives": list(objectives), "front": [best.as_json() for best in optima]}
             plain = {**origin_of(runner), **plain}
             print(json_text(plain) if as_json_object else _front_text(objectives, optima, display))

@@ -14,7 +14,7 @@ from ..checks import checked_flag, checked_whole, is_one_of, shown
 from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
-from ..library.members import check_varied
+from ..library.members import checked_names
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..library.shared_steps import shares_steps
@@ -38,16 +38,6 @@ def profiled_names(profile: object, names: Sequence[str]) -> tuple[str, ...]:
         if not is_one_of(name, names):
             raise InputError(f"profile: {shown(name)} does not vary; allowed: {', '.join(names)}")
     return chosen
-
-
-def checked_names(given: object, what: str) -> tuple[str, ...]:
-    """Names of parameters, each once."""
-    names = full_names(given, what, "a list of names of parameters and inputs")
-    for name in names:
-        check_varied(name, what)
-        if names.count(name) > 1:
-            raise InputError(f"{what}: {name} is given twice; allowed: once")
-    return names
 
 
 def check_names(shared: Sequence[str], each: Sequence[str], measurements: Measurements, priors: int) -> None:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ..checks import check_kind, near_matches
 from ..record import dataset, origin_of
-from ..variables.table import FRICTION, MODELS, VARIABLES, Model
+from ..variables.table import FRICTION, MODELS, VARIABLES
 from .binding import c
 from .members import Along
 from .quantities import LEDGER as LEDGER
@@ -217,7 +217,7 @@ class Gait:
         xarray.Dataset
             As one point of a sweep's dataset, with `jacobian` besides.
         """
-        data = gaits_dataset("gait", self.runner.record(), [self], {})
+        data = gaits_dataset("gait", [self], {})
         coordinates = list(self.runner.coordinates)
         return data.assign(jacobian=(("coordinate", "by_coordinate"), self.jacobian)).assign_coords(
             coordinate=coordinates, by_coordinate=coordinates
@@ -338,18 +338,20 @@ def gait_of_stride(
 
 def gaits_dataset(
     kind: str,
-    record: Mapping[str, Any],
     gaits: Sequence[Gait | None],
     coordinates: Mapping[str, NDArray[np.float64]],
-    model: Model | None = None,
+    runner: Runner | None = None,
+    varied: Sequence[str] = (),
     **attributes: str | float,
 ) -> "xarray.Dataset":
     """Gaits on a grid as a dataset with units; NaN and an empty word where there is none.
 
-    The gaits are in the order of the coordinates, the last one running fastest.
+    The gaits are in the order of the coordinates, the last one running fastest. The runner is theirs, or that
+    of the first gait. Values that are `varied` in another way than by coordinates are coordinates, too.
     """
     over, shape = tuple(coordinates), tuple(map(len, coordinates.values()))
-    known = model or next(gait.runner.model for gait in gaits if gait is not None)
+    runner = runner or next(gait.runner for gait in gaits if gait is not None)
+    known = runner.model
     model = known.full
     modes = max((len(gait.apex) for gait in gaits if gait is not None), default=len(model.coordinates))
     spectra = np.full((len(gaits), modes), np.nan, complex)
@@ -369,6 +371,9 @@ def gaits_dataset(
         about = model.coordinate(model.coordinates[number]).attributes
         return column(lambda gait: float(gait.section[number]), about)
 
+    def value(name: str) -> tuple[Any, ...]:
+        return column(lambda gait: gait.runner[name], known.variables[name].attributes)
+
     own = (*STRIDE_QUANTITIES, "frequency", *LEDGER, "liftoff_angle", *MEASURES)
     names = dict.fromkeys(own) if model.name in MODELS else known.quantities
     variables = {name: quantity(name) for name in names}
@@ -383,4 +388,5 @@ def gaits_dataset(
         name: (name, values, model.variables[name].attributes if name in model.variables else {})
         for name, values in coordinates.items()
     }
-    return dataset(kind, record, variables, labels, **attributes)
+    labels |= {name: value(name) for name in varied}
+    return dataset(kind, runner.record(*coordinates, *varied), variables, labels, **attributes)

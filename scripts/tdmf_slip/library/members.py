@@ -7,7 +7,7 @@ import numpy as np
 
 from ..checks import is_one_of, near_matches, shown
 from ..errors import GaitNotFoundError, InputError
-from ..variables.table import FRICTION, MODELS, Model, by_full_name
+from ..variables.table import FRICTION, MODELS, Model, by_full_name, full_names
 from .binding import ffi
 
 Along: TypeAlias = str | Mapping[str, float]
@@ -49,6 +49,10 @@ MOVING = (*VARIED, *FLAGS)
 """All parameters and inputs. A runner's motion depends on these and on its start."""
 
 
+NAMES = "a list of names of parameters and inputs"
+"""Names that `vary` accepts."""
+
+
 def check_varied(name: object, what: str, model: Model = MODELS["full"]) -> None:
     """Refuse a name that a gait cannot be followed along."""
     if not is_one_of(name, model.varied):
@@ -56,6 +60,16 @@ def check_varied(name: object, what: str, model: Model = MODELS["full"]) -> None
             f"{what} {shown(name)} is not allowed; allowed: a parameter or input of the model"
             f"{near_matches(name, (*model.varied, *model.aliases))}"
         )
+
+
+def checked_names(given: object, what: str, model: Model = MODELS["full"]) -> tuple[str, ...]:
+    """Names of parameters and inputs in a row, each once."""
+    names = full_names(given, what, NAMES, model.aliases)
+    for name in names:
+        check_varied(name, what, model)
+        if names.count(name) > 1:
+            raise InputError(f"{what}: {name} is given twice; allowed: once")
+    return names
 
 
 def varied_alone(vary: object, allowed: str, model: Model = MODELS["full"]) -> tuple[str, Any]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import shown
+from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
 from ..variables import units
 from ..variables.table import MODELS, Model
@@ -232,6 +232,16 @@ def allowed_quantities(model: Model) -> tuple[str, ...]:
     """The quantities that may be prescribed, minimized or maximized; the reduced map has some of them."""
     own = tuple(name for name in model.quantities if name != "liftoff_angle")
     return own if model.map_class else QUANTITIES
+
+
+def checked_quantity(name: object, what: str, model: Model) -> str:
+    """The name of a quantity."""
+    known = allowed_quantities(model)
+    if not is_one_of(name, known):
+        raise InputError(
+            f"{what} {shown(name)} is not allowed{near_matches(name, known)}; allowed: {', '.join(known)}"
+        )
+    return str(name)
 
 
 def check_quantities(runner: Runner, names: Sequence[str]) -> None:

@@ -13,8 +13,10 @@ from ..checks import checked_whole
 from ..errors import InputError
 from ..given import row_of
 from ..library.gait import gaits_dataset
+from ..library.quantities import checked_quantity
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
+from ..record import in_dataset
 from ..terminal.progress import Bar, progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model
@@ -26,7 +28,6 @@ from .problem import (
     Goal,
     check_action,
     checked_objective,
-    checked_quantity,
     checked_radius,
     checked_space,
     checked_values,
@@ -131,6 +132,22 @@ def optimize(
 POINTS, MAX_POINTS = 7, 1000
 
 
+def _dataset(found: tuple[tuple[str, str], tuple[Optimum, ...]]) -> xarray.Dataset:
+    objectives, optima = found
+    numbers = {"optimum": np.arange(len(optima), dtype=float)}
+    gaits, names = [best.gait for best in optima], tuple(optima[0].parameters)
+    data = gaits_dataset("front", gaits, numbers, varied=names, objectives=", ".join(objectives))
+    texts = {
+        "active_bounds": [", ".join(map(": ".join, best.active_bounds.items())) for best in optima],
+        "limits": [", ".join(best.limits) for best in optima],
+        "why": [best.why for best in optima],
+    }
+    variables: dict[str, Any] = {name: ("optimum", np.array(of, dtype=object)) for name, of in texts.items()}
+    return data.assign(variables)
+
+
+@in_dataset(_dataset)
+@shares_steps
 def pareto_front(
     runner: RunnerLike,
     vary: Mapping[str, tuple[Given, Given]],
@@ -143,7 +160,7 @@ def pareto_front(
     starts: int = STARTS,
     model: str | Model | None = None,
     progress: bool = False,
-) -> xarray.Dataset:
+) -> tuple[tuple[str, str], tuple[Optimum, ...]]:
     """The best compromises between two quantities, from the best in one to the best in the other.
 
     Each is an optimum of the first quantity as `optimize` finds it, with a limit on the second; the limits
@@ -196,53 +213,7 @@ def pareto_front(
     >>> front["hip.stance_torque"].values.tolist()
     [0.15, 0.25]
     """
-    objectives, optima = best_compromises(
-        Runner(runner, model=model),
-        vary,
-        minimize=minimize,
-        maximize=maximize,
-        target=target,
-        stable=stable,
-        points=points,
-        starts=starts,
-        progress=progress,
-    )
-    names, gaits = list(optima[0].parameters), [best.gait for best in optima]
-    numbers = {"optimum": np.arange(len(optima), dtype=float)}
-    record = gaits[0].runner.record(*names)
-    data = gaits_dataset("front", record, gaits, numbers, objectives=", ".join(objectives))
-    texts = {
-        "active_bounds": [", ".join(map(": ".join, best.active_bounds.items())) for best in optima],
-        "limits": [", ".join(best.limits) for best in optima],
-        "why": [best.why for best in optima],
-    }
-    variables: dict[str, Any] = {name: ("optimum", np.array(of, dtype=object)) for name, of in texts.items()}
-    known = gaits[0].runner.model.variables
-    values: dict[str, Any] = {
-        name: (
-            "optimum",
-            [best.parameters[name] for best in optima],
-            known[name].attributes,
-        )
-        for name in names
-    }
-    return data.assign(variables).assign_coords(values)
-
-
-@shares_steps
-def best_compromises(
-    runner: Runner,
-    vary: Mapping[str, tuple[Given, Given]],
-    *,
-    minimize: Sequence[str] = (),
-    maximize: Sequence[str] = (),
-    target: Mapping[str, float] | None = None,
-    stable: bool | float = False,
-    points: int = POINTS,
-    starts: int = STARTS,
-    progress: bool = False,
-) -> tuple[tuple[str, str], tuple[Optimum, ...]]:
-    """The two quantities, and the optima from the best in the first to the best in the second."""
+    runner = Runner(runner, model=model)
     signs = _checked_objectives(minimize, maximize, runner.model)
     (first, second), space = tuple(signs), checked_space(vary, runner.model)
     prescribed = checked_values(target, (first, second), space, runner.model)

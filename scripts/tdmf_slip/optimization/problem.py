@@ -18,12 +18,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.targeted import MAXIMUM, MINIMUM, NO_ACTION, TRAVEL
-from ..checks import checked, is_one_of, near_matches, shown
+from ..analysis.targeted import NO_ACTION, checked_target
+from ..checks import checked, shown
 from ..errors import InputError, RunError
-from ..given import mapping_of, row_of
+from ..given import row_of
 from ..library.members import check_varied
-from ..library.quantities import allowed_quantities, quantity_given
+from ..library.quantities import allowed_quantities, checked_quantity
 from ..variables.table import Model, by_full_name
 from .gaits import Candidate, Space, Spectrum
 
@@ -32,16 +32,6 @@ FROM_ZERO = ("slip_distance",)
 MAX_PARAMETERS = 12
 LARGEST_RADIUS = 0.99
 """Largest spectral radius of a gait that is to be stable, where no other is given."""
-
-
-def checked_quantity(name: object, what: str, model: Model) -> str:
-    """The name of a quantity."""
-    known = allowed_quantities(model)
-    if not is_one_of(name, known):
-        raise InputError(
-            f"{what} {shown(name)} is not allowed{near_matches(name, known)}; allowed: {', '.join(known)}"
-        )
-    return str(name)
 
 
 def checked_objective(minimize: str | None, maximize: str | None, model: Model) -> tuple[str, float]:
@@ -79,28 +69,16 @@ def checked_values(
     target: object, objectives: tuple[str, ...], space: Space, model: Model
 ) -> dict[str, float]:
     """The quantities that are prescribed."""
-    given = mapping_of(target, "target", f"numbers by name: {', '.join(allowed_quantities(model))}")
-    for name in given:
-        checked_quantity(name, "target", model)
+    found = checked_target(target, model, FROM_ZERO)
+    for name in found:
         if name in objectives:
             raise InputError(f"target {name}: is what is minimized or maximized; allowed: another quantity")
-    if all(name in given for name in TRAVEL):
-        raise InputError("target: speed, frequency and length; allowed: two of them, for they set the third")
-    if len(given) > len(space.bounds):
+    if len(found) > len(space.bounds):
         raise InputError(
-            f"target: {', '.join(given)} by {', '.join(space.bounds)}; allowed: no more quantities than "
+            f"target: {', '.join(found)} by {', '.join(space.bounds)}; allowed: no more quantities than "
             "parameters"
         )
-    maximum = {"duty_factor": 1.0}
-    return {
-        name: checked(
-            name,
-            quantity_given(name, value, "target", model),
-            0.0 if name in FROM_ZERO else MINIMUM,
-            maximum.get(name, MAXIMUM),
-        )
-        for name, value in given.items()
-    }
+    return found
 
 
 def checked_radius(stable: object) -> float | None:

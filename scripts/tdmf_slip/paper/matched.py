@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..analysis.comparison import match_runners
+from ..analysis.comparison import compare
 from ..analysis.first_passage import FirstPassage, strides_to_fall
 from ..blocks import in_order, run_blocks
 from ..errors import RunError
@@ -65,7 +65,7 @@ VARY = ("hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor")
 
 def like(reference: Gait, gait: Gait, hold: Sequence[str] = HOLD, vary: Sequence[str] = VARY) -> Gait | None:
     """A runner made equal to another in what could do what a figure shows."""
-    found = match_runners([reference, gait], hold, vary)
+    found = compare.plain([reference, gait], hold=hold, vary=vary)
     return None if found.not_held else found.after[1]
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 
-from ...analysis.comparison import match_runners
+from ...analysis.comparison import compare
 from ...library.runner import Runner
 from ...pictures import style
 from ...variables.table import FRICTION
@@ -52,7 +52,9 @@ def measure(runner: Runner) -> Columns:
 
 def _matched(runner: Runner) -> list[Runner]:
     """Matched runners at all frictions at which they have a stable gait."""
-    found = match_runners([runner.replace({FRICTION: mu}) for mu in (REFERENCE, *FRICTIONS)], HOLD, VARY)
+    found = compare.plain(
+        [runner.replace({FRICTION: mu}) for mu in (REFERENCE, *FRICTIONS)], hold=HOLD, vary=VARY
+    )
     missed = {of.runner for of in found.not_held}
     return [
         gait.runner
