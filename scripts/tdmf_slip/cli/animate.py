@@ -21,7 +21,6 @@ FRAMES = 12, 2000
     "--output",
     type=NewPicture("animation"),
     default=Path("stride.gif"),
-    show_default=True,
     metavar="FILE",
     help="File to write: .gif, .html, or .mp4 if ffmpeg is installed.",
 )
@@ -34,7 +33,6 @@ FRAMES = 12, 2000
     "--frames",
     type=Number(*FRAMES, whole=True),
     default=120,
-    show_default=True,
     metavar="N",
     help="Frames per stride, shown at 20 per second; the stance is in slow motion.",
 )

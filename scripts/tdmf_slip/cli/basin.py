@@ -38,7 +38,6 @@ if TYPE_CHECKING:
     "count",
     type=click.IntRange(2, MAX_ALONG),
     default=128,
-    show_default=True,
     help="Starts along each axis.",
 )
 @click.option(
@@ -52,14 +51,12 @@ if TYPE_CHECKING:
     "--samples",
     type=click.IntRange(0, 100_000_000),
     default=20000,
-    show_default=True,
     help="Random starts in all six coordinates, from which the volume is estimated; 0 for none.",
 )
 @click.option(
     "--ball",
     type=click.Choice((*CHOICES, "proved")),
     default="tested",
-    show_default=True,
     help="Ball around the gait in which a start counts as settled. tested: its surface is tested by "
     "simulation, if that saves time; proved: small and slow to compute; none: every start is "
     "simulated until it is on the gait.",
@@ -68,7 +65,6 @@ if TYPE_CHECKING:
     "--refine",
     type=click.Choice(REFINEMENTS),
     default="exact",
-    show_default=True,
     help="exact simulates every start. preview simulates those near a border and fills in the rest: "
     "faster, but it can miss islands of fewer than 16 starts.",
 )

@@ -29,7 +29,6 @@ def _find_benchmarks() -> None:
     "--effort",
     type=float,
     default=1.0,
-    show_default=True,
     help="Factor on the time spent measuring.",
 )
 @click.option(

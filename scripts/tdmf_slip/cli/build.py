@@ -19,7 +19,7 @@ from .options import JSON_OPTION, Command, json_text
     type=click.Choice(list(TARGETS)),
     help="Another platform, for which Zig compiles; by default this machine's.",
 )
-@click.option("--unit/--no-unit", default=True, show_default=True, help="Make FMI units, too.")
+@click.option("--unit/--no-unit", default=True, help="Make FMI units, too.")
 @click.option(
     "--output",
     type=click.Path(path_type=Path),

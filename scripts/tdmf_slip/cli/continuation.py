@@ -39,14 +39,12 @@ from .runner import Asked, runner_options
     "--step",
     type=Number(SHORTEST_STEP, LARGEST_STEP),
     default=0.2,
-    show_default=True,
     help="Longest step along the branch, relative to the scales of the apex and of the parameter.",
 )
 @click.option(
     "--points",
     type=Number(1, MAX_POINTS, whole=True),
     default=1000,
-    show_default=True,
     help="Maximum number of gaits in each direction.",
 )
 @click.option(
@@ -56,7 +54,6 @@ from .runner import Asked, runner_options
 @click.option(
     "--quantity",
     default="com_speed",
-    show_default=True,
     metavar="NAME",
     help="Quantity to draw: a coordinate of the apex, a quantity of the stride, or lambda_max.",
 )

@@ -20,7 +20,6 @@ RESOLUTIONS = 20.0, 2400.0
     "folder",
     type=click.Path(path_type=Path),
     default=Path("figures"),
-    show_default=True,
     metavar="FOLDER",
     help="Folder to write to.",
 )
@@ -28,6 +27,7 @@ RESOLUTIONS = 20.0, 2400.0
     "--only",
     metavar="NAMES",
     default="",
+    show_default=False,
     help="Draw only the figures whose names begin with one of these, as in figure_9,energy.",
 )
 @click.option(
@@ -40,7 +40,6 @@ RESOLUTIONS = 20.0, 2400.0
     "formats",
     metavar="NAMES",
     default="png,svg",
-    show_default=True,
     help="Formats of the files, separated by commas: png, svg, pdf.",
 )
 @click.option(
@@ -60,7 +59,6 @@ RESOLUTIONS = 20.0, 2400.0
     "style_name",
     type=click.Choice(["house", "print", "slides"]),
     default="house",
-    show_default=True,
     help="Fonts and line widths: house for a screen, print for a journal, slides for a projector.",
 )
 def figures_command(

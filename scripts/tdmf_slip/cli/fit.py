@@ -50,7 +50,6 @@ from .runner import Asked, runner_options
     "--starts",
     type=Number(1, MAX_STARTS, whole=True),
     default=STARTS,
-    show_default=True,
     help="Maximum number of starts, spread over the ranges of the parameters.",
 )
 @click.option(

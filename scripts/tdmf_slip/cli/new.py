@@ -15,7 +15,6 @@ from .options import Command
     "start",
     type=click.Choice(STARTS),
     default="runner",
-    show_default=True,
     help="runner: override one law of the runner. scratch: a bouncing ball.",
 )
 def new_command(folder: Path, start: str) -> None:

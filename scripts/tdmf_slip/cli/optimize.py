@@ -50,14 +50,12 @@ from .runner import Asked, runner_options
     "--starts",
     type=Number(1, MAX_STARTS, whole=True),
     default=STARTS,
-    show_default=True,
     help="Maximum number of searches, from gaits spread over the bounds.",
 )
 @click.option(
     "--points",
     type=Number(2, MAX_POINTS, whole=True),
     default=POINTS,
-    show_default=True,
     help="Number of runners on a Pareto front.",
 )
 @JSON_OPTION

@@ -33,9 +33,7 @@ SHOWN = ("period", "length", "speed", "cost_of_transport", "slip_distance", "lif
     help="Radius of the box of apices in which exactly one gait is proved, in units of the coordinates' "
     "scales, as in 1e-10.  [default: the largest of several that can be proved]",
 )
-@click.option(
-    "--digits", type=int, default=20, show_default=True, metavar="N", help="Digits of the enclosures."
-)
+@click.option("--digits", type=int, default=20, metavar="N", help="Digits of the enclosures.")
 @click.option(
     "--border",
     metavar="A:B",

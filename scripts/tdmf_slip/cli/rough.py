@@ -40,7 +40,6 @@ from .workers import executor_of, workers_options
     "--runners",
     type=Number(1, MAX_RUNNERS, whole=True),
     default=1000,
-    show_default=True,
     metavar="N",
     help="Number of runners, each on its own random ground.",
 )
@@ -48,7 +47,6 @@ from .workers import executor_of, workers_options
     "--seed",
     type=Number(0, LAST_SEED, whole=True),
     default=0,
-    show_default=True,
     metavar="K",
     help="Seed of the random ground.",
 )
@@ -56,7 +54,6 @@ from .workers import executor_of, workers_options
     "--max-strides",
     type=Number(1, MAX_STRIDES, whole=True),
     default=10_000,
-    show_default=True,
     metavar="M",
     help="Number of strides after which a runner is censored.",
 )

@@ -36,7 +36,6 @@ MODEL_OPTION = click.option(
     "--model",
     type=click.Choice(list(MODELS)),
     default="full",
-    show_default=True,
     help="full: all six coordinates of an apex. reduced: the leg follows its reference without delay in "
     "flight, so height and speed describe an apex.",
 )

@@ -32,7 +32,6 @@ SOLVER_TOLERANCE = "solver.relative_tolerance"
     "--interface",
     type=click.Choice(list(INTERFACES)),
     default="me",
-    show_default=True,
     help="FMI interface: Model Exchange or Co-Simulation.",
 )
 @click.option("--stop-time", type=Number(*TIMES), metavar="SECONDS", help="Time at which to stop.")

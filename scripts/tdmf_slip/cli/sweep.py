@@ -28,7 +28,6 @@ SPACING_OPTION = click.option(
     "--spacing",
     type=click.Choice(list(SPACINGS)),
     default="linear",
-    show_default=True,
     help="Spacing of the values in a range.",
 )
 

@@ -19,7 +19,6 @@ from .options import JSON_OPTION, Command, Number, json_text, program
     "--tolerance",
     type=Number(*TOLERANCES),
     default=DEFAULT_TOLERANCE,
-    show_default=True,
     help="Relative tolerance of CVODE.",
 )
 @click.option(
@@ -41,7 +40,6 @@ from .options import JSON_OPTION, Command, Number, json_text, program
     "--seed",
     type=Number(0, LAST_SEED, whole=True),
     default=1,
-    show_default=True,
     metavar="K",
     help="Seed of the random numbers of --long.",
 )

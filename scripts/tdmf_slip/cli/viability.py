@@ -50,7 +50,6 @@ if TYPE_CHECKING:
     "count",
     type=Number(2, MAX_CELLS, whole=True),
     default=64,
-    show_default=True,
     metavar="N",
     help="Cells along each axis.",
 )
@@ -58,7 +57,6 @@ if TYPE_CHECKING:
     "--factor",
     type=Number(1.0, LARGEST_FACTOR),
     default=FACTOR,
-    show_default=True,
     metavar="F",
     help="Safety factor: derivatives within a cell are assumed to be at most this many times the largest "
     "at its corners.",
@@ -67,7 +65,6 @@ if TYPE_CHECKING:
     "--model",
     type=click.Choice(list(MODELS)),
     default="reduced",
-    show_default=True,
     help="reduced: height and speed describe an apex. full: each stride starts with the leg at rest where "
     "the last placement left it.",
 )
