@@ -22,6 +22,8 @@ Found = TypeVar("Found")
 Found_co = TypeVar("Found_co", covariant=True)
 RUNNERS = ("runner", "start_values")
 """Entries that hold a runner's values, by the unit's names."""
+SPECTRA = ("eigenvalues", "uncontrollable")
+"""Attributes of results that are complex numbers, even if none of them has an imaginary part."""
 NAMES = ("version", "model", *RUNNERS)
 """Entries of a record."""
 
@@ -35,6 +37,21 @@ def record_of(runner: Any, *varied: str) -> dict[str, Any]:
     """Record of a runner: `version`, `model` and `runner`, without the values that vary in the result."""
     kept = {name: value for name, value in runner.items() if name not in varied}
     return {**origin_of(runner), "runner": kept}
+
+
+def entries(result: Any, *names: str) -> dict[str, Any]:
+    """Attributes of a result for JSON: arrays as lists, `eigenvalues` and other spectra as [re, im]."""
+    return {name: _plain(getattr(result, name), name in SPECTRA) for name in names}
+
+
+def _plain(value: Any, is_complex: bool) -> Any:
+    if is_complex:
+        return [[float(number.real), float(number.imag)] for number in value]
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    if isinstance(value, Mapping):
+        return dict(value)
+    return list(value) if isinstance(value, tuple) else value
 
 
 def without_record(plain: Mapping[str, Any]) -> dict[str, Any]:

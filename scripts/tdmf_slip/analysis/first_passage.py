@@ -23,6 +23,7 @@ from ..library.ground import RoughGround
 from ..library.laws import Law, numbers_up_to
 from ..library.runner import Runner
 from ..library.settings import checked_values
+from ..record import entries
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from .attraction import CONFIDENCE, NORMAL_QUANTILE
@@ -115,19 +116,12 @@ class FirstPassage:
 
     def as_json(self) -> dict[str, object]:
         """The estimate as a plain object."""
+        counts = ("falls", "censored", "stopped", "unsolved")
         return {
             **self.runner.record(),
-            "word": self.word,
-            "roughness": self.roughness,
-            "runners": self.runners,
-            "strides": self.strides,
-            "mean_strides": self.mean_strides,
-            "interval": list(self.interval),
+            **entries(self, "word", "roughness", "runners", "strides", "mean_strides", "interval"),
             "confidence": CONFIDENCE,
-            "falls": self.falls,
-            "censored": self.censored,
-            "stopped": self.stopped,
-            "unsolved": self.unsolved,
+            **entries(self, *counts),
         }
 
 

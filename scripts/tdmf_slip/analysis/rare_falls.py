@@ -36,6 +36,7 @@ from ..library.gait import Gait, check_is_gait
 from ..library.ground import LAST_SEED, RoughGround
 from ..library.laws import Law, check_law
 from ..library.runner import Runner
+from ..record import entries
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike, refuse_own
 from .ball import TOLERANCE
@@ -359,13 +360,9 @@ class RareFalls:
         """The estimate as a plain object."""
         return {
             **self.runner.record(),
-            "word": self.word,
-            "roughness": self.roughness,
-            "mean_strides": self.mean_strides,
-            "interval": list(self.interval),
+            **entries(self, "word", "roughness", "mean_strides", "interval"),
             "confidence": CONFIDENCE,
-            "falls": self.falls,
-            "strides": self.strides,
+            **entries(self, "falls", "strides"),
             "runs": len(self.found.rates),
         }
 

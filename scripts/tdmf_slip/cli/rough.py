@@ -17,13 +17,9 @@ from ..library.ground import (
     read_heights,
 )
 from ..library.runner import Runner
+from ..record import without_record
 from ..terminal.text import columns, quantity
-from .options import (
-    JSON_OPTION,
-    Command,
-    Number,
-    json_text,
-)
+from .options import JSON_OPTION, Command, Number, json_text
 from .runner import Asked, runner_options
 from .workers import executor_of, workers_options
 
@@ -131,13 +127,15 @@ def rough_command(
         segment_length=segment_length,
         heights=() if heights is None else read_heights(heights),
     )
+    found: FirstPassage | RareFalls
     if rare:
         _check_alone("runners", "max_strides", "workers", "scheduler")
-        split = rare_falls(runner, ground, seed=seed, progress=True)
-        print(json_text(split.as_json()) if as_json_object else _rare_text(split, runner))
-        return
-    with executor_of(workers, scheduler) as executor:
-        found = strides_to_fall(runner, ground, runners, seed, max_strides, executor=executor, progress=True)
+        found = rare_falls(runner, ground, seed=seed, progress=True)
+    else:
+        with executor_of(workers, scheduler) as executor:
+            found = strides_to_fall(
+                runner, ground, runners, seed, max_strides, executor=executor, progress=True
+            )
     print(json_text(found.as_json()) if as_json_object else _text(found, runner))
 
 
@@ -149,31 +147,10 @@ def _check_alone(*names: str) -> None:
             raise InputError(f"--{name.replace('_', '-')} with --rare; allowed: one of the two")
 
 
-def _rare_text(found: RareFalls, runner: Runner) -> str:
-    low, high = found.interval
+def _text(found: FirstPassage | RareFalls, runner: Runner) -> str:
+    (low, high), plain = found.interval, without_record(found.as_json())
     ends = f"{low:.6g} to {high:.6g}" if math.isfinite(high) else f"above {low:.6g}"
-    rows = {
-        "word": found.word,
-        "roughness": quantity(found.roughness, runner.label("m"), 12),
-        "mean_strides": f"{found.mean_strides:.6g} ({100 * CONFIDENCE:.0f} % confidence: {ends})",
-        "falls": f"{found.falls}, of walkers with weights",
-        "strides": str(found.strides),
-    }
-    return columns(rows)
-
-
-def _text(found: FirstPassage, runner: Runner) -> str:
-    low, high = found.interval
-    ends = f"{low:.6g} to {high:.6g}" if math.isfinite(high) else f"above {low:.6g}"
-    rows = {
-        "word": found.word,
-        "roughness": quantity(found.roughness, runner.label("m"), 12),
-        "runners": str(found.runners),
-        "strides": str(found.strides),
-        "mean_strides": f"{found.mean_strides:.6g} ({100 * CONFIDENCE:.0f} % confidence: {ends})",
-        "falls": str(found.falls),
-        "censored": str(found.censored),
-        "stopped": str(found.stopped),
-        "unsolved": str(found.unsolved),
-    }
+    rows = {name: str(value) for name, value in plain.items() if name not in ("interval", "confidence")}
+    rows["roughness"] = quantity(found.roughness, runner.label("m"), 12)
+    rows["mean_strides"] = f"{found.mean_strides:.6g} ({100 * CONFIDENCE:.0f} % confidence: {ends})"
     return columns(rows)

@@ -31,6 +31,7 @@ from ..library.gait import Gait, check_is_gait
 from ..library.return_map import stride_from
 from ..library.runner import Runner
 from ..library.settings import SETTINGS
+from ..record import entries
 from ..variables.table import Model, full_names
 
 CHOSEN = tuple(name for name in SETTINGS if not name.startswith("ground."))
@@ -255,17 +256,10 @@ class Controllability:
 
     def as_json(self) -> dict[str, object]:
         """The numbers as a plain object, eigenvalues as [re, im]."""
-        return {
-            **self.runner.record(),
-            "inputs": list(self.inputs),
-            "eigenvalues": _pairs(self.eigenvalues),
-            "negligible": self.negligible,
-            "rank": self.rank,
-            "singular_values": self.singular_values.tolist(),
-            "modal_controllability": self.modal_controllability.tolist(),
-            "uncontrollable": _pairs(self.uncontrollable),
-            "strides": self.strides,
-        }
+        spectrum = ("inputs", "eigenvalues", "negligible", "rank", "singular_values")
+        return self.runner.record() | entries(
+            self, *spectrum, "modal_controllability", "uncontrollable", "strides"
+        )
 
 
 def controllability(gait: Gait, inputs: Sequence[str], *, negligible: float = NEGLIGIBLE) -> Controllability:
@@ -349,7 +343,3 @@ def _left_eigenvectors(matrix: NDArray[np.float64]) -> tuple[NDArray[Any], NDArr
     order = np.argsort(-np.abs(values), kind="stable")
     values, left = values[order], left[:, order]
     return (values if np.any(values.imag) else values.real), left
-
-
-def _pairs(values: NDArray[Any]) -> list[list[float]]:
-    return [[float(value.real), float(value.imag)] for value in values.astype(complex)]

@@ -21,6 +21,7 @@ from ..errors import InputError
 from ..given import numbers_of, row_of
 from ..library.gait import Gait
 from ..library.laws import AffineLaw
+from ..record import entries
 from ..variables.table import FRICTION, MODELS, by_full_name
 from .controllability import (
     NEGLIGIBLE,
@@ -116,13 +117,7 @@ class Feedback(AffineLaw):
     def as_json(self) -> dict[str, object]:
         """The law as a plain object, by names as of an `AffineLaw`, with its eigenvalues as [re, im]."""
         names = [item.name for item in fields(AffineLaw) if item.name != "model"]
-        law: dict[str, object] = {name: getattr(self, name) for name in names}
-        eigenvalues = self.eigenvalues.astype(complex)
-        return {
-            **self.linearization.gait.runner.record(),
-            **law,
-            "eigenvalues": [[float(value.real), float(value.imag)] for value in eigenvalues],
-        }
+        return self.linearization.gait.runner.record() | entries(self, *names, "eigenvalues")
 
     @property
     def K(self) -> NDArray[np.float64]:  # noqa: N802

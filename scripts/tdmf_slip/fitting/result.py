@@ -21,7 +21,7 @@ from ..library.gait import Gait
 from ..library.quantities import unit_of
 from ..library.runner import Runner
 from ..library.strides import strides_from
-from ..record import origin_of
+from ..record import entries, origin_of
 from ..terminal.text import quantity, table
 from ..variables.table import VARIABLES
 from .measurements import Measurements
@@ -299,14 +299,8 @@ class Fit:
                 {"parameter": of.name, "value": of.measured, "error": of.error, "fitted": of.fitted}
                 for of in self.priors
             ],
-            "chi_square": self.chi_square,
-            "degrees_of_freedom": self.degrees_of_freedom,
-            "probability": self.probability,
-            "words": list(self.words),
-            "converged": self.converged,
-            "steps": self.steps,
-            "starts": self.starts,
-            "notes": list(self.notes),
+            **entries(self, "chi_square", "degrees_of_freedom", "probability", "words", "converged"),
+            **entries(self, "steps", "starts", "notes"),
             "runners": [dict(runner) for runner in self.runners],
         }
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import check_kind, near_matches
-from ..record import dataset, origin_of
+from ..record import dataset, entries, origin_of
 from ..variables.table import FRICTION, MODELS, VARIABLES
 from .binding import c
 from .members import Along
@@ -301,11 +301,7 @@ class Gait:
             **({"friction": self.friction} if FRICTION in self.runner else {}),
             "word": self.word,
             **{name: self.stride[name] for name in (*REPORTED, *PARTS) if name in self.stride},
-            "liftoff_angle": self.liftoff_angle,
-            "apex": [float(value) for value in self.apex],
-            "eigenvalues": [[float(v.real), float(v.imag)] for v in self.eigenvalues.astype(complex)],
-            "stable": self.stable,
-            "start_values": self.start_values,
+            **entries(self, "liftoff_angle", "apex", "eigenvalues", "stable", "start_values"),
             **({"strides": self.strides, "apexes": self.apexes} if self.following else {}),
         }
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from ..library.gait import Gait
 from ..library.quantities import known_quantities, quantities_of
-from ..record import origin_of
+from ..record import entries, origin_of
 
 FOLD, STABILITY = "fold", "stability"
 """Limits of an optimum other than bounds."""
@@ -107,16 +107,10 @@ class Optimum:
             "parameters": dict(self.parameters),
             "before": reported(self.before),
             "after": reported(self.gait),
-            "word": self.word,
-            "stable": self.stable,
-            "active_bounds": dict(self.active_bounds),
-            "limits": list(self.limits),
-            "remaining_improvement": dict(self.remaining_improvement),
+            **entries(self, "word", "stable", "active_bounds", "limits", "remaining_improvement"),
             "problem": self.why or None,
             "local": self.is_local,
-            "starts": self.starts,
-            "basins": self.basins,
+            **entries(self, "starts", "basins"),
             "word_before": self.before.word,
-            "apex": [float(value) for value in self.gait.apex],
-            "start_values": self.gait.start_values,
+            **entries(self.gait, "apex", "start_values"),
         }

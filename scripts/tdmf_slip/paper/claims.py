@@ -4,6 +4,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
+from ..record import entries
+
 PAPER = "Or and Moravia 2016"
 WORDS: Mapping[float, str] = {10.0: "0+", 1.2: "+0+", 0.6: "+0-0+", 0.43: "+0-", 0.2: "+-"}
 """Friction and gait word of the periodic solutions in the paper's figures 5 to 8."""
@@ -75,10 +77,7 @@ class Claim:
     def as_json(self) -> dict[str, object]:
         """The statement as a plain object."""
         return {
-            "source": self.source,
-            "where": self.where,
-            "what": self.what,
-            "published": self.published,
+            **entries(self, "source", "where", "what", "published"),
             "computed": {
                 reading: {"text": finding.text, "agrees": bool(finding.agrees)}
                 for reading, finding in self.computed.items()
