@@ -116,8 +116,7 @@ def basin(
         around the gait, or the names alone. By default height and speed.
     n : int or pair of int, default 128
         Starts along each of the axes, both ends included.
-    model : str, optional
-        `full` or `reduced`, as in `find_gait`.
+    model : as in `find_gait`
     law : callable or AffineLaw, optional
         What is set at each apex, see `Batch`. The gait is then the one that the law keeps as it is, of an
         `AffineLaw` near its apex; the law has to make it stable.
@@ -132,11 +131,7 @@ def basin(
         starts a preview takes 7 to 200 times fewer strides; an island smaller than a square can be missed.
     path : Path or str, optional
         Of a NetCDF file; a preview is written there when it is whole.
-    executor : concurrent.futures.Executor, optional
-        Runs blocks of the work, such as a `ProcessPoolExecutor()` or `client.get_executor()` of Dask; by
-        default threads of this process. The result does not depend on the executor.
-    progress : bool, default False
-        A bar on stderr.
+    executor, progress : as in `sweep`
 
     Returns
     -------

@@ -140,8 +140,7 @@ def continue_branch(
         Whose gaits: a runner, or start values by the unit's names, over the unit's own.
     vary : mapping of str to pair of float
         The parameter or input that is varied, and both ends of its range, in its unit.
-    model : str, optional
-        `full` or `reduced`, as in `find_gait`.
+    model : as in `find_gait`
     max_step : float, default 0.2
         Longest step along the branch, over the coordinates' scales and the parameter's.
     max_points : int, default 1000

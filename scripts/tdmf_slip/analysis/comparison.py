@@ -113,10 +113,7 @@ def compare(
     vary : sequence of str
         Parameters and inputs that may change for it: as many as are held, or more. Of more, each step is the
         shortest one, over their values.
-    model : str, optional
-        `full` or `reduced`, as in `find_gait`.
-    progress : bool, default False
-        A bar on stderr.
+    model, progress : as in `find_gait`
 
     Returns
     -------

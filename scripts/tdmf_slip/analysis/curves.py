@@ -275,8 +275,7 @@ def continue_curves(
         Whose gaits.
     vary : mapping of str to pair of float
         By name of two parameters or inputs: the ends of their ranges.
-    model : str, optional
-        `full` or `reduced`, as in `find_gait`.
+    model : as in `find_gait`
     max_points : int, default 200
         Largest number of points of a curve, in each direction.
     progress : bool, default False

@@ -181,11 +181,7 @@ def strides_to_fall(
         Where the feet are at the start, m, by default at 0. Those that are "random" are drawn evenly from the
         last stride's length of the gait before the patch, by the ground's seed: so the patch begins at any
         phase of a stride.
-    executor : concurrent.futures.Executor, optional
-        Runs blocks of the work, such as a `ProcessPoolExecutor()` or `client.get_executor()` of Dask; by
-        default threads of this process. The result does not depend on the executor.
-    progress : bool, default False
-        A bar on stderr.
+    executor, progress : as in `sweep`
 
     Returns
     -------

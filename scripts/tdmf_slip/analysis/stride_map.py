@@ -75,8 +75,7 @@ def stride_map(
         runners by the reduced map the first two.
     strides : int, default 1
         How many each runner makes.
-    model : str, optional
-        `full` or `reduced`, as in `find_gait`.
+    model : as in `find_gait`
     inputs : mapping of str to array_like of float, optional
         By name, one of `library.settings.SETTINGS`: tunable settings of the control law, as
         `hip.touchdown_angle`, and inputs, as `ground.friction`. A number, or of each stride, shape
@@ -102,11 +101,7 @@ def stride_map(
         Relative tolerance of a step.
     instructions : str, optional
         One of `library.engine.instruction_sets()`; by default the fastest. Results differ by rounding.
-    executor : concurrent.futures.Executor, optional
-        Runs blocks of the work, such as a `ProcessPoolExecutor()` or `client.get_executor()` of Dask; by
-        default threads of this process. The result does not depend on the executor.
-    progress : bool, default False
-        A bar on stderr.
+    executor, progress : as in `sweep`
 
     Returns
     -------

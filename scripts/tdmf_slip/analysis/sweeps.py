@@ -154,8 +154,7 @@ def sweep(
         Parameters and start, or start values by name; the values of what is varied do not matter.
     vary : mapping of str to sequence of float
         Parameters or inputs that are varied, and their values in order; friction has to be above 0.
-    model : str, optional
-        `full` or `reduced`, as in `find_gait`.
+    model : as in `find_gait`
     path : Path or str, optional
         NetCDF file for the gaits, with the borders in its group `borders`. Rows that are done are kept in a
         folder beside it, so that a job that stopped is resumed by the same call.

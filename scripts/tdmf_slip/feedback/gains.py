@@ -257,17 +257,11 @@ def place_poles(
 
     Parameters
     ----------
-    gait : Gait
-        The gait.
-    inputs : sequence of str
-        Which settings are chosen at each apex, of `controllability.CHOSEN`.
+    gait, inputs : as in `dead_beat`
     eigenvalues : sequence of complex
         One for each mode that lasts, complex ones in conjugate pairs; none more often than settings are
         independent.
-    limits : mapping of str to (float, float), optional
-        By setting: the least and the largest value, in its unit; by default its range.
-    negligible : float, default 1e-5
-        Modes whose eigenvalue is smaller are left alone.
+    limits, negligible : as in `dead_beat`
 
     Returns
     -------
@@ -317,17 +311,13 @@ def lqr(
 
     Parameters
     ----------
-    gait : Gait
-        The gait.
-    inputs : sequence of str
-        Which settings are chosen at each apex, of `controllability.CHOSEN`.
+    gait, inputs : as in `dead_beat`
     state_weight : array_like of float, default 1
         Q: a number for all coordinates of the section, one for each, or a matrix of shape (n, n);
         symmetric, and without negative eigenvalues.
     input_weight : array_like of float, default 1
         R: likewise for the k settings; with positive eigenvalues only.
-    limits : mapping of str to (float, float), optional
-        By setting: the least and the largest value, in its unit; by default its range.
+    limits : as in `dead_beat`
 
     Returns
     -------

@@ -116,8 +116,7 @@ def fit(
     guess : sequence of float, optional
         An apex near that of the gait that all rows begin with; see `find_gait`. By default the gait that
         the runner settles on, else that near its start values.
-    model : str, optional
-        `full` or `reduced`, as in `find_gait`.
+    model : as in `find_gait`
     robust : bool, default False
         Huber's loss instead of squares: residuals beyond 1.345 errors count by their size alone, so that a
         datum that is far off changes little.

@@ -91,11 +91,7 @@ def simulate_many(
         As in `simulate`.
     interface : str, default 'cs'
         `me` or `cs`.
-    executor : concurrent.futures.Executor, optional
-        Runs blocks of the work, such as a `ProcessPoolExecutor()` or `client.get_executor()` of Dask; by
-        default threads of this process. The result does not depend on the executor.
-    progress : bool, default False
-        A bar on stderr.
+    executor, progress : as in `sweep`
     fmu : Fmu, optional
         Checks the runners before anything is run.
 

@@ -9,16 +9,18 @@ below it. So a foot that stands keeps its ground, and one that hangs below a ste
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterable, Mapping
 from itertools import islice
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, ParamSpec
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import check_kind, checked, checked_flag, checked_whole, reading
 from ..errors import InputError, RunError
+from ..record import Search, in_dataset
 from ..terminal.progress import progress_bar
 from ..variables import paper_units
 from ..variables.parameters import RunnerLike, start_values_of
@@ -85,6 +87,7 @@ def _line_below(profile: Profile, position: float) -> dict[str, float]:
 if TYPE_CHECKING:
     import xarray
 
+Arguments = ParamSpec("Arguments")
 DEFAULT_STRIDES = 10
 DEFAULT_TOLERANCE = 1e-9
 TOLERANCES = 1e-14, 0.1
@@ -111,6 +114,29 @@ ONLY_IN: Mapping[str, str] = {
 """Settings that have a meaning in one interface only, and in which."""
 
 
+def _own_by_engine(simulate: Search[Arguments, Run]) -> Search[Arguments, Run]:
+    """Have runners of models of one's own run by the engine, which knows their pages."""
+
+    @functools.wraps(simulate)
+    def found(*given: Arguments.args, **named: Arguments.kwargs) -> xarray.Dataset:
+        runner: Any = given[0] if given else named.get("runner")
+        own = model_of(runner, None).runner_class
+        if own is None:
+            return simulate(*given, **named)
+        starts = getattr(runner, "start_values", None)  # of a gait
+        made = own(runner).replace(starts if isinstance(starts, Mapping) else {})
+        asked: dict[str, Any] = {"stop_time": 10.0} | {n: v for n, v in named.items() if v is not None}
+        stop = checked("stop_time", asked["stop_time"], *TIMES, "s")
+        step = checked("output_interval", asked.get("output_interval") or stop / ROWS_OF_OWN, *INTERVALS, "s")
+        along: xarray.Dataset = made.trajectory(np.arange(0.0, stop * (1.0 + 1e-12), step))
+        return along
+
+    made: Any = found
+    return made  # type: ignore[no-any-return] # with the attributes of `simulate`
+
+
+@_own_by_engine
+@in_dataset(dataset_of)
 def simulate(
     runner: RunnerLike = None,
     *,
@@ -125,7 +151,7 @@ def simulate(
     interface: str | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
-) -> xarray.Dataset:
+) -> Run:
     """Run the unit once through FMPy; a fall ends the run and is a result, not an error.
 
     A runner of a model of one's own, as `load_model` gives, is run by the engine: the result is a Dataset of
@@ -190,48 +216,6 @@ def simulate(
     >>> print(run.attrs["stride.count"], run.fallen)
     2 0
     """
-    own = model_of(runner, None).runner_class
-    if own is not None:
-        starts = getattr(runner, "start_values", None)  # of a gait
-        made = own(runner).replace(starts if isinstance(starts, Mapping) else {})
-        stop = checked("stop_time", 10.0 if stop_time is None else stop_time, *TIMES, "s")
-        step = checked("output_interval", output_interval or stop / ROWS_OF_OWN, *INTERVALS, "s")
-        along: xarray.Dataset = made.trajectory(np.arange(0.0, stop * (1.0 + 1e-12), step))
-        return along
-    return dataset_of(
-        run_unit(
-            runner,
-            stop_time=stop_time,
-            strides=strides,
-            tolerance=tolerance,
-            output_interval=output_interval,
-            inputs=inputs,
-            profile=profile,
-            variables=variables,
-            record_events=record_events,
-            interface=interface,
-            progress=progress,
-            fmu=fmu,
-        )
-    )
-
-
-def run_unit(
-    runner: RunnerLike = None,
-    *,
-    stop_time: float | None = None,
-    strides: int | None = None,
-    tolerance: float = DEFAULT_TOLERANCE,
-    output_interval: float | None = None,
-    inputs: InputTables | None = None,
-    profile: Profile | None = None,
-    variables: Iterable[str] | None = None,
-    record_events: bool = True,
-    interface: str | None = None,
-    progress: bool = False,
-    fmu: Fmu | None = None,
-) -> Run:
-    """Run the unit once, see `simulate`."""
     fmu = load_fmu(fmu)
     interface = interface_over(profile, interface, inputs, fmu)
     starts = fmu.variables.start_values(start_values_of(runner), "start values")
@@ -266,6 +250,10 @@ def run_unit(
             "and the runner did not fall; give a stop time to see what it does"
         )
     return run
+
+
+run_unit = simulate.plain
+"""Runs the unit once as `simulate` does, and returns the run itself."""
 
 
 def time_unit(fmu: Fmu, starts: Mapping[str, Value]) -> float:

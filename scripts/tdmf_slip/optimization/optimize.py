@@ -87,10 +87,7 @@ def optimize(
     starts : int, default 6
         How many searches are made at the most; the best counts. With one, only the runner's own gait is begun
         with.
-    model : str, optional
-        `full` or `reduced`, as in `find_gait`.
-    progress : bool, default False
-        A bar on stderr.
+    model, progress : as in `find_gait`
 
     Returns
     -------
@@ -168,24 +165,15 @@ def pareto_front(
 
     Parameters
     ----------
-    runner : Runner, Gait, mapping of str to float, Series, str or Path
-        As in `optimize`.
-    vary : mapping of str to pairs of float
-        As in `optimize`.
+    runner, vary : as in `optimize`
     minimize, maximize : sequence of str
         Two quantities in all; those to be minimized come first.
-    target : mapping of str to float, optional
-        As in `optimize`.
-    stable : bool or float, default False
-        As in `optimize`.
+    target, stable : as in `optimize`
     points : int, default 7
         How many runners, both ends among them.
     starts : int, default 6
         How many searches are made at the most for the ends; the others begin at their neighbours.
-    model : str, optional
-        As in `optimize`.
-    progress : bool, default False
-        A bar on stderr.
+    model, progress : as in `optimize`
 
     Returns
     -------
@@ -197,11 +185,9 @@ def pareto_front(
     Raises
     ------
     InputError
-        Not two quantities, and as in `optimize`.
-    TargetNotMetError
-        As in `optimize`.
-    RunError
-        As in `optimize`.
+        Not two quantities.
+    TdmfSlipError
+        Those of `optimize`.
 
     Examples
     --------

@@ -233,11 +233,7 @@ def viability(
     path : Path or str, optional
         NetCDF file for the sets and the strides that they rest on. Strides that are made are kept in a folder
         beside it, so that a job that stopped is resumed by the same call.
-    executor : concurrent.futures.Executor, optional
-        Runs blocks of the work, such as a `ProcessPoolExecutor()` or `client.get_executor()` of Dask; by
-        default threads of this process. The result does not depend on the executor.
-    progress : bool, default False
-        A bar on stderr.
+    executor, progress : as in `sweep`
 
     Returns
     -------
