@@ -62,7 +62,7 @@ class Volume:
     unsolved: int = 0
     """Starts whose run the solver did not get through; they count as not settled."""
     coordinates: tuple[str, ...] = COORDINATES
-    """Those of the box that are drawn: in the reduced map two."""
+    """Coordinates of the box that are drawn: in the reduced map two."""
 
     @property
     def share(self) -> float:

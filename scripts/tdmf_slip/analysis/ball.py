@@ -172,7 +172,7 @@ class Ball:
     """Distance from the gait, over the scales, at which a run counts as settled without the ball."""
 
     def attributes(self) -> dict[str, str | float | int]:
-        """Attributes of a result that tell the ball."""
+        """Attributes of a result that describe the ball."""
         return {
             "ball": self.known,
             "ball_radius": self.radius,
@@ -288,7 +288,7 @@ def ball_of(gait: Gait, choice: Ball | str, starts: int, law: Law | None = None)
 
 
 def attributes_of(ball: Ball | None) -> dict[str, str | float | int]:
-    """Attributes of a result that tell its ball, or that it has none."""
+    """Attributes of a result that describe its ball, or say that it has none."""
     return {"ball": "none"} if ball is None else ball.attributes()
 
 

@@ -41,7 +41,7 @@ AXES = ("com_height", "com_speed")
 Axes = Mapping[str, tuple[float, float] | None] | Sequence[str]
 """Two coordinates with their ranges."""
 LEG_LENGTH = COORDINATES.index("leg_length")
-"""It and the coordinates before are positive, and measured by what they are."""
+"""The leg's length and the coordinates before it are positive; their ranges are relative to their values."""
 NOT_YET = -1
 STRIDES = "strides_until_known"
 """Name of the variable."""

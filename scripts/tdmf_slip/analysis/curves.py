@@ -45,7 +45,7 @@ ON_CURVE = 0.02
 MAX_POINTS = 10_000
 """Largest number of points of a curve that may be asked for, in each direction."""
 KINK = 1e-3
-"""Change of the Jacobian across a border, over its size, from which both sides tell the border's tangent."""
+"""Change of the Jacobian across a border, over its size, from which both sides give the border's tangent."""
 WIDTHS = (0.003, 0.03, 0.3, 3.0, 30.0)
 """Distances to either side of a predicted border at which words are read, over the step."""
 FIRST_STEPS = (1e-4, 1e-5, 1e-6)

@@ -55,9 +55,9 @@ class FirstPassage:
     roughness: float
     """Standard deviation of a step, m."""
     runners: int
-    """How many ran."""
+    """Number of runners that ran."""
     falls: int
-    """So many of them fell."""
+    """Number of runners that fell."""
     strides: int
     """Begun by all, those that end in a fall included."""
     stopped: int = 0
@@ -150,7 +150,7 @@ def strides_to_fall(
 ) -> FirstPassage:
     """The mean number of strides until a runner falls on rough ground.
 
-    At each apex, the start's too, the height of the ground gains a random step; `RoughGround.steps` tells
+    At each apex, the start's too, the height of the ground gains a random step; `RoughGround.steps` has
     those of each runner, which are numbered from 0. A runner whose foot is below its step for a whole stride
     has fallen, too. Runners start from the gait on level ground. The fall is
     that of the library's solver at a relative tolerance of 1e-5 a step.

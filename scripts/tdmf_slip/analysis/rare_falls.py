@@ -82,7 +82,7 @@ class Chain(Protocol):
     """A Markov chain that is stepped many walkers at a time, rows of an array."""
 
     def begin(self, count: int) -> NDArray[Any]:
-        """So many walkers at the start, as rows."""
+        """Walkers at the start, as rows."""
         ...
 
     def advance(self, rows: NDArray[Any], seed: int, time: int) -> tuple[NDArray[Any], NDArray[np.bool_]]:

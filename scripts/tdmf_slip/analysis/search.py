@@ -70,9 +70,9 @@ class Spread:
     gaits: tuple[Gait, ...]
     """Different ones: those that runners settle on first, then by the size of their largest eigenvalue."""
     starts: int
-    """So many were drawn."""
+    """Number of starts that were drawn."""
     strides: int
-    """So many were made."""
+    """Number of strides that were made."""
     steps: int
     """Solver steps, in these strides and in those that did not close."""
     events: int
@@ -154,7 +154,7 @@ class _Runs:
             self.apexes = ends[np.argsort(returns)[:KEPT]]
 
     def _after(self, strides: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Those apexes from which so many strides close, and the last ones; no more than may be made."""
+        """Apexes from which all strides close, and the last apexes; no more strides than may be made."""
         apexes = self.apexes[: (self.max_strides - self.done[0]) // strides]
         begins, ends = [apexes[:0]], [apexes[:0]]
         for first in range(0, len(apexes), BLOCK):

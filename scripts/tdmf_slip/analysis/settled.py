@@ -117,7 +117,7 @@ class _Runs:
         self.returns[going] = np.linalg.norm((ends - begins)[closed] / self.runner.scales, axis=1)
 
     def settled(self) -> Settled:
-        """Those that still run and come back."""
+        """Runners that still run and come back."""
         numbers = np.flatnonzero(self.running & (self.returns < SETTLED))
         return Settled(numbers, self.apexes[numbers], self.strides)
 

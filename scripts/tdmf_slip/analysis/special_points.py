@@ -82,7 +82,7 @@ class Special:
     """Gait just before a word border."""
 
     def as_json(self) -> dict[str, object]:
-        """As a plain object; `from` and `to` are the words where they change."""
+        """The point as a plain object; `from` and `to` are the words where they change."""
         known: dict[str, object] = {"kind": self.kind, "value": self.value}
         words = {"from": self.words[0], "to": self.words[1]} if self.words else {}
         return known | words | ({"between": list(self.between), "why": self.why} if self.why else {})

@@ -118,7 +118,7 @@ def stride_map(
     Raises
     ------
     InputError
-        A value that is not allowed, which is told with its runner and stride.
+        A value is not allowed; the message names its runner and stride.
     RunError
         See `run_blocks`.
 

@@ -64,7 +64,7 @@ class Segment:
     """Why it has none at the next; empty at the end of the range."""
 
     def as_json(self, values: Sequence[float]) -> dict[str, object]:
-        """As a plain object; the values are those of the range."""
+        """The segment as a plain object; the values are those of the range."""
         ends = {"from": values[self.begin], "to": values[self.end - 1]}
         return {**ends, "began": self.began or None, "ended": self.ended or None}
 

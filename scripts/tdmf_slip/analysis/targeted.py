@@ -57,7 +57,7 @@ class TargetNotMetError(RunError):
         self.nearest, self.helps = nearest, helps
 
     def __reduce__(self) -> tuple[type[TargetNotMetError], tuple[str, Gait, tuple[str, ...]]]:
-        """As it was made."""
+        """The error with its gait and hints, for pickle."""
         return type(self), (str(self), self.nearest, self.helps)
 
 
@@ -120,7 +120,7 @@ def find_gait(
     InputError
         The guess is no apex, the start values are refused or not in flight, a name is unknown, or the
         friction is 0; fewer parameters are varied than quantities prescribed, one does not act, or they
-        cannot be told from each other.
+        have the same effect.
     GaitNotFoundError
         No gait was found; the message says what happened on the way.
     TargetNotMetError

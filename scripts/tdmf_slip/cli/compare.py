@@ -125,7 +125,7 @@ def _names(text: str) -> list[str]:
 def _runners(
     frictions: tuple[float, ...], files: tuple[str, ...], settings: tuple[str, ...], model: str
 ) -> list[Runner]:
-    """Those of the options, in the order in which they were given."""
+    """Runners of the options, in the order in which they were given."""
     count = max(len(frictions), len(files))
     if count < 2 or any(len(given) not in (0, 1, count) for given in (frictions, files)):
         raise InputError(

@@ -10,7 +10,7 @@ from .options import Command, Number
 
 CENTIMETRES_PER_INCH = 2.54
 WIDTHS = 12.0, 100.0
-"""From and to, in cm; type keeps its size, and a narrower figure has no room for it."""
+"""Smallest and largest width, cm. Type keeps its size, and a narrower figure has no room for it."""
 RESOLUTIONS = 20.0, 2400.0
 
 

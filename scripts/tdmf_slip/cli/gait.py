@@ -100,7 +100,7 @@ def _names(vary: str | None, target: Mapping[str, float]) -> list[str]:
 
 
 def _target_json(gait: Gait, target: Mapping[str, float], vary: list[str]) -> dict[str, object]:
-    """As any gait, with the varied parameters' values and what it has of what is prescribed."""
+    """JSON of a gait, with the values of varied parameters and of prescribed quantities."""
     return {
         **gait.as_json(),
         "free": {name: gait.runner[name] for name in vary},

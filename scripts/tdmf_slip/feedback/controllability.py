@@ -215,7 +215,7 @@ class Controllability:
     runner: Runner
     """The gait's runner."""
     inputs: tuple[str, ...]
-    """Those that are chosen at each apex."""
+    """Settings that are chosen at each apex."""
     eigenvalues: NDArray[Any]
     """Eigenvalues of the modes that last, shape (modes,), the largest first; complex where any is."""
     negligible: int

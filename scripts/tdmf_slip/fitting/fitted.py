@@ -121,8 +121,8 @@ def fit(
         Huber's loss instead of squares: residuals beyond 1.345 errors count by their size alone, so that a
         datum that is far off changes little.
     scale_errors : bool, default False
-        The errors are known but for a common factor, which is told by the residuals: intervals are wider by
-        the root of chi square over the degrees of freedom, and by Student's quantile.
+        The errors are known but for a common factor, which is estimated from the residuals: intervals are
+        wider by the root of chi square over the degrees of freedom, and by Student's quantile.
     profile : bool or sequence of str, default True
         Whether intervals are by the profile likelihood; or of which parameters, by name. Others have linear
         ones, which are those of the normal distribution.
@@ -233,7 +233,7 @@ def _reported(request: Request, problem: Problem, found: Ended, starts: int) -> 
 
 
 def _found(request: Request, problem: Problem, begin: NDArray[np.float64]) -> Ended:
-    """By a search and, where it is not met, across the folds near it."""
+    """Search, and where the goal is not met, search across the folds near it."""
     bounds = bounds_of(problem, request.ranges)
     found = searched(problem, begin, bounds, request.robust)
     if problem.log.lost and not problem.is_spent and not is_met(found.loss, request):

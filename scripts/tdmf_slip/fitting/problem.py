@@ -133,7 +133,7 @@ parameters by how far their bounds are."""
 MAX_STRIDES = 20_000
 """Largest number of strides of all rows in a fit: nearly thirty times what the package's data take."""
 STRIDES_OF_SEARCH = 50
-"""So many a search for a gait by Newton's method is counted for: how many it made is not told."""
+"""Strides that a search for a gait by Newton's method is counted for; it does not report their number."""
 CHORDS = 16
 """Steps of Newton's method with the Jacobian of a gait nearby, before its own is asked for."""
 
@@ -196,7 +196,7 @@ class Problem:
         return self.log.strides >= self._granted + MAX_STRIDES
 
     def grant(self) -> None:
-        """As many strides once more, for what follows the search."""
+        """Allow as many strides once more, for what follows the search."""
         self._granted = self.log.strides
 
     def count_strides(self, count: int) -> None:

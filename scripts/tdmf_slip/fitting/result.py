@@ -145,7 +145,7 @@ class Estimate:
     label: str
     """Its name, with the number of its row, from 1, where each row has its own."""
     name: str
-    """As the runner has it."""
+    """The parameter's own name."""
     value: float
     """In the unit's unit, as all that follows."""
     standard_error: float
@@ -169,7 +169,7 @@ class Residual:
     name: str
     """Name of the quantity."""
     measured: float
-    """As it was measured."""
+    """Value that was measured."""
     error: float
     """Its standard error."""
     fitted: float
@@ -194,7 +194,7 @@ class Fit:
     words: tuple[str, ...]
     """Words of the fitted gaits."""
     estimates: tuple[Estimate, ...]
-    """Those that all rows share first."""
+    """Estimates of the parameters; those that all rows share come first."""
     covariance: NDArray[np.float64]
     """Covariance of the identified parts of the estimates, in their units."""
     unidentified: tuple[Combination, ...]
@@ -336,7 +336,7 @@ class Fit:
         ]
 
     def sentences(self) -> Sequence[str]:
-        """How good the fit is, what is not told, and the notes."""
+        """Quality of the fit, combinations that are not identified, and the notes."""
         chance = "" if np.isnan(self.probability) else f", probability {self.probability:.2g}"
         return [
             f"chi square {self.chi_square:.6g} with {self.degrees_of_freedom} degrees of freedom{chance}; "

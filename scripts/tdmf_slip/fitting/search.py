@@ -35,7 +35,7 @@ CHANGE = 1e-9
 INSIDE = 1e-9
 """Distance of an unknown from its bounds where a search begins; SciPy would move a closer one."""
 HUBER = 1.345
-"""Errors up to which Huber's loss is the square: of normal data it then tells 95 % of what squares do."""
+"""Errors up to which Huber's loss is the square: for normal data its efficiency is then 95 %."""
 STATIONARY, ROUNDING = 1e-2, 1e-4
 """Distance of a parameter from its best, over its standard error and over the length of all residuals."""
 
@@ -58,7 +58,7 @@ class Ended:
     tries: int
     """Number of tries of the search."""
     ended: bool
-    """By itself, not by the number of tries."""
+    """Whether the search ended by itself, not by the number of tries."""
     on_border: bool = False
     """The loss is least there, but not level: on a kink, where the word of a gait changes."""
 
@@ -116,7 +116,7 @@ def loss_of(residuals: NDArray[np.float64], robust: bool) -> float:
 
 
 def weights_of(residuals: NDArray[np.float64], robust: bool) -> NDArray[np.float64]:
-    """By which residuals and their changes count where the loss is taken as squares: 1, or less where far."""
+    """Weights of residuals and their changes where the loss is taken as squares: 1, or less where far."""
     size = np.abs(residuals)
     far = robust & (size > HUBER)
     weights: NDArray[np.float64] = np.sqrt(np.where(far, HUBER / np.where(far, size, 1.0), 1.0))

@@ -93,7 +93,7 @@ class Fmu:
         return self.__dict__ | {"_folder": None}
 
     def __repr__(self) -> str:
-        """Whose FMU it is, by which standard, and where its file is."""
+        """Version, standard and file of the FMU."""
         made = f"{self.description.modelName} by FMI {self.description.fmiVersion}"
         return f"<Fmu {made}: {len(self.variables)} variables, {self.path}>"
 

@@ -140,7 +140,7 @@ class Experiment:
     output_interval: float
     """Between recorded rows."""
     start_values: Mapping[str, Value]
-    """By name, checked."""
+    """Start values by name, checked."""
     inputs: NDArray[np.void] | None = None
     """Structured array: `time` and one column per input."""
     variables: tuple[str, ...] = ()

@@ -91,7 +91,7 @@ Arguments = ParamSpec("Arguments")
 DEFAULT_STRIDES = 10
 DEFAULT_TOLERANCE = 1e-9
 TOLERANCES = 1e-14, 0.1
-"""From and to; as the following."""
+"""Smallest and largest tolerance; `TIMES` and `INTERVALS` are pairs, too, in s."""
 TIMES = 1e-9, 1e9
 INTERVALS = 1e-12, 1e9
 MAX_STRIDES = 10**9

@@ -222,7 +222,7 @@ class Given:
             )
 
     def refuse_patches(self) -> None:
-        """Refuse a patch of ground: an apex does not tell where the foot stands."""
+        """Refuse a patch of ground: an apex does not say where the foot stands."""
         if isinstance(self.model, OwnModel):
             return
         for runner in self.runners:

@@ -170,7 +170,7 @@ class Engine:
         self._request.given = self._given = given
 
     def set_from(self, stride: int) -> None:
-        """Tell for which stride the first of the settings are."""
+        """Set the stride that the first of the settings are for."""
         self._given.first = stride
 
     def record(self, strides: int) -> NDArray[Any]:

@@ -87,9 +87,9 @@ def letters_of(events: Sequence[Event]) -> tuple[Letter, ...]:
 
 
 REPORTED = ("period", "length", "speed", "work", "cost_of_transport")
-"""Those that a gait is told by."""
+"""Quantities that describe a gait."""
 PARTS = ("rise", "hip_work", "leg_work", *LEDGER)
-"""Those that tell where its energy comes from and goes to."""
+"""Quantities that say where its energy comes from and goes to."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -97,7 +97,7 @@ class Gait:
     """A periodic gait, which is a fixed point of the return map; units as in the model description."""
 
     runner: Runner
-    """Whose gait it is: parameters and inputs; where the runner starts does not matter."""
+    """Runner of the gait: parameters and inputs. Its start does not matter."""
     apex: NDArray[np.float64]
     """Shape (n,), in the order of the runner's `coordinates`: six, or in the reduced map two."""
     word: str
@@ -153,7 +153,7 @@ class Gait:
         return [*super().__dir__(), *self.stride]
 
     def __repr__(self) -> str:
-        """In a line: what tells one gait from another."""
+        """Friction, word, speed and stability in one line."""
         kind, label = "stable" if self.stable else "unstable", self.runner.label
         at = f" at {FRICTION} = {self.friction:.6g}" if FRICTION in self.runner else ""
         some = {"period": "s", "speed": "m/s", "cost_of_transport": ""}

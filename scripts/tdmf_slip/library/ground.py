@@ -88,7 +88,7 @@ class RoughGround:
     friction_spread: float = 0.0
     """Standard deviation of the logarithm of a stride's friction, about the runner's own."""
     friction_weights: tuple[float, ...] = ()
-    """As those of the steps."""
+    """Weights of the friction's deviates, like `step_weights`."""
     segment_length: float = 0.0
     """Of level segments, m, from `MIN_SEGMENT` l0 on: heights and frictions are then of segments, drawn as
     steps and frictions of strides are else, by the segment's number. By default the ground is by stride."""
@@ -118,7 +118,7 @@ class RoughGround:
 
     @property
     def is_drawn(self) -> bool:
-        """It is not the ground of the runner's inputs alone."""
+        """Whether anything differs from the ground of the runner's inputs."""
         return bool(self.roughness or self.friction_spread or self.segment_length)
 
     @property
@@ -245,7 +245,7 @@ def _checked_heights(heights: object) -> tuple[float, ...]:
 
 
 def _checked_weights(name: str, weights: object) -> tuple[float, ...]:
-    """As a tuple of numbers."""
+    """A row of numbers as a tuple."""
     given = tuple(row_of(weights, name, "numbers in a row"))
     if len(given) > MAX_WEIGHTS:
         raise InputError(f"{name}: {len(given)} given; allowed: up to {MAX_WEIGHTS}")

@@ -83,7 +83,7 @@ class OwnEngine:
         self._given, self._given_from = (numbers, values), 0
 
     def set_from(self, stride: int) -> None:
-        """Tell for which stride the first of the settings are."""
+        """Set the stride that the first of the settings are for."""
         self._given_from = stride
 
     # ---- records
@@ -107,7 +107,7 @@ class OwnEngine:
         self._first_recorded = self.made
 
     def keep_checkpoints(self) -> Mapping[str, NDArray[Any]]:
-        """Tell who still runs."""
+        """Which runners still run."""
         return {"stands": self.ends["fate"] == RUNNING}
 
     def save(self) -> NDArray[Any]:

@@ -72,9 +72,9 @@ ORDERED_OF_BOTH = (
 QUANTITIES = (*ORDERED_OF_BOTH, *MEASURES)
 """All that a gait can be ordered by."""
 REDUCED_QUANTITIES = (*ORDERED_OF_BOTH, *(name for name, of in APEX_QUANTITIES.items() if of in REDUCED))
-"""Those of the reduced map, whose leg is placed in flight as if by itself."""
+"""Quantities of the reduced map, whose leg is placed in flight as if by itself."""
 SIGNED = ("apex_leg_angle",)
-"""Those that may be 0 or less."""
+"""Quantities that may be 0 or less."""
 _PER_DISTANCE = {"cost_of_transport": "work", "positive_cost_of_transport": "positive_work"}
 _MEASURED = ("positive_hip_work", "positive_leg_work", "squared_torque", "friction_loss")
 _GREATEST = ("greatest_slip_velocity", "greatest_foot_height")

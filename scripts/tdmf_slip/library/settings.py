@@ -13,7 +13,7 @@ from .ground import RoughGround
 from .runner import Runner
 
 SETTINGS = MODELS["full"].settings
-"""By the unit's names."""
+"""Settings by the unit's names."""
 OF_FLIGHT = ("hip.kp", "hip.kd", "hip.liftoff_angle_factor", "hip.swing_clamp")
 """Parameters of the leg's motion in flight, which has no part in the reduced map."""
 BY_GAINS = (
@@ -22,7 +22,7 @@ BY_GAINS = (
     "hip.liftoff_angle_factor",
     "control.touchdown_angle",
 )
-"""What the hip does about them is proportional to `hip.kp` and `hip.kd`."""
+"""Settings that act through the servo alone, in proportion to `hip.kp` and `hip.kd`."""
 CONSTANT_ON_TERRAIN = ("ground.height", "ground.slope", "body.external_fx", "body.external_fy")
 """Settings that no law may change on a terrain."""
 

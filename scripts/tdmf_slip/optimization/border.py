@@ -169,15 +169,15 @@ class AlongBorder(Problem):
         self._problem, self._free = problem, free
 
     def objective(self, gait: Candidate) -> tuple[float, NDArray[np.float64]]:
-        """As the problem has it."""
+        """The problem's own objective."""
         return self._problem.objective(gait)
 
     def equations(self, gait: Candidate) -> Rows:
-        """As the problem has them."""
+        """The problem's own equations."""
         return self._problem.equations(gait)
 
     def margins(self, gait: Candidate) -> Rows:
-        """Those of the problem, and of the bounds."""
+        """Margins of the problem and of the bounds."""
         assert isinstance(gait, OnBorder)
         left, slopes = self._problem.margins(gait)
         at, plane = gait.border.short.at[self._free], gait.plane[self._free]

@@ -34,7 +34,7 @@ AT_BOUND = 1e-9
 ROUNDING = 1e-14
 """Distance from a bound, over the width, that rounding may leave."""
 LEADING = 3
-"""So many are told, a complex pair as one."""
+"""Number of leading eigenvalues; a complex pair counts once."""
 MINIMUM = 1e-3
 """Smaller eigenvalues are of no interest, and count as zero."""
 SIMPLE = 1e-7

@@ -65,7 +65,7 @@ def optimize(
 
     Each search is local. The first one begins with the runner given, the others where gaits promise most of a
     thousand or so that the ensemble engine settles all over the bounds, and that have no better one near them
-    (multi-level single linkage). How many different optima they end at is told, in `basins`. A better gait
+    (multi-level single linkage). `basins` is the number of different optima that they end at. A better gait
     that none of them leads to may exist, also on a branch of unstable ones: the result is called local,
     unless no gait can have less.
 

@@ -60,7 +60,7 @@ STATIONARY = 1e-4
 ROUGHLY = 1e-4
 """Violation of constraints from which SLSQP is left to meet them."""
 NEARLY = 1e-2
-"""The same where the search for them has ended: its square is so flat there that it ends early."""
+"""The same limit after a search for a feasible gait, which ends early because its objective is flat there."""
 FEASIBLE = 1e-7
 """Violation of constraints, over their scales, that is rounding."""
 ACTIVE = 1e-5
@@ -249,7 +249,7 @@ class Best:
 
     @property
     def start(self) -> Start:
-        """As a start for other searches."""
+        """The optimum as a start for other searches."""
         return Start(self.found.gait.at, self.found.gait.gait)
 
 
@@ -368,7 +368,7 @@ class Optimizer:
         )
 
     def optimum(self, goal: Goal, best: "Best") -> Optimum:
-        """As it is told of."""
+        """The optimum as it is reported."""
         found, limits = best.found, []
         spectrum = found.gait.spectrum
         if goal.radius is not None and goal.radius - spectrum.sizes[0] <= ACTIVE:

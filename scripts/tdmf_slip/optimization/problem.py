@@ -236,8 +236,8 @@ class Problem:
 def _below(spectrum: Spectrum, radius: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """How far eigenvalues are below a radius, and the change of this by their sizes.
 
-    A positive one goes to 1 at a fold as a square root does: (1 - size)^2 is told of it, which is linear
-    there, and is as much below its limit to first order, but for a factor of two.
+    A positive one goes to 1 at a fold as a square root does: its margin is that of (1 - size)^2, which is
+    linear there, and is as much below its limit to first order, but for a factor of two.
     """
     room = max(1.0 - radius, MIN_ROOM)
     off = 1.0 - spectrum.sizes

@@ -119,7 +119,7 @@ def _slip(runner: Runner, apex: NDArray[np.float64]) -> float:
 FRICTIONS = (0.05, 0.1, 0.2)
 """Friction coefficients of the patch, because that of polypropylene is not known."""
 SOURCE = "Clark and Higham 2011"
-"""Who measured guinea fowl on a slippery patch."""
+"""Authors who measured guinea fowl on a slippery patch."""
 STEP = 0.1
 """Step between speeds, m/s."""
 ANGLES = np.arange(50.0, 76.0, 1.0)
@@ -146,7 +146,7 @@ class Map:
     gaits: tuple[Gait, ...]
     """On ground of high friction, by rising speed."""
     outcomes: Mapping[float, PatchOutcomes]
-    """By the friction of the patch; the high one among them."""
+    """Outcomes by the friction of the patch, of which one is the high friction."""
 
     @property
     def speeds(self) -> NDArray[np.float64]:

@@ -44,7 +44,7 @@ COUNTED = {
     "settled": ("GnBu_r", "strides until the runner is known to settle"),
     "fell": ("OrRd_r", "strides until the runner falls"),
 }
-"""Colours of fates that are told by the number of strides."""
+"""Colours of fates that are shaded by the number of strides."""
 OTHERS = {
     "undecided": ("#8e44ad", "undecided"),
     "no_start": ("#5b6770", "no start: the foot is not above the ground"),
@@ -105,7 +105,7 @@ def paint(axes: Axes, data: "xarray.Dataset") -> list[Artist]:
 
 
 def _others(data: "xarray.Dataset") -> dict[str, NDArray[np.bool_]]:
-    """Where fates are that are not told by strides."""
+    """Mask of the fates that are not shaded by strides."""
     where = {name: data["fate"].values == number for number, name in enumerate(FATES) if name in OTHERS}
     return {name: starts for name, starts in where.items() if starts.any()}
 

@@ -46,7 +46,7 @@ MODE_COLOURS: Mapping[str, str] = {
     "slip_negative": "#b3216f",
     "graze": "#5aa02c",
 }
-"""By the unit's names of contact modes; told apart by colour-blind readers too."""
+"""Colours by the unit's names of contact modes; colour-blind readers can tell them apart."""
 
 MODE_NAMES: Mapping[str, str] = {
     "flight": "flight",
@@ -82,7 +82,7 @@ PUBLISHED: Mapping[str, Any] = {
     "zorder": 5,
     "label": "in the paper's text",
 }
-"""How a value is marked that the paper tells in words."""
+"""Marker of a value that the paper states in words."""
 LIMIT_LINE: Mapping[str, Any] = {"color": INK, "linestyle": (0, (4, 2)), "linewidth": 0.9, "zorder": 1}
 SLIP_DASHES = (0, (3.0, 1.4))
 
@@ -95,7 +95,7 @@ UNDATED: Mapping[str, dict[str, Any]] = {
     ".svg": {"Date": None},
     ".pdf": {"CreationDate": None},
 }
-"""By format: what is left out of the file, so that the same figure is the same bytes."""
+"""Metadata that is left out of a file, by format: equal figures are equal bytes."""
 
 SETTINGS: dict[Any, Any] = {
     "font.size": 9.5,
@@ -141,7 +141,7 @@ STYLES: Mapping[str, Mapping[Any, Any]] = {
         "axes.linewidth": 1.2,
     },
 }
-"""By name: what a style has beyond the house's own, which is for pages on a screen."""
+"""Settings by name of the style, over those for pages on a screen."""
 
 
 @dataclass(frozen=True)
@@ -157,7 +157,7 @@ class Appearance:
 
 
 DESIGNED = Appearance()
-"""As the figures were designed."""
+"""Width, resolution and style that the figures were designed with."""
 
 _PRESENT: ContextVar[Appearance] = ContextVar("appearance")
 
@@ -249,7 +249,7 @@ class _Scaled(AutoLocator):
         self.factor = factor
 
     def tick_values(self, vmin: float, vmax: float) -> list[float]:
-        """As of the values in that unit."""
+        """Ticks that are round in the other unit."""
         marks = super().tick_values(vmin * self.factor, vmax * self.factor)
         return [mark / self.factor for mark in marks]
 

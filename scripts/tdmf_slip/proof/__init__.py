@@ -13,4 +13,4 @@ except ImportError:
         "install it by: pip install python-flint"
     ) from None
 
-from . import pickled  # noqa: F401 # it tells pickle of balls
+from . import pickled  # noqa: F401 # registers balls with pickle

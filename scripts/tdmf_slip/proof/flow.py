@@ -248,7 +248,7 @@ def fall(runner: Any) -> tuple[Any, Any]:
 
 
 def speeds(runner: Any, mode: Mode, values: Values) -> Values:
-    """Time derivatives of all numbers that tell the motion in a mode, at an instant."""
+    """Time derivatives of all numbers that describe the motion in a mode, at an instant."""
     at = with_helpers(runner, mode, values)
     found = rates(runner, mode, Record(**at))
     if mode.contact == "flight":

@@ -1,4 +1,4 @@
-"""Whose gait is to be proved, as it is given: in doubles, and exactly."""
+"""Runner whose gait is to be proved, in doubles and exactly."""
 
 import math
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""What each mode watches: the guards of the events that can end it, positive until then.
+"""Guards of the events that can end each mode, positive until then.
 
 Each is a function of the numbers of the motion, of whatever kind. It evaluates the table of events, in
 `c_core/equations/events.py`, unless that asks for a foot in axes of the world, or decides about the clamp
@@ -206,7 +206,7 @@ FUNCTIONS: dict[str, Function] = {
     "the body's height": body_height,
     "the leg's length": _row(events.leg_too_short),
 }
-"""By the event's name."""
+"""Guards by the event's name."""
 
 
 def watched(runner: Any, mode: Mode) -> tuple[str, ...]:

@@ -161,7 +161,7 @@ COARSE_BITS = 64
 MAX_STEPS = 12
 SHARPENINGS = 12
 ROOM = 1.3
-"""By how much a box that is tried next is wider than what the operator would just map into itself."""
+"""Width of a box that is tried next, over that which the operator would just map into itself."""
 TINY = 1e-13
 
 

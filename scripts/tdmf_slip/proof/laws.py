@@ -1,6 +1,6 @@
 """The model's laws in axes of the ground, over any kind of number: balls, tubes, series, and duals of them.
 
-All of them are those of the pages in `c_core/equations`, which do not ask in which axes a vector is told:
+All of them are those of the pages in `c_core/equations`, which hold for vectors in any axes:
 here x is along the line and y away from it, and the leg's sine and cosine are those of its angle from the
 normal. What is added is how these two move, and the exponential of a friction that falls with speed. They are
 carried along as states, so that nothing but sums, products and quotients by the leg's length, and in graze by
@@ -239,7 +239,7 @@ def _state(at: Any, foot_vx: Number = 0, foot_vy: Number = 0) -> Any:
 
 
 def fly(runner: Any, at: Any, speed: Number) -> Record:
-    """A foot on the ground with a speed along it, told by the centre of mass: height, along, off."""
+    """State of a foot on the ground with a speed along it, by the centre of mass: height, along, off."""
     center = coordinates.center_of_mass(runner.model, _state(at, speed), at)
     return Record(height=center.y, along=center.vx, off=center.vy)
 

@@ -58,7 +58,7 @@ class Box:
         return Starts([ball.mid() for ball in balls], radii)
 
     def as_json(self, names: Sequence[str]) -> dict[str, list[str]]:
-        """As a plain object, with the names of its directions; numbers are texts, exact."""
+        """The box as a plain object, with the names of its directions; numbers are exact texts."""
         return {
             "coordinates": list(names),
             "centre": [decimal(x) for x in self.centre],

@@ -109,7 +109,7 @@ def prove(
     Returns
     -------
     Proof or RangeProof
-        Where `proved` is false, it is undecided, and tells where.
+        Where `proved` is false, the proof is undecided and says where.
 
     Raises
     ------
@@ -202,7 +202,7 @@ class _Prover:
             return Proof(False, self.values, tried, self.digits, undecided=undecided)
 
     def _work_to(self, decimals: int) -> None:
-        """Of the box that enclosures are from: its decimal places, and the precision for them."""
+        """Decimal places of the box that enclosures are from, and the precision for them."""
         self.narrow, self.fine = decimals, Fineness(bits_for(decimals))
 
     def _near(self, start: Sequence[arb]) -> list[arb]:
@@ -236,7 +236,7 @@ class _Prover:
         return unique_box(self.parameters, tried, lambda radius: self._box(centre, radius), GUARD_BITS)
 
     def _enclosed(self, box: Box, near: Sequence[arb]) -> Proof:
-        """All that is told of the gait, from a box that is as small as the digits ask for."""
+        """All that is reported of the gait, from a box as small as the digits require."""
         with ctx.workprec(self.fine.bits):
             small = Starts(near, [(arb(10) ** -self.narrow * scale).upper().mid() for scale in self.scales])
         stride = proved_stride(self.parameters, small, self.fine, self.fine)

@@ -62,7 +62,7 @@ class Attraction:
         return f"<Attraction: {self.sentence[:160]}{'...' if len(self.sentence) > 160 else ''}>"
 
     def as_json(self) -> dict[str, object]:
-        """As a plain object."""
+        """The proof as a plain object."""
         return {
             **statement(self),
             "radius": self.radius,

@@ -28,7 +28,7 @@ from .starts import COORDINATES, Fineness, Starts
 from .stride import Stride, Traveller
 
 BESIDE = 1e-7
-"""How far from a border the gaits are that tell its kind, over the parameter."""
+"""Distance from a border of the gaits that decide its kind, over the parameter."""
 ROUGH = 1e-12
 
 
@@ -244,7 +244,7 @@ def prove_at(values: Mapping[str, Exact], name: str, value: Fraction, runner: Ru
 
 
 def _distinguished(one: tuple[Gait, Stride], other: tuple[Gait, Stride]) -> tuple[Forced, Gait]:
-    """What happens at once between two gaits, and the gait whose side is smooth across it."""
+    """Kind of the events that happen at once between two gaits, and the gait whose side is smooth across."""
     pairs = zip(one[1].events, other[1].events, strict=False)
     for index, (first, second) in enumerate(pairs):
         if (first.name, first.mode) == (second.name, second.mode):

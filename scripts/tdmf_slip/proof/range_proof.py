@@ -50,7 +50,7 @@ class Subinterval:
             return ball_of((self.begin + self.end) / 2).mid()
 
     def as_row(self) -> dict[str, object]:
-        """As a plain object."""
+        """A plain object for JSON."""
         return {**vars(self), "begin": decimal(self.begin), "end": decimal(self.end)}
 
     @classmethod
@@ -161,7 +161,7 @@ class RangeProof:
         return float(sum(widths, Fraction(0)) / (self.end - self.begin))
 
     def as_json(self) -> dict[str, object]:
-        """As a plain object."""
+        """A plain object for JSON."""
         return {
             **statement(self, self.name),
             "vary": self.name,

@@ -38,7 +38,7 @@ from .starts import Fineness, Starts
 from .stride import Stride
 
 FIRST = Fraction(1, 4)
-"""Of a subinterval that is too wide, what is tried next, until the first is proved."""
+"""Share of a subinterval that is too wide which is tried next, until the first one is proved."""
 NARROWEST = Fraction(1, 10**10)
 """A box that is undecided and no wider is left."""
 GROWTH = 4.0
@@ -47,7 +47,7 @@ SHRINKAGE = Fraction(3, 4)
 RECOVERY = Fraction(103, 100)
 """Growth of the width by each subinterval that is proved after one that was too wide."""
 FULL = 0.6
-"""Of its size, what the operator leaves of a box that is as wide as is worth while: 1 proves nothing."""
+"""Share of a box that the operator leaves where the box is as wide as is worth while; 1 proves nothing."""
 TRIES = 4
 WIDEST_BOX = 1.5
 """Widest box of xi, over the subinterval's width: a wider one bends the stride more than the parameter."""
@@ -59,7 +59,7 @@ class RangeProver:
     """Proves ranges of one runner along one parameter."""
 
     def __init__(self, runner: Runner, values: Mapping[str, Exact], name: str) -> None:
-        """Whose gaits, with exact values, and what is varied."""
+        """Exact values of the runner, and the name of the varied parameter."""
         self.runner, self.name = runner, name
         self.parameters = Parameters(values, name)
         self.fine = Fineness(BITS)
@@ -85,7 +85,7 @@ class RangeProver:
             begin, shrinkage = until, SHRINKAGE
 
     def _judged(self, subinterval: Subinterval, gait: Gait | None, splits: int) -> Iterator[Subinterval]:
-        """The subinterval, or its halves where these tell whether the gaits are stable."""
+        """The subinterval, or its halves where these decide whether the gaits are stable."""
         if not subinterval.proved or subinterval.stable is not None or not splits or gait is None:
             yield subinterval
             return

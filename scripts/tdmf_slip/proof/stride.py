@@ -143,7 +143,7 @@ class Stride:
     margin: arb
     """Margin of the forced event, at the centre."""
     margin_slopes: list[arb]
-    """By the start, over all starts, shape (6,) or (7,)."""
+    """Derivatives by the start, over all starts, shape (6,) or (7,)."""
 
 
 class Traveller:

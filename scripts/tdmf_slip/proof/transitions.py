@@ -1,7 +1,7 @@
-"""Events: what becomes of mode and motion at one, decided by signs that are proved.
+"""Events: mode and motion after an event, decided by signs that are proved.
 
 A chain of events at one instant is followed as the model orders it: impact, thrust, drive to coast, contact
-or graze or flight, stick or slip. Guards of the new mode that are exactly zero are told, with their order.
+or graze or flight, stick or slip. Guards of the new mode that are exactly zero are reported with their order.
 """
 
 from collections.abc import Callable, Mapping
@@ -115,7 +115,7 @@ class Transition:
         positive(self.at.sine, "the hip's lever on the foot")
 
     def _stand(self, *, moves: bool) -> Entered:
-        """On a loaded foot: stick or slip; `moves` tells whether its speed is not zero."""
+        """On a loaded foot: stick or slip; `moves` says whether its speed is not zero."""
         stands = replace(self.mode, contact="stick", sign=0, places=False, clamped=False, rises=False)
         if moves:
             sign = 1 if positive(self.speed, "the foot's speed") else -1

@@ -21,7 +21,7 @@ class HasStartValues(Protocol):
 
     @property
     def start_values(self) -> Mapping[str, Any]:
-        """By the unit's names."""
+        """Start values by the unit's names."""
 
 
 RunnerLike: TypeAlias = (
@@ -122,7 +122,7 @@ def parsed(text: str, loads: Callable[[str], object], allowed: str) -> Mapping[s
 
 
 def loads_json(text: str) -> object:
-    """As TOML, without leave to give a key twice."""
+    """A text as TOML, in which no key may be given twice."""
     return json.loads(text, object_pairs_hook=_keys_once)
 
 

@@ -146,7 +146,7 @@ class RunnerValues(Mapping[str, Value]):
         return self._made, (self._values, self.model, self.tolerance)
 
     def __repr__(self) -> str:
-        """One line with the values that tell runners apart at first sight."""
+        """One line with the values that differ most often between runners."""
         known = [name for name in _SOME if name in self] or self.model.names[: len(_SOME)]
         some = ", ".join(f"{name} {self[name]:.6g}" for name in known)
         return f"<Runner, {self.model.name} model: {some}, ...>"

@@ -58,9 +58,9 @@ class Grid:
     """Cells over the two coordinates of the reduced map, and what may be set at each apex."""
 
     edges: Mapping[str, NDArray[np.float64]]
-    """By coordinate: borders of the cells, rising, shape (cells + 1,)."""
+    """Borders of the cells by coordinate, rising, shape (cells + 1,)."""
     actions: Mapping[str, NDArray[np.float64]]
-    """By setting: values to choose from, shape (values,). An action has one of each."""
+    """Values to choose from by setting, shape (values,). An action has one of each."""
 
     @property
     def cells(self) -> tuple[int, int]:

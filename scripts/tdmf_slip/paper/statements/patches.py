@@ -57,7 +57,7 @@ def falls(of: Callable[[Regime], Gait]) -> Measure:
 grippy_downhill = falls(lambda regime: on_slope(regime, GRIPPY, SLOPE))
 slippery_downhill = falls(lambda regime: on_slope(regime, SLIPPERY, SLOPE))
 COMMAND = "tdmf-slip figures --only slippery_patch --measure"
-"""It counts falls downhill over the patch's length and friction."""
+"""Command that counts falls downhill over the patch's length and friction."""
 
 CLAIMS = (
     OwnClaim(
