@@ -141,12 +141,9 @@ def test_a_spoiled_map_is_not_gone_on_with(runner, slice_, tmp_path, spoil):
         basin.basin(runner, AXES, N, path=path)
 
 
-def drawn(data, monkeypatch):
+def drawn(data):
     """The figure of a map as pixels, with its axes."""
-    kept = []
-    monkeypatch.setattr(basin_map.style, "save", lambda figure, path: kept.append(figure))
-    basin_map.draw(None, data)
-    (figure,) = kept
+    figure = basin_map.figure_of(data)
     plt.close(figure)
     figure.set_dpi(basin_map.style.DOTS_PER_INCH)
     canvas = FigureCanvasAgg(figure)
@@ -180,14 +177,14 @@ def map_of(slice_, size, fate, strides):
 
 @pytest.mark.parametrize("size", [5, 64, 512])
 @pytest.mark.parametrize(("around", "strides"), [(0, 3), (0, 100), (1, 3), (1, 100)])
-def test_a_single_start_of_another_fate_is_seen(slice_, monkeypatch, size, around, strides):
+def test_a_single_start_of_another_fate_is_seen(slice_, size, around, strides):
     """One map has a start of each of three other fates."""
     data = map_of(slice_, size, around, strides)
     low, high = size // 4, size // 2 + size // 4
     places = {"undecided": (high, high), "no_start": (low, high), "unsolved": (high, low)}
     for name, (row, column) in places.items():
         data["fate"][row, column] = engine.FATES.index(name)
-    pixels, axes, _ = drawn(data, monkeypatch)
+    pixels, axes, _ = drawn(data)
     for name, (row, column) in places.items():
         at = data["com_speed"][column], data["com_height"][row]
         assert pixels_near(pixels, axes, at, basin_map.OTHERS[name][0]) >= 30, name
@@ -195,8 +192,8 @@ def test_a_single_start_of_another_fate_is_seen(slice_, monkeypatch, size, aroun
 
 @pytest.mark.parametrize("fate", range(len(engine.FATES)))
 @pytest.mark.parametrize("strides", [0, 100])
-def test_the_gait_is_seen_on_any_colour(slice_, monkeypatch, fate, strides):
-    pixels, axes, _ = drawn(map_of(slice_, 32, fate, strides), monkeypatch)
+def test_the_gait_is_seen_on_any_colour(slice_, fate, strides):
+    pixels, axes, _ = drawn(map_of(slice_, 32, fate, strides))
     at = slice_.attrs["gait_com_speed"], slice_.attrs["gait_com_height"]
     assert pixels_near(pixels, axes, at, basin_map.style.INK) >= 40
     assert pixels_near(pixels, axes, at, "white") >= 40
@@ -213,19 +210,19 @@ def test_every_fate_has_a_colour():
         ("human", "leg length (m;  l₀ = 1 m)", "rate of leg angle (rad/s;  √(k/m) = 16.52 rad/s)"),
     ],
 )
-def test_a_map_says_friction_and_units(monkeypatch, preset, length, rate):
+def test_a_map_says_friction_and_units(preset, length, rate):
     """The paper's units for a runner in them; SI with the runner's scales for any other."""
     runner = Runner(preset).replace({"ground.friction": 0.55})
     data = basin.basin(runner, {"leg_length": (1.2, 1.3), "leg_angle_rate": (0.2, 0.4)}, 2)
-    _, axes, figure = drawn(data, monkeypatch)
+    _, axes, figure = drawn(data)
     assert "friction 0.55" in axes.get_title(loc="left")
     assert (axes.get_ylabel(), axes.get_xlabel()) == (length, rate)
     assert "beyond the map" in figure.legends[0].get_texts()[0].get_text()
 
 
-def test_a_reversed_range_is_the_same_map(slice_, monkeypatch):
-    there, axes, _ = drawn(slice_, monkeypatch)
+def test_a_reversed_range_is_the_same_map(slice_):
+    there, axes, _ = drawn(slice_)
     turned = slice_.isel(com_height=slice(None, None, -1))
-    back, reversed_axes, _ = drawn(turned, monkeypatch)
+    back, reversed_axes, _ = drawn(turned)
     assert axes.get_ylim() == reversed_axes.get_ylim()
     np.testing.assert_array_equal(there, back)

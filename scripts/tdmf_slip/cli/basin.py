@@ -114,9 +114,9 @@ def basin_command(
         )
         found = volume(gait, samples, ball=around, executor=executor, progress=True) if samples else None
     if plot is not None:
-        from ..pictures import basin_map  # matplotlib is slow to load
+        from ..pictures.plot import write_picture  # matplotlib is slow to load
 
-        basin_map.draw(plot, data)
+        write_picture(plot, data)
     result: dict[str, Any] = {
         **gait.runner.record(),
         "word": gait.word,

@@ -108,9 +108,9 @@ def continue_command(
 
         write_dataset(output, branch_dataset(branch))
     if plot is not None:
-        from ..pictures import branch_diagram
+        from ..pictures.plot import write_picture  # matplotlib is slow to load
 
-        branch_diagram.draw(plot, branch_dataset(branch), quantity, display)
+        write_picture(plot, branch_dataset(branch), quantity=quantity, display=display)
     print(json_text(_branch_object(branch)) if as_json_object else _branch_text(branch, display))
 
 
@@ -124,9 +124,9 @@ def _curves(
 ) -> None:
     found = continue_curves(runner, spans, max_points=points, progress=True)
     if plot is not None:
-        from ..pictures import branch_diagram
+        from ..pictures.plot import write_picture  # matplotlib is slow to load
 
-        branch_diagram.draw_curves(plot, found, display)
+        write_picture(plot, found, display=display)
     if as_json_object:
         print(
             json_text(

@@ -106,9 +106,9 @@ def fit_command(
     )
     left_out = found.without_each() if without_each else ()
     if plot is not None:
-        from ..pictures import fit_diagram
+        from ..pictures.plot import write_picture  # matplotlib is slow to load
 
-        fit_diagram.draw(plot, found)
+        write_picture(plot, found)
     if report is not None:
         from ..pictures import fit_diagram
 

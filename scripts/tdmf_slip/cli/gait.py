@@ -80,10 +80,9 @@ def _draw(gait: Gait, path: Path | None) -> None:
     """Draw the stance into a file, say where it is, and open it where there is a display."""
     if path is None:
         return
-    from ..pictures import panels
-    from ..pictures.panels import Stride
+    from ..pictures.plot import write_picture  # matplotlib is slow to load
 
-    panels.draw_velocity_and_ratio(path, Stride(gait))
+    write_picture(path, gait)
     print(f"picture: {path.resolve()}", file=sys.stderr)
     has_display = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
     if sys.stderr.isatty() and (has_display or sys.platform in ("darwin", "win32")):

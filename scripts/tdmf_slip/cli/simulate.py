@@ -121,9 +121,9 @@ def simulate_command(
     if output is not None:
         write_table(output, run)
     if plot is not None:
-        from ..pictures import overview  # matplotlib is slow to load
+        from ..pictures.plot import write_picture  # matplotlib is slow to load
 
-        overview.draw(plot, dataset_of(run))
+        write_picture(plot, dataset_of(run))
     print(json_text(_run_object(run)) if as_json_object else _run_text(run))
 
 

@@ -149,9 +149,9 @@ def _row(
     if output is not None:
         _write(output, runner, found)
     if plot is not None:
-        from ..pictures import sweep_diagram
+        from ..pictures.plot import write_picture  # matplotlib is slow to load
 
-        sweep_diagram.draw(plot, sweep_of_row(runner, found), display)
+        write_picture(plot, sweep_of_row(runner, found), display=display)
     print(json_text(found.as_json()) if as_json_object else _sweep_text(found, display))
     if found.problem is not None:
         raise RunError(f"{found.problem}; {len(found.gaits)} of {len(values)} gaits were found")

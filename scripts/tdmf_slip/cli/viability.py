@@ -127,9 +127,9 @@ def viability_command(
             progress=True,
         )
     if plot is not None:
-        from ..pictures import basin_map  # matplotlib is slow to load
+        from ..pictures.plot import write_picture  # matplotlib is slow to load
 
-        basin_map.draw_viable_set(plot, found)
+        write_picture(plot, found)
     if controller is not None:
         with whole(controller) as path, path.open("w", encoding="utf-8", newline="") as file:
             csv.writer(file).writerows(ViableController(found).as_table())

@@ -1,7 +1,6 @@
 """A region of attraction: how many strides each start takes to settle on the gait, or until it falls."""
 
 import math
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import matplotlib
@@ -57,12 +56,6 @@ PALEST = 0.85
 """Share of a colour map that is used; paler colours are hard to see on paper."""
 SMALLEST, RIM = 3.2, 1.0
 """Points: starts that are drawn smaller are marked with a white rim, else a single one would be lost."""
-
-
-def draw(path: Path, data: "xarray.Dataset") -> None:
-    """Draw the map into a file."""
-    with style.styled():
-        style.save(figure_of(data), path)
 
 
 def figure_of(data: "xarray.Dataset") -> Figure:
@@ -266,12 +259,6 @@ VIABLE_COLOURS = ListedColormap(matplotlib.colormaps["GnBu"](np.linspace(0.18, 1
 """Colours without the palest, which are hardly distinguished from the paper."""
 OPEN, NOT_VIABLE = "#f0b35a", "#efe9e4"
 """Colours of cells that the grid leaves open, and of those from which no action of the grid helps."""
-
-
-def draw_viable_set(path: Path, found: xarray.Dataset) -> None:
-    """Draw the sets into a file."""
-    with style.styled():
-        style.save(_viable_set(found), path)
 
 
 def of_viable_set(found: xarray.Dataset) -> Figure:

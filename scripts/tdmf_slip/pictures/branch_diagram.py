@@ -5,7 +5,6 @@ Stable gaits are solid, unstable ones dashed, special points marked, and words w
 
 from collections.abc import Iterator
 from itertools import groupby, pairwise
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -90,11 +89,6 @@ def figure_of(data: xarray.Dataset, quantity: str = DRAWN, display: DisplayUnits
             _write_words(panels[0], branch, quantity)
         _legend(panels[0])
     return figure
-
-
-def draw(path: Path, data: xarray.Dataset, quantity: str, display: DisplayUnits | None = None) -> None:
-    """Draw a branch into a file."""
-    style.save(figure_of(data, quantity, display), path)
 
 
 def _branches(data: xarray.Dataset) -> Iterator[xarray.Dataset]:
@@ -244,8 +238,3 @@ def _write_words_beside(axes: Axes, curve: Curve, rises: bool) -> None:
             va="bottom" if way[1] > ASLANT else "top" if way[1] < -ASLANT else "center",
             fontsize=8,
         )
-
-
-def draw_curves(path: Path, data: xarray.Dataset, display: DisplayUnits | None = None) -> None:
-    """Draw the curves into a file."""
-    style.save(of_curves(data, display), path)

@@ -27,11 +27,6 @@ FEW = 12
 """Rows that are numbered each."""
 
 
-def draw(path: Path, fit: Fit) -> None:
-    """Draw a fit into a file."""
-    style.save(figure_of(fit), path)
-
-
 def figure_of(fit: Fit) -> Figure:
     """A panel for each quantity, and one for the residuals over their errors."""
     names = [name for name in MEASURABLE if any(of.name == name for of in fit.residuals)]

@@ -1,7 +1,6 @@
 """A run at a glance: heights, leg, ground force and speed over time, with the contact modes behind them."""
 
 from collections.abc import Sequence
-from pathlib import Path
 
 import numpy as np
 import xarray
@@ -23,11 +22,6 @@ PANELS: Sequence[tuple[str, Sequence[tuple[str, str]]]] = (
     ("foot velocity", (("foot.vx", "foot, horizontal"),)),
 )
 """Label of each panel, and variables with their names."""
-
-
-def draw(path: Path, run: xarray.Dataset) -> None:
-    """Draw a run as .png, .svg or .pdf, in the units of its table."""
-    style.save(figure_of(run), path)
 
 
 def figure_of(run: xarray.Dataset) -> Figure:

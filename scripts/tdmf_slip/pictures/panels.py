@@ -4,7 +4,6 @@ import math
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -223,11 +222,6 @@ def near_stance(axes: Axes, stride: Stride) -> None:
     start, end = stride.stance_times
     margin = MARGIN * (end - start)
     axes.set_xlim(start - margin, end + margin)
-
-
-def draw_velocity_and_ratio(path: Path, stride: Stride) -> None:
-    """Draw the two panels."""
-    style.save(velocity_and_ratio(stride), path)
 
 
 def of_gait(gait: Gait) -> Figure:

@@ -3,12 +3,15 @@
 import importlib
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
 from typing import Any
 
 from matplotlib.figure import Figure
 
 from ..checks import is_one_of, shown
 from ..errors import InputError
+from . import style
 
 PICTURES: Mapping[str, str] = {
     "Attraction": "quantity_diagram.of_attraction",
@@ -87,11 +90,22 @@ def plot(result: Any) -> Figure:
     >>> tdmf_slip.plot(law).axes[0].get_xlabel()
     'real part of the eigenvalue'
     """
+    return _handed_on(_figure_of(result))
+
+
+def write_picture(path: Path, result: Any, **options: Any) -> None:
+    """Draw a result into a file; the options are those of its picture."""
+    figure = _figure_of(result, **options)
+    with style.styled():
+        style.save(figure, path)
+
+
+def _figure_of(result: Any, **options: Any) -> Figure:
     kind = _kind_of(result)
     module, _, function = PICTURES[kind].rpartition(".")
     home = f"{__package__}.{module}" if not module.startswith(".") else f"{__package__.split('.')[0]}{module}"
-    draw: Callable[[Any], Figure] = getattr(importlib.import_module(home), function)
-    return _handed_on(_of_dataset(result, kind, draw) if kind in DATASETS else draw(result))
+    draw: Callable[[Any], Figure] = partial(getattr(importlib.import_module(home), function), **options)
+    return _of_dataset(result, kind, draw) if kind in DATASETS else draw(result)
 
 
 def _kind_of(result: Any) -> str:

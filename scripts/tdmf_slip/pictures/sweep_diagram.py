@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import matplotlib
@@ -34,9 +33,9 @@ DECADES = 10.0
 WORD_COLOURS = matplotlib.colormaps["tab20"].colors  # type: ignore[attr-defined] # a list of colours
 
 
-def of_sweep(found: Sweep) -> Figure:
+def of_sweep(found: Sweep, display: DisplayUnits | None = None) -> Figure:
     """A sweep with its borders."""
-    return figure_of(found.gaits, found.borders)
+    return figure_of(found.gaits, found.borders, display)
 
 
 def figure_of(
@@ -50,11 +49,6 @@ def figure_of(
     display = display or DisplayUnits(values=runner_in(gaits), model=model)
     with style.styled():
         return _curves(gaits, borders, display) if dimensions == 1 else _map(gaits, display)
-
-
-def draw(path: Path, found: Sweep, display: DisplayUnits | None = None) -> None:
-    """Draw a sweep over one name into a file."""
-    style.save(figure_of(found.gaits, found.borders, display), path)
 
 
 def _curves(gaits: "xarray.Dataset", borders: "xarray.Dataset | None", display: DisplayUnits) -> Figure:

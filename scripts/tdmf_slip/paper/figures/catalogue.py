@@ -15,7 +15,7 @@ from ...analysis.sweeps import Row, sweep_row
 from ...errors import InputError
 from ...library.gait import Gait
 from ...library.runner import Runner
-from ...pictures import animation, model, panels, style
+from ...pictures import animation, model, style
 from ...pictures.panels import Stride
 from ...terminal.progress import progress_bar
 from ...variables.parameters import read_parameters
@@ -208,8 +208,8 @@ def _figures(measure: bool = False) -> dict[str, Figure]:
         "figure_3": Figure(classic.draw_slip, classic.slip_table),
         "figure_4a": Figure(classic.draw_friction, classic.gait_table),
         "figure_5": of_strides(strides.draw_sticking, [strides.STICKS], list(READINGS.values())),
-        "figure_6": of_strides(panels.draw_velocity_and_ratio, [strides.LANDING]),
-        "figure_7": of_strides(panels.draw_velocity_and_ratio, [strides.THREE_SLIPS]),
+        "figure_6": of_strides(strides.draw, [strides.LANDING]),
+        "figure_7": of_strides(strides.draw, [strides.THREE_SLIPS]),
         "figure_8": of_strides(strides.draw_low, strides.LOW),
         "figure_9": _figure(figure_9.draw, figure_9.table, gaits, equal),
         "attraction": Figure(

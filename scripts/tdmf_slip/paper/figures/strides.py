@@ -80,6 +80,11 @@ def _ratio(axes: Axes, stride: Stride) -> None:
     axes.set_title("(d) force ratio in stance; × impulses at the impact")
 
 
+def draw(path: Path, stride: Stride) -> None:
+    """Draw figure 6 or 7: foot velocity and force ratio of a stride."""
+    style.save(panels.velocity_and_ratio(stride), path)
+
+
 def draw_low(path: Path, *strides: Stride) -> None:
     """Draw figure 8: foot velocity in the stance of the two gaits at low friction."""
     with style.styled():
