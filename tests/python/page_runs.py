@@ -27,6 +27,7 @@ from ctypes import (
 from pathlib import Path
 
 import numpy as np
+from conftest import locked
 
 ROOT = Path(__file__).resolve().parents[2]
 if str(ROOT) not in sys.path:
@@ -159,9 +160,17 @@ def library_of(files, name, level, folders, in_lanes):
     pages = ROOT / "build" / "pages"  # all workers of pytest, and the next run, find it there
     pages.mkdir(parents=True, exist_ok=True)
     folder = pages / f"{name}-{key}"
-    library = folder / "page.so"
-    if not library.exists():
-        own = Path(tempfile.mkdtemp(dir=pages))
+    with locked(f"pages/{folder.name}"):  # else several workers would compile it at once
+        if not folder.exists():
+            compile_into(folder, files, name, level, folders, in_lanes)
+    return ctypes.CDLL(str(folder / "page.so"))
+
+
+def compile_into(folder, files, name, level, folders, in_lanes):
+    """Compile derived C: `page.so` in a folder that exists when it is complete."""
+    with tempfile.TemporaryDirectory(dir=folder.parent) as temporary:
+        own = Path(temporary, "page")
+        own.mkdir()
         for file, text in files.items():
             (own / file).write_text(text)
         motions, lanes = own / f"{name}_motions.c", folders[0] / "batch_lanes.c"
@@ -195,11 +204,7 @@ def library_of(files, name, level, folders, in_lanes):
         assert not any(failed), "the derived C does not compile"
         objects = [own / f"{i}.o" for i in range(len(jobs))]
         subprocess.run([COMPILER, "-shared", *objects, "-pthread", "-o", own / "page.so", "-lm"], check=True)
-        try:
-            own.rename(folder)
-        except OSError:  # another worker was faster
-            shutil.rmtree(own)
-    return ctypes.CDLL(str(library))
+        own.rename(folder)
 
 
 class CompiledPage:

@@ -12,8 +12,8 @@ import tdmf_slip
 from conftest import QUANTITIES, RELEASE, unit_reference
 
 REFERENCE = unit_reference()
-PAIRS = [(2, "gcc"), (3, "clang"), (2, "clang"), (3, "gcc")]
-"""FMI version and compiler. The units share the core: the last two are tried before a release only."""
+PAIRS = [(3, "clang"), (2, "clang"), (2, "gcc"), (3, "gcc")]
+"""FMI version and compiler. The units share the core, and GCC builds the package's: by default the first."""
 WITHOUT_OPTIMISATION = 'set(CMAKE_C_FLAGS_RELEASE "-O0 -DNDEBUG" CACHE STRING "")'
 """A toolchain for CMake that compiles a unit in a fifth of the time that FMPy's own -O3 takes."""
 SOLVER = "solver.method"
@@ -32,7 +32,7 @@ def library_names(unit):
         return [name for name in file.namelist() if name.startswith("binaries") and not name.endswith("/")]
 
 
-@pytest.fixture(scope="module", params=PAIRS if RELEASE else PAIRS[:2], ids=str)
+@pytest.fixture(scope="module", params=PAIRS if RELEASE else PAIRS[:1], ids=str)
 def compiled(request, tmp_path_factory):
     """A unit that was compiled from its own sources: FMI version and compiler."""
     version, compiler = request.param
@@ -83,12 +83,14 @@ def test_cvode_is_refused_in_words(compiled):
     assert "built without SUNDIALS" in done.stdout
 
 
-def test_headers_and_sources_are_complete_and_no_more(compiled):
+@pytest.mark.parametrize("version", [2, 3])
+def test_headers_and_sources_are_complete_and_no_more(version):
     """Every C file that lies in the unit is in its list of files, and the other way round."""
-    description = fmpy.read_model_description(compiled)
+    path = str(tdmf_slip.fmu_path(version))
+    description = fmpy.read_model_description(path)
     (configuration,) = description.buildConfigurations[:1]
     (files,) = configuration.sourceFileSets
-    with zipfile.ZipFile(compiled) as unit:
+    with zipfile.ZipFile(path) as unit:
         names = {name.removeprefix("sources/") for name in unit.namelist() if name.startswith("sources/")}
     assert {name for name in names if name.endswith(".c")} == set(files.sourceFiles)
     other = "fmi3_" if description.fmiVersion == "2.0" else "fmi2_"

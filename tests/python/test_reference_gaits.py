@@ -1,6 +1,6 @@
 """The published gaits by both readings, run through FMPy's CVODE from the default start until settled.
 
-Four of them, the slowest among them; with --release all. Validation runs all, from the gaits on.
+The slowest of them; with --release all. Validation runs all, from the gaits on.
 """
 
 import dataclasses
@@ -44,7 +44,7 @@ def settle(reference, run):
     return Settled(apex, rows, stride, instance.text("stride.word"), instance.real("hip.liftoff_angle")[0])
 
 
-@pytest.fixture(scope="module", params=some_of(reference_gaits(), 4), ids=name_of_gait)
+@pytest.fixture(scope="module", params=some_of(reference_gaits()[::-1], 1), ids=name_of_gait)
 def reference(request):
     return request.param
 
