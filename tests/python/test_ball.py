@@ -10,7 +10,7 @@ from tdmf_slip import Batch, InputError, Runner, find_gait
 from tdmf_slip.analysis import ball as ball_module
 from tdmf_slip.analysis.attraction import volume
 from tdmf_slip.analysis.ball import MAX_STRIDES, attributes_of, ball_of, fates, saves_time
-from tdmf_slip.analysis.basin import basin, basin_at
+from tdmf_slip.analysis.basin import basin
 from tdmf_slip.library.batch import NEAR
 from tdmf_slip.library.engine import SETTLED
 from tdmf_slip.library.laws import AffineLaw
@@ -164,8 +164,8 @@ def test_a_proved_ball_is_inside_the_one_that_is_proved():
     assert ball.known == "proved" and 0.1 * proof.radius < ball.radius <= proof.radius
     away = np.array(np.linalg.inv(np.array(proof.basis)) @ points_in(ball, 2000, surface=True).T).T
     assert (np.abs(away) / proof.weights).max() < proof.norm_radius
-    values = {"com_height": [1.3, 1.5, 0.9], "com_speed": [0.2, 1.05]}
-    slice_, followed = (basin_at(gait, values, ball=of) for of in (ball, "none"))
+    axes = {"com_height": (0.9, 1.5), "com_speed": (0.2, 1.05)}
+    slice_, followed = (basin(gait, axes, (3, 2), ball=of) for of in (ball, "none"))
     np.testing.assert_array_equal(slice_["fate"], followed["fate"])
     settled = followed["fate"].values == SETTLED
     assert settled.sum() >= 3

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from ..blocks import run_blocks
 from ..checks import check_size, is_one_of, refusal
@@ -101,48 +101,45 @@ def basin(
     executor: Executor | None = None,
     progress: bool = False,
 ) -> xarray.Dataset:
-    """The fate of a runner from each point of a slice through the gait's apex.
+    """Compute the fate of a runner from each point of a slice through the gait's apex.
 
-    The other coordinates are the gait's; the reduced map has none. With a path the result is written there as
-    NetCDF; rows that are done are kept in a folder beside it, so that a job that stopped is resumed by the
-    same call.
+    Coordinates that do not vary are the gait's; the reduced map has none.
 
     Parameters
     ----------
-    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
-        Parameters and friction, or start values by name; of a gait its runner.
+    runner : as in `find_gait`
     axes : mapping of str to (low, high), or pair of str
-        Two names of `section.COORDINATES` with their ranges, in the coordinate's unit; None for a range
-        around the gait, or the names alone. By default height and speed.
+        Two names of `section.COORDINATES` with ranges in the coordinate's unit; None, or the names alone, for
+        ranges around the gait. By default height and speed.
     n : int or pair of int, default 128
         Starts along each of the axes, both ends included.
     model : as in `find_gait`
     law : callable or AffineLaw, optional
-        What is set at each apex, see `Batch`. The gait is then the one that the law keeps as it is, of an
-        `AffineLaw` near its apex; the law has to make it stable.
+        Law that sets values at each apex, see `Batch`. The gait is that of the law, for an `AffineLaw` near
+        the law's apex; the law has to make it stable.
     ball : {"tested", "none"} or Ball, default "tested"
-        A start has settled as soon as it comes into a ball of attraction. By default the norm is tested to
-        fall from 10,000 points of it, and it is made only where it saves more than it costs; with `none` a
-        start is followed until it is within 0.01 of the gait, over the scales; a ball that is proved, as
-        `proved_ball` gives it, is small, so that starts are followed for longer, at a finer tolerance.
+        Ball of attraction in which a start counts as settled. The norm of a tested ball falls from 10,000
+        points of it; the ball is made only where it saves more than it costs. With `none` a start is followed
+        until it is within 0.01 of the gait, over the scales. A proved ball, as `proved_ball` gives it, is
+        small, so that starts are followed for longer, at a finer tolerance.
     refine : {"exact", "preview"}, default "exact"
-        Every start is followed; or only those near a border between fates and the corners of squares of at
-        most 16 starts a side elsewhere, which are painted with the fate of their corners. Of 256 by 256
-        starts a preview takes 7 to 200 times fewer strides; an island smaller than a square can be missed.
+        `exact` follows every start. `preview` follows starts near a border between fates, and paints squares
+        of at most 16 starts a side with the fate of their corners. Of 256 by 256 starts it takes 7 to 200
+        times fewer strides; it can miss an island smaller than a square.
     path : Path or str, optional
-        Of a NetCDF file; a preview is written there when it is whole.
+        NetCDF file for the result. Rows that are done are kept in a folder beside it, so that a job that
+        stopped is resumed by the same call. A preview is written when it is whole.
     executor, progress : as in `sweep`
 
     Returns
     -------
     xarray.Dataset
-        `fate`, a number of `library.engine.FATES`, and `strides_until_known`, that were closed until then,
-        over the two coordinates. Attributes: `settled_share`, the share of the starts that settle, and
-        `settled_area`, their area in the coordinates' units; the gait, as `gait_com_height` and so on; the
-        ball: `ball` ("tested", "proved" or "none"),
-        `ball_radius` (every apex so near in each coordinate, over the scales, is inside), `ball_rate` (what
-        the norm falls to in a stride at the most) and `ball_points`; `refine` says how the map was
-        made; a preview has `is_followed`, too: 0 for starts that are painted.
+        Over the two coordinates: `fate`, a number of `library.engine.FATES`, and `strides_until_known`, that
+        were closed until then; in a preview `is_followed`, 0 for painted starts. Attributes: `settled_share`
+        of the starts, and `settled_area` in the coordinates' units; the gait, as `gait_com_height` and so on;
+        `refine`; and the ball: `ball` ("tested", "proved" or "none"), `ball_radius` (every apex so near in
+        each coordinate, over the scales, is inside), `ball_rate` (largest factor of the norm in a stride) and
+        `ball_points`.
 
     Raises
     ------
@@ -165,40 +162,16 @@ def basin(
     counts = counts_given(n, MAX_AXIS)
     size = math.prod(counts)
     check_size("n", size, f"starts ({counts[0]:,} by {counts[1]:,})", MAX_STARTS)
-    gait = stable_gait(runner, law)
-    ends = {name: range_around(gait, name) if span is None else span for name, span in spans.items()}
-    values = {
-        name: np.linspace(*span, count) for (name, span), count in zip(ends.items(), counts, strict=True)
-    }
-    return basin_at(
-        gait,
-        values,
-        law=law,
-        ball=ball,
-        refine=refine,
-        path=path,
-        executor=executor,
-        progress=progress,
-    )
-
-
-def basin_at(
-    gait: Gait,
-    values: Mapping[str, ArrayLike],
-    *,
-    law: Law | None = None,
-    ball: Ball | str = "tested",
-    refine: str = "exact",
-    path: Path | str | None = None,
-    executor: Executor | None = None,
-    progress: bool = False,
-) -> xarray.Dataset:
-    """`basin` of a stable gait, at values of two coordinates that may be at any distance from each other."""
-    runner = gait.runner
     path = None if path is None else check_destination(path, (".nc",), "path")
-    along = _checked_slice(values, runner.coordinates)
-    (first, rows), (second, columns) = along.items()
     _check_refine(refine, law)
+    gait = stable_gait(runner, law)
+    runner = gait.runner
+    ends = {name: range_around(gait, name) if span is None else span for name, span in spans.items()}
+    along = {
+        name: VARIABLES[f"apex.{name}"].values_of(np.linspace(*span, count), f"range of {name}")
+        for (name, span), count in zip(ends.items(), counts, strict=True)
+    }
+    (first, rows), (second, columns) = along.items()
     around = ball_of(gait, ball, len(rows) * len(columns), law)
     plan = Slice(runner, tuple(gait.apex), (first, second), tuple(rows), tuple(columns), law=law, ball=around)
     made = Resumed(path, _blank(gait, along, refine, plan), "map of fates")
@@ -284,17 +257,3 @@ def _follow_rows(made: Resumed, plan: Slice, blocks: Callable[..., Any], progres
         for number, (fate, strides) in results:
             made.write({plan.axes[0]: rows[number]}, {"fate": fate, STRIDES: strides})
             bar.update(len(rows[number]))
-
-
-def _checked_slice(
-    values: Mapping[str, ArrayLike], coordinates: Sequence[str]
-) -> dict[str, NDArray[np.float64]]:
-    """Values of the two coordinates by their names."""
-    first, second = values
-    check_axes((first, second), coordinates)
-    checked = {
-        axis: VARIABLES[f"apex.{axis}"].values_of(along, f"range of {axis}") for axis, along in values.items()
-    }
-    rows, columns = map(len, checked.values())
-    check_size("ranges", rows * columns, f"starts ({rows:,} by {columns:,})", MAX_STARTS)
-    return checked

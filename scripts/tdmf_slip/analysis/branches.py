@@ -129,24 +129,23 @@ def continue_branch(
     switch: bool = True,
     progress: bool = False,
 ) -> Branch:
-    """The branch of gaits over a range of a parameter, through folds, with every special point classified.
+    """Follow the branch of gaits over a range of a parameter, through folds, and classify its special points.
 
     The branch begins at the first end of the range with the gait that `find_gait` gives. Where there is
     none, it begins at the first value that has one, and is followed both ways.
 
     Parameters
     ----------
-    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
-        Whose gaits: a runner, or start values by the unit's names, over the unit's own.
+    runner : as in `find_gait`
     vary : mapping of str to pair of float
         The parameter or input that is varied, and both ends of its range, in its unit.
     model : as in `find_gait`
     max_step : float, default 0.2
         Longest step along the branch, over the coordinates' scales and the parameter's.
     max_points : int, default 1000
-        Stop after so many gaits, in each direction.
+        Largest number of gaits in each direction.
     switch : bool, default True
-        Follow the gaits of two strides from each period doubling, and those of four from theirs, too.
+        Also follow the gaits of two strides from each period doubling, and those of four from theirs.
     progress : bool, default False
         Show a count of gaits on stderr.
 
@@ -154,15 +153,15 @@ def continue_branch(
     -------
     xarray.Dataset
         Over `point`, in the branch's order: the parameter, all quantities of a gait as in a sweep,
-        `unstable`, how many eigenvalues are outside the unit circle, and `special`. Most points have the
-        empty text there. Special points are `fold`, `period doubling`, `Neimark-Sacker`, `word border` or
-        `unclassified`; `why` says why, and `before` and `after` are the words where they change. At a word
-        border or an unclassified point the gait is the one just beyond.
+        `unstable`, the number of eigenvalues outside the unit circle, and `special`, empty at most points,
+        else `fold`, `period doubling`, `Neimark-Sacker`, `word border` or `unclassified`. `why` says why a
+        point is unclassified, and `before` and `after` are the words where they change. At a word border or
+        an unclassified point the gait is the one just beyond.
 
-        Branches of more strides follow in the same table. `branch_number` says of which branch a point is.
-        Over `branch`, `branch_strides`, `branch_began` and `branch_ended` say after how many strides its
-        gaits repeat themselves, why it has no earlier points, and why it stops. `apexes` are those of all
-        strides. `gait_at(branch.isel(point=...))` is the gait of a point.
+        Branches of more strides follow in the same table; `branch_number` is the branch of a point. Over
+        `branch`: `branch_strides`, after which its gaits repeat themselves, and why it has no earlier and no
+        further points, `branch_began` and `branch_ended`. `apexes` are those of all strides.
+        `gait_at(branch.isel(point=...))` is the gait of a point.
 
     Raises
     ------

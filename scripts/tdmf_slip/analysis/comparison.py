@@ -96,22 +96,21 @@ def compare(
     model: str | None = None,
     progress: bool = False,
 ) -> Comparison:
-    """Runners made equal in what could confound a comparison.
+    """Match runners in what could confound a comparison.
 
-    The first runner is the reference and stays as it is. Of each other one, what `vary` names is changed
-    until its gait has what `hold` names as the reference has it, as `find_gait` does it; where no such gait
-    is found, the nearest is taken and `held` says what differs.
+    The first runner is the reference and stays as it is. Of each other runner, the parameters in `vary` are
+    changed until its gait has the quantities in `hold` as the reference has them, as by `find_gait`. Where no
+    such gait is found, the nearest is taken, and `held` says what differs.
 
     Parameters
     ----------
     runners : sequence of Runner, mapping of str to float, Gait or None
-        Two or more: runners, or start values by the unit's names and in its units, over the unit's own; None
-        is the unit's own runner. A gait is where the search for the runner's gait begins.
+        Two or more runners, each as in `find_gait`.
     hold : sequence of str
         Quantities of a gait that are to be equal, by names of `library.quantities.QUANTITIES`, as `speed`,
         `apex_height` and `foot_clearance`.
     vary : sequence of str
-        Parameters and inputs that may change for it: as many as are held, or more. Of more, each step is the
+        Parameters and inputs that may change, at least as many as are held. Of more, each step is the
         shortest one, over their values.
     model, progress : as in `find_gait`
 
@@ -119,9 +118,9 @@ def compare(
     -------
     xarray.Dataset
         Over `runner` and `step`, which is `before` or `after`: all quantities of the gaits, and as
-        coordinates the parameters that are varied or differ between runners. `held`, over `runner`
-        and `quantity`, is 1 where a quantity could be made equal. `gait_at(matched.isel(runner=1, step=1))`
-        is a gait.
+        coordinates the parameters that vary or differ between the runners. `held`, over `runner` and
+        `quantity`, is 1 where a quantity could be made equal. `gait_at(matched.isel(runner=1, step=1))` is a
+        gait.
 
     Raises
     ------

@@ -264,17 +264,16 @@ def continue_curves(
     max_points: int = 200,
     progress: bool = False,
 ) -> xarray.Dataset:
-    """Curves of special points over two parameters, each followed both ways to the ranges' edges.
+    """Follow curves of special points over two parameters, each both ways to the edges of the ranges.
 
     They begin at the special points of the branch over the first parameter, at the runner's value of the
     second, or where that is beyond its range at the range's beginning.
 
     Parameters
     ----------
-    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
-        Whose gaits.
+    runner : as in `find_gait`
     vary : mapping of str to pair of float
-        By name of two parameters or inputs: the ends of their ranges.
+        Two parameters or inputs, and the ends of their ranges.
     model : as in `find_gait`
     max_points : int, default 200
         Largest number of points of a curve, in each direction.

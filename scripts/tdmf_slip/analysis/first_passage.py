@@ -148,39 +148,35 @@ def strides_to_fall(
     executor: Executor | None = None,
     progress: bool = False,
 ) -> FirstPassage:
-    """The mean number of strides until a runner falls on rough ground.
+    """Estimate the mean number of strides until a runner falls on rough ground.
 
-    At each apex, the start's too, the height of the ground gains a random step; `RoughGround.steps` has
-    those of each runner, which are numbered from 0. A runner whose foot is below its step for a whole stride
-    has fallen, too. Runners start from the gait on level ground. The fall is
-    that of the library's solver at a relative tolerance of 1e-5 a step.
+    The ground gains a random step at each apex, the first included; `RoughGround.steps` has those of each
+    runner, numbered from 0. A runner whose foot is below its ground for a whole stride has fallen, too.
+    Runners start from the gait on level ground, and run at a relative tolerance of 1e-5 a step.
 
-    Where the ground has a patch, the gait is that without it, and what comes of a runner depends on where its
-    foot is at the start. A patch is left behind sooner or later, and strides until the fall are then not
-    geometric: what counts are the falls of so many runners.
+    On ground with a patch, the gait is that without the patch. The patch is left behind sooner or later, so
+    that strides until the fall are not geometric: use the number of falls, not the mean.
 
     Parameters
     ----------
-    runner : Runner, Gait, mapping of str to float, Series, str or Path
-        Who runs: a runner, or start values by the unit's names and in its units, over the unit's own.
+    runner : as in `find_gait`
     roughness : float or RoughGround
-        Standard deviation of a step, m; or ground whose steps are correlated, that trips, or whose friction
-        is drawn, with a seed of its own.
+        Standard deviation of a step, m; or ground with correlated steps, faces that trip or drawn friction,
+        and with a seed of its own.
     runners : int, default 1000
-        How many run, each on ground of its own.
+        Number of runners, each on ground of its own.
     seed : int, default 0
-        Of the ground.
+        Seed of the ground.
     max_strides : int, default 10000
-        A runner that has made as many is still up: it is counted as censored, not dropped.
+        Strides after which a runner is censored: its strides count, but it adds no fall.
     gait : Gait, optional
-        What they start from; by default the gait that `find_gait` finds.
+        Gait that the runners start from; by default that of `find_gait`.
     law : callable or AffineLaw, optional
-        What is set at each apex, the start's too, from its height above the ground before it steps: see
+        Law that sets values at each apex, the first included, from its height before the ground steps; see
         `Batch`. A function is called for each block of runners.
     foot_x : array_like of float, shape () or (runners,), or "random", optional
-        Where the feet are at the start, m, by default at 0. Those that are "random" are drawn evenly from the
-        last stride's length of the gait before the patch, by the ground's seed: so the patch begins at any
-        phase of a stride.
+        Positions of the feet at the start, m, by default 0. With "random" they are drawn evenly, by the
+        ground's seed, from the last stride before the patch, which then begins at any phase of a stride.
     executor, progress : as in `sweep`
 
     Returns

@@ -378,30 +378,24 @@ def rare_falls(
     law: Law | None = None,
     progress: bool = False,
 ) -> RareFalls:
-    """The mean number of strides until a fall that hardly ever comes, by multilevel splitting.
+    """Estimate the mean number of strides until a fall that hardly ever comes, by multilevel splitting.
 
-    Ground, start and fall are those of `strides_to_fall`, which waits for falls and serves where they come.
-    Here `REPLICAS` independent runs keep so many walkers at each of `LEVELS` levels of danger.
+    Ground, start and fall are those of `strides_to_fall`, which suits falls that are common. Here `REPLICAS`
+    independent runs keep `walkers` runners at each of `LEVELS` levels of danger.
 
     Parameters
     ----------
-    runner : Runner, Gait, mapping of str to float, Series, str or Path
-        Who runs: a runner, or start values by the unit's names and in its units, over the unit's own.
+    runner : as in `find_gait`
     roughness : float or RoughGround
-        Standard deviation of a step, m; or ground whose steps hang together, trip, or come with a friction of
-        their own for each stride. Its seed is of no account here.
+        As in `strides_to_fall`; the ground's own seed is not used.
     walkers : int, default 64
-        Kept at each level.
+        Runners that are kept at each level.
     strides : int, default 160
-        Of each walker in each run, of which the first quarter is forgotten.
+        Strides of each walker in each run, of which the first quarter is discarded.
     seed : int, default 0
-        Of everything that is drawn.
-    gait : Gait, optional
-        What they start from; by default the gait that `find_gait` finds.
-    law : callable or AffineLaw, optional
-        What is set at each apex, as in `strides_to_fall`.
-    progress : bool, default False
-        A bar on stderr.
+        Seed of everything that is drawn.
+    gait, law : as in `strides_to_fall`
+    progress : as in `sweep`
 
     Returns
     -------

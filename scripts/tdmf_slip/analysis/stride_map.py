@@ -54,49 +54,40 @@ def stride_map(
     executor: Executor | None = None,
     progress: bool = False,
 ) -> xarray.Dataset:
-    """Strides of many runners in a row, each kept with its apices and quantities.
+    """Make strides of many runners in a row, and keep the apices and quantities of each.
 
-    Settings are in force from the apex on at which a stride begins, and what they are is up to `inputs` or
-    to a law. A stride that does not close leaves NaN in all its quantities and those of the strides to come,
-    and `fate` says why: a ground that is set by `ground.height` or `ground.slope` is in force once the foot
-    flies above it, and a runner whose foot stays below it for a whole stride has fallen, at the apex after
-    that stride: the stride is the last to have quantities, and the next one has the fate `fell`. The height
-    of the first apex is above the ground of the first stride, wherever that is. On rough ground the ground
-    steps at each apex, the start's too, as in `strides_to_fall`; the height of an apex is that above the
-    ground that the runner came from, before the ground steps, and this is what a law sees of it.
+    Settings hold from the apex at which a stride begins; `inputs` or a law says what they are. The height of
+    an apex is that above the ground that the runner comes from, also for a law. A ground that is set by
+    `ground.height` or `ground.slope` is in force once the foot flies above it. A runner whose foot stays
+    below its ground for a whole stride has fallen, and its next stride has the fate `fell`. From a stride
+    that does not close on, all quantities are NaN.
 
     Parameters
     ----------
-    runner : Runner, Gait, mapping of str to float, Series, str or Path
-        A runner, or start values by the unit's names and in its units, over the unit's own; an array has one
-        for each runner.
+    runner : Runner, Gait, mapping of str to float or array_like, Series, str or Path
+        A runner as in `find_gait`; in a mapping, an array has a value for each runner.
     apices : array_like of float, shape (n,) or (runners, n)
-        Where they begin, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s; of
-        runners by the reduced map the first two.
+        First apices, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s; for the
+        reduced map the first two.
     strides : int, default 1
-        How many each runner makes.
+        Number of strides of each runner.
     model : as in `find_gait`
     inputs : mapping of str to array_like of float, optional
-        By name, one of `library.settings.SETTINGS`: tunable settings of the control law, as
-        `hip.touchdown_angle`, and inputs, as `ground.friction`. A number, or of each stride, shape
-        (strides,), or of each runner and stride, shape (runners, strides).
+        Settings by their names in `library.settings.SETTINGS`: a number, a value for each stride, shape
+        (strides,), or one for each runner and stride, shape (runners, strides).
     law : callable or AffineLaw, optional
-        What is set at each apex. A function is called with the apices, shape (runners, n), and the number of
-        the stride, once for each stride and for all runners at once. It gives arrays by name, the same names
-        each time; rows of runners whose run is over are NaN, and what it gives for them does not matter. An
-        `AffineLaw` is followed by the engine itself.
-    roughness : float, default 0
-        Standard deviation of a step of the ground, m.
-    seed : int, default 0
-        Of the ground.
+        Law that sets values at each apex, see `Batch`. A function is called once for each stride, with the
+        apices of all runners, shape (runners, n), and the number of the stride. It returns arrays by name,
+        always the same names. Rows of runners whose run is over are NaN.
+    roughness, seed : float and int, default 0
+        Standard deviation of the ground's steps, m, and their seed, as in `strides_to_fall`.
     foot_x : float or array_like of float, shape (runners,), optional
-        Where the feet are at the first apices, m, by default at 0. What a stride does depends on it where the
-        ground has a patch, `ground.patch_begin` and `ground.patch_end`.
+        Positions of the feet at the first apices, m, by default 0. They matter where the ground has a patch.
     derivatives : sequence of str, optional
-        Names of parameters and inputs by which each stride is differentiated, too, exactly and by the native
-        solver. A stride with derivatives takes as long as 17 without.
+        Parameters and inputs by which each stride is differentiated, exactly and by the native solver. A
+        stride with derivatives takes as long as 17 without.
     first_number : int, default 0
-        Of the first runner; by their numbers ground and noise are drawn.
+        Number of the first runner; ground and noise are drawn by these numbers.
     tolerance : float, default 2e-10
         Relative tolerance of a step.
     instructions : str, optional
@@ -107,13 +98,11 @@ def stride_map(
     -------
     xarray.Dataset
         Over `runner` and `stride`: `fate`, a number of `library.batch_tables.STRIDE_FATES`; `apex` and
-        `next_apex`, over `coordinate` too; quantities of the stride by the names of
-        `library.quantities.STRIDE_QUANTITIES` and `LEDGER`, `liftoff_angle` and `word`; by the full model
-        `foot.x`, where the foot is at the next apex, in m; what was set, by the names of the settings;
-        `ground.height` on rough ground. Over `runner` the
-        parameters that vary. A runner's other values are attributes. With `derivatives`, also `next_apex_by`
-        over `coordinate` and `by`, and `speed_by` and the like over `by`, which are the coordinates of the
-        stride's own apex and then the names: a stride's derivatives, with its apex and settings as they are.
+        `next_apex`, also over `coordinate`; the quantities `STRIDE_QUANTITIES` and `LEDGER` of
+        `library.quantities`; `liftoff_angle` and `word`; for the full model `foot.x` at the next apex, m; the
+        settings; `ground.height` on rough ground. Over `runner`: the parameters that vary; other values are
+        attributes. With `derivatives` also `next_apex_by` over `coordinate` and `by`, and `speed_by` and the
+        like over `by`: derivatives of each stride by its own apex and by the names.
 
     Raises
     ------

@@ -72,55 +72,53 @@ def find_gait(
     progress: bool = False,
     **values: Given,
 ) -> Gait:
-    """The periodic gait of a runner, stable or not, or the one that has what a target prescribes.
+    """Find the periodic gait of a runner, stable or not, or the gait that meets a target.
 
-    With a guess, the gait near it, by Newton's method on the return map. Without one, the gait that the
-    runner settles on from its start values; where it falls or does not settle, the gait that is reached
-    along the friction from the unit's own; and where none is, one from starts all over the section that run
-    side by side, a stable one if there is, see `spread.search_from_spread`. These are always the same starts,
-    so that the same gait is found each time; the search takes a second or two.
+    With a guess, Newton's method finds the gait near it. Without one, the same gait is found each time:
 
-    With a target, Newton's method goes on from there on apex and varied parameters at once; where it fails,
-    through targets in between. Derivatives are exact. Where more parameters are varied than quantities are
-    prescribed, no gait nearby meets the target with a smaller change of the parameters, over their values.
+    - the gait that the runner settles on from its start values;
+    - else the gait that is reached along the friction from the unit's own;
+    - else a gait from starts all over the section, a stable one if there is, which takes a second or two.
+
+    With a target, Newton's method solves for the apex and the varied parameters at once, by exact
+    derivatives, and where it fails, through targets in between. Where more parameters vary than quantities
+    are prescribed, no gait nearby meets the target with a smaller change of parameters, over their values.
 
     Parameters
     ----------
     runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
-        Whose gait: a runner, or start values by the unit's names and in its units, over the unit's own; the
-        name of a preset or the path of a parameter file; or a gait, whose apex then is the guess.
-        Varied parameters begin with the values that they have here.
+        A runner; start values by the unit's names and in its units, over the unit's own; the name of a preset
+        or the path of a parameter file; or a gait, whose apex then is the guess.
     target : mapping of str to float, optional
-        What the gait is to have, by names of `library.quantities.QUANTITIES`: `speed` in m/s, `frequency` of
-        strides in Hz, `length` of a stride in m, `stance_time` in s, `duty_factor`, `slip_distance` of the
-        foot in m, `peak_force` of the ground across it and `peak_vertical_force` in N, `cost_of_transport`;
-        in the full model also those of `library.quantities.MEASURES`, as `foot_clearance`.
+        Prescribed values, in SI units, by names of `library.quantities.QUANTITIES`, as `speed`, `frequency`
+        of strides, `duty_factor`, `peak_force` of the ground across it, and `cost_of_transport`; in the full
+        model also of `library.quantities.MEASURES`, as `foot_clearance`.
     vary : sequence of str
-        Names of the parameters and inputs that may change for the target, at least as many as it prescribes.
+        Parameters and inputs that may change for the target, at least as many as it prescribes. They begin
+        with the runner's values.
     guess : sequence of float, shape (6,), optional
         An apex near the gait's, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s;
         for the reduced map the first two.
     model : str, optional
-        One of `MODELS`: `full`, or `reduced` for the map of an apex's height and speed, with the leg placed
-        in flight as if by itself. By default that of the runner.
+        `full`, or `reduced` for the map of an apex's height and speed, with the leg placed in flight as if by
+        itself. By default that of the runner.
     progress : bool, default False
         A bar on stderr while parameters are tried that would help.
     **values : float, bool or str
-        Start values over the runner's, as in `friction=0.43`: numbers in the variables' units, or texts with
-        a unit, as in `touchdown_angle="40 deg"`.
+        Start values over the runner's, as in `friction=0.43`, or with a unit, as in
+        `touchdown_angle="40 deg"`.
 
     Returns
     -------
     Gait
-        Apex, word, quantities of the stride, Jacobian and eigenvalues of the map. The varied parameters are
-        in its `runner`; what is prescribed is met to 1e-10.
+        Apex, word, quantities of the stride, Jacobian and eigenvalues of the map. Its `runner` has the varied
+        parameters; what is prescribed is met to 1e-10.
 
     Raises
     ------
     InputError
-        The guess is no apex, the start values are refused or not in flight, a name is unknown, or the
-        friction is 0; fewer parameters are varied than quantities prescribed, one does not act, or they
-        have the same effect.
+        A value or a name is refused, the start is not in flight, or the friction is 0; fewer parameters vary
+        than quantities are prescribed, one has no effect, or several have the same effect.
     GaitNotFoundError
         No gait was found; the message says what happened on the way.
     TargetNotMetError

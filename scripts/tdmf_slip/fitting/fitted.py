@@ -80,29 +80,26 @@ def fit(
     starts: int = STARTS,
     progress: bool = False,
 ) -> Fit:
-    """The runner whose gaits are nearest to measured ones, with the confidence of its parameters.
+    """Fit a runner's parameters to measured gaits, with their confidence intervals.
 
-    The sum of the squared residuals over their errors is made least by SciPy's `least_squares`, with the
-    exact derivatives of the gaits. Intervals are of 95 % confidence, by the profile likelihood: a parameter
-    is held, all others are fitted anew, and the interval ends where the sum of squares has risen by 3.84. The
-    errors of the data are taken as known standard errors, unless `scale_errors` says that their ratios alone
-    are known. A search that has made `problem.MAX_STRIDES` strides ends where it is, and a note says so.
+    SciPy's `least_squares` minimizes the sum of the squared residuals over their errors, with the exact
+    derivatives of the gaits. Intervals are of 95 % confidence, by the profile likelihood: a parameter is
+    held, all others are fitted anew, and the interval ends where the sum of squares has risen by 3.84. Errors
+    are known standard errors, unless `scale_errors` is set. A search that has made `problem.MAX_STRIDES`
+    strides ends where it is, and a note says so.
 
     Parameters
     ----------
-    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
-        What does not vary: a runner, or start values by the unit's names and in its units, over the unit's
-        own.
+    runner : as in `find_gait`
     data : DataFrame, mapping of str to sequence of float, str, Path or Measurements
-        What was measured: columns by the names of quantities, such as `speed`, and of their standard errors,
-        such as `speed_error`; a CSV file with these titles and units, such as `speed [m/s]`; or the name of
-        a file that comes with the package, as `human_running`. Each row is a condition with a gait of its
-        own.
+        Measured conditions in rows, each with a gait of its own, and in columns by the names of quantities,
+        such as `speed`, and of their standard errors, such as `speed_error`; a CSV file with these titles and
+        units, such as `speed [m/s]`; or the name of a file in the package, as `human_running`.
     vary : sequence of str
-        Names of parameters and inputs to be found, of which all rows share one value. They begin with the
-        values that the runner has.
+        Parameters and inputs to fit that all rows share. They begin with the runner's values.
     vary_each : sequence of str, optional
-        Names of those of which each row has its own value, as what a runner changes to run faster.
+        Parameters and inputs to fit that have their own value in each row, as what a runner changes to run
+        faster.
     units : mapping of str to str, optional
         Units of columns whose title has none, by quantity, such as `{"speed": "km/h"}`. Columns of a
         DataFrame or a mapping are otherwise in the quantity's own unit.
@@ -110,24 +107,22 @@ def fit(
         Standard errors of quantities without a column of errors: a number in the unit of the column, one for
         each row, or a share of the value, such as `"2 %"`.
     priors : mapping of str to pair of float, optional
-        What is known beside the data: value and standard error of parameters that all rows share, in the
-        unit's units. One that is not among `vary` is an assumed constant: it begins with this value, is
-        fitted, too, and so its uncertainty is in all intervals.
+        Prior knowledge: value and standard error of parameters that all rows share, in the unit's units. One
+        that is not in `vary` begins with this value and is fitted, too: its uncertainty is in all intervals.
     guess : sequence of float, optional
         An apex near that of the gait that all rows begin with; see `find_gait`. By default the gait that
         the runner settles on, else that near its start values.
     model : as in `find_gait`
     robust : bool, default False
-        Huber's loss instead of squares: residuals beyond 1.345 errors count by their size alone, so that a
-        datum that is far off changes little.
+        Huber's loss instead of squares: residuals beyond 1.345 errors count by their size alone, so that an
+        outlier changes little.
     scale_errors : bool, default False
         The errors are known but for a common factor, which is estimated from the residuals: intervals are
         wider by the root of chi square over the degrees of freedom, and by Student's quantile.
     profile : bool or sequence of str, default True
-        Whether intervals are by the profile likelihood; or of which parameters, by name. Others have linear
-        ones, which are those of the normal distribution.
+        Parameters whose intervals are by the profile likelihood: all, none, or these. Others are linearized.
     starts : int, default 1
-        How many fits are made at the most, from gaits all over what varies, of which the best counts.
+        Largest number of fits, from gaits all over what varies; the best counts.
     progress : bool, default False
         A count of strides on stderr.
 

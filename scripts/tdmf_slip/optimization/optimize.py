@@ -52,41 +52,36 @@ def optimize(
     model: str | Model | None = None,
     progress: bool = False,
 ) -> Optimum:
-    """The best runner: parameters within bounds whose gait has the least or the most of a quantity.
+    """Find the parameters within bounds whose gait has the least or the most of a quantity.
 
-    By sequential quadratic programming (SLSQP), with gradients that are exact through the gait. These change
-    smoothly only while the gait word and the events of the stride stay, so that each run of SLSQP is on one
-    region. Where an iterate is on another, the border between the two is located. If the objective gets
-    better away from the border on one side, the search goes on there; if on neither, the best point on the
-    border is found by SLSQP along it. The gradients of both sides then show whether
-    it is an optimum, see `Optimum.remaining_improvement`. Where an iterate has no gait, because of a fold or
-    a fall, the search backs off. Near a fold it stops where the leading eigenvalue is about 0.99, and
-    `limits` reports `fold`.
+    Sequential quadratic programming (SLSQP) uses gradients that are exact through the gait. They are smooth
+    only while the gait word and the events of the stride stay. Where an iterate is on another region, the
+    border is located. If the objective gets better beyond it, the search goes on there; else SLSQP finds the
+    best point along the border, and the gradients of both sides show whether that is an optimum, see
+    `Optimum.remaining_improvement`. Near a fold the search stops where the leading eigenvalue is about 0.99,
+    and `limits` reports `fold`.
 
-    Each search is local. The first one begins with the runner given, the others where gaits promise most of a
-    thousand or so that the ensemble engine settles all over the bounds, and that have no better one near them
-    (multi-level single linkage). `basins` is the number of different optima that they end at. A better gait
-    that none of them leads to may exist, also on a branch of unstable ones: the result is called local,
-    unless no gait can have less.
+    Each search is local. The first begins with the given runner, the others where gaits promise most of a
+    thousand or so that the ensemble engine settles all over the bounds (multi-level single linkage). `basins`
+    is the number of different optima that they end at. The result is called local unless no gait can have
+    less: a better gait that no search leads to may exist, also on a branch of unstable ones.
 
     Parameters
     ----------
-    runner : Runner, Gait, mapping of str to float, Series, str or Path
-        Who is to become better: a runner, or start values by the unit's names and in its units, over the
-        unit's own. The search begins with its gait.
+    runner : as in `find_gait`
     vary : mapping of str to pairs of float
-        Parameters and inputs that are varied, with their lower and upper bounds; also texts like `40 deg`.
+        Parameters and inputs that vary, with lower and upper bounds, also as texts like `40 deg`.
     minimize, maximize : str, optional
         One of the two: the quantity, by a name of `library.quantities.QUANTITIES`, among them
         `cost_of_transport`, `speed`, `slip_distance`.
     target : mapping of str to float, optional
-        Quantities that are prescribed, by the same names, in SI units.
+        Prescribed values of quantities by the same names, in SI units.
     stable : bool or float, default False
-        Only gaits whose spectral radius is at most this; True stands for 0.99. The radius is constrained by
-        the leading eigenvalues one by one, which are smooth where the radius itself is not.
+        Largest spectral radius of the gait; True stands for 0.99. The leading eigenvalues are constrained one
+        by one, because they are smooth where the radius itself is not.
     starts : int, default 6
-        How many searches are made at the most; the best counts. With one, only the runner's own gait is begun
-        with.
+        Largest number of searches, of which the best counts. With one, the search begins with the runner's
+        own gait alone.
     model, progress : as in `find_gait`
 
     Returns
@@ -158,10 +153,10 @@ def pareto_front(
     model: str | Model | None = None,
     progress: bool = False,
 ) -> tuple[tuple[str, str], tuple[Optimum, ...]]:
-    """The best compromises between two quantities, from the best in one to the best in the other.
+    """Find the best compromises between two quantities, from the best in one to the best in the other.
 
-    Each is an optimum of the first quantity as `optimize` finds it, with a limit on the second; the limits
-    are spread evenly between the values that the two ends have.
+    Each is an optimum of the first quantity as `optimize` finds it, with a limit on the second. The limits
+    are spread evenly between the values of the two ends.
 
     Parameters
     ----------
@@ -170,9 +165,9 @@ def pareto_front(
         Two quantities in all; those to be minimized come first.
     target, stable : as in `optimize`
     points : int, default 7
-        How many runners, both ends among them.
+        Number of runners, both ends included.
     starts : int, default 6
-        How many searches are made at the most for the ends; the others begin at their neighbours.
+        Largest number of searches for each end; the others begin at their neighbours.
     model, progress : as in `optimize`
 
     Returns

@@ -199,40 +199,37 @@ def viability(
     executor: Executor | None = None,
     progress: bool = False,
 ) -> xarray.Dataset:
-    """From which apices some choice of actions avoids a fall for ever, and how much room the choice has.
+    """Compute the viable set: the apices from which some choice of actions avoids a fall for ever.
 
-    At each apex settings may be chosen anew from a finite number. A state, which is a cell of the plane of
-    apices, is viable while some action leads from there to a viable state; leaving the ranges counts as a
-    failure. The set of Heim and Badri-Sproewitz (2019) is enclosed: by an inner set, in which an action
-    counts only where it leads the whole cell into cells that count, and by an outer one, in which it counts
-    where it may lead some of the cell into one. Where a whole cell leads is estimated from derivatives at its
-    corners, see `factor`; so both sets are estimates, not proofs. What is in the one and not in the other is
-    left open by the grid.
+    At each apex an action is chosen anew from a finite number. A cell of the plane of apices is viable while
+    some action leads from there to a viable cell; leaving the ranges counts as a failure. The set of Heim and
+    Badri-Sproewitz (2019) is enclosed by two sets. In the inner set, an action counts only where it leads the
+    whole cell into cells that count; in the outer set, where it may lead some of the cell into one. Where a
+    cell leads is estimated from derivatives at its corners, so both sets are estimates, not proofs. The grid
+    leaves open what is in the outer set alone.
 
     Parameters
     ----------
-    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
-        Parameters and inputs, or start values by name, over the unit's own.
+    runner : as in `find_gait`
     axes : mapping of str to (float, float)
         Ranges of `com_height`, m, and `com_speed`, m/s, at the apex.
     vary : mapping of str to (low, high) or (low, high, values)
-        What may be chosen at each apex: names of `library.settings.SETTINGS`, as `hip.touchdown_angle`, with
-        their ranges and, by default 16, the number of values in them.
+        Settings that are chosen at each apex, by names of `library.settings.SETTINGS`, with their ranges and
+        the number of values, by default 16.
     n : int or pair of int, default 64
         Cells along each axis.
     model : str, default 'reduced'
         Map from apex to apex: `reduced`, whose states are these planes; or `full`, whose other coordinates
-        are at each apex taken to be those that the last placement leaves: a leg at rest, unloaded, where the
-        runner's own settings place it.
+        are those that the last placement leaves: a leg at rest, unloaded, where the runner's own settings
+        place it.
     factor : float, default 1.5
-        1 or above. Derivatives within a cell are taken to be no larger than this times the largest at its
+        Derivatives within a cell are assumed to be at most this many times, 1 or above, the largest at its
         corners, which are differences to the neighbouring corners.
     gait : Gait or sequence of float, optional
         A gait, or its apex. The result then also has the fewest strides from each cell to the gait: to a
         cell all of whose points are within three sides of a cell of the apex.
     path : Path or str, optional
-        NetCDF file for the sets and the strides that they rest on. Strides that are made are kept in a folder
-        beside it, so that a job that stopped is resumed by the same call.
+        NetCDF file for the sets and the strides that they rest on; resumed as in `basin`.
     executor, progress : as in `sweep`
 
     Returns
