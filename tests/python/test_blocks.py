@@ -226,19 +226,19 @@ def test_blocks_within_a_block_use_its_thread():
 
 
 def test_what_is_done_is_on_file_when_a_row_fails(tmp_path, monkeypatch):
-    honest = sweeps.columns_of_block
+    honest = sweeps.columns_of_row
 
-    def failing(row):
-        if row.runner[DAMPING] == 0.23:
+    def failing(along, values, runner):
+        if runner[DAMPING] == 0.23:
             raise ValueError("a fault of the code")
-        return honest(row)
+        return honest(along, values, runner)
 
-    monkeypatch.setattr(sweeps, "columns_of_block", failing)
+    monkeypatch.setattr(sweeps, "columns_of_row", failing)
     path, vary = tmp_path / "grid.nc", {DAMPING: [0.2, 0.21, 0.22, 0.23, 0.24], FRICTION: [0.6, 0.5]}
     with pytest.raises(ValueError, match="a fault of the code"):
         tdmf_slip.sweep({}, vary, path=path, executor=InTurn())
     assert len(list((tmp_path / "grid.nc.parts").iterdir())) == 3
-    monkeypatch.setattr(sweeps, "columns_of_block", honest)
+    monkeypatch.setattr(sweeps, "columns_of_row", honest)
     gaits, borders = tdmf_slip.sweep({}, vary, path=path)
     whole = tdmf_slip.sweep({}, vary)
     assert gaits.identical(whole.gaits) and borders.identical(whole.borders)

@@ -24,15 +24,15 @@ def whole():
 @pytest.fixture
 def half(tmp_path, monkeypatch):
     """A sweep on file that stopped in its second row; and the rows that are searched from then on."""
-    honest, rows = sweep_module.columns_of_block, []
+    honest, rows = sweep_module.columns_of_row, []
 
-    def stopping(block):
-        rows.append(block.runner[DAMPING])
+    def stopping(along, values, runner):
+        rows.append(runner[DAMPING])
         if len(rows) == 2:
             raise KeyboardInterrupt
-        return honest(block)
+        return honest(along, values, runner)
 
-    monkeypatch.setattr(sweep_module, "columns_of_block", stopping)
+    monkeypatch.setattr(sweep_module, "columns_of_row", stopping)
     with pytest.raises(KeyboardInterrupt):
         sweep(None, VARY, path=tmp_path / "sweep.nc", executor=InTurn())
     rows[:] = ["resumed"] * 2

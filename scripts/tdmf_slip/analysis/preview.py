@@ -5,12 +5,14 @@ another fate that touches no corner is missed: the map is a preview, and says so
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..blocks import in_order
 from ..library.laws import Law, is_noisy
 from ..library.runner import Runner
 from ..library.section import COORDINATES
@@ -71,29 +73,14 @@ def fates_of_slice(part: Slice) -> NDArray[np.int32]:
     return both.reshape(2, -1, columns)
 
 
-@dataclass(frozen=True, eq=False)
-class Points:
-    """Starts that differ from a gait's apex in two coordinates, anywhere: a block of work."""
+def fates_of_points(plan: Slice, values: NDArray[np.float64]) -> NDArray[np.int32]:
+    """Fate, and strides until it was known, of starts with these values of a slice's coordinates.
 
-    runner: Runner
-    """The runner."""
-    apex: tuple[float, ...]
-    """The gait's, shape (n,)."""
-    axes: tuple[str, str]
-    """Names of the two coordinates."""
-    values: NDArray[np.float64]
-    """Values of the two coordinates, shape (starts, 2)."""
-    law: Law | None = None
-    """Law that changes settings at each apex."""
-    ball: Ball | None = None
-    """Ball around the gait in which a start counts as settled."""
-
-
-def fates_of_points(points: Points) -> NDArray[np.int32]:
-    """Fate, and strides until it was known, of each start of a block: shape (2, starts)."""
-    starts = np.tile(points.apex, (len(points.values), 1))
-    starts[:, [COORDINATES.index(axis) for axis in points.axes]] = points.values
-    run = fates(points.runner, points.apex, starts, law=points.law, ball=points.ball)
+    The values have the shape (starts, 2), the result (2, starts).
+    """
+    starts = np.tile(plan.apex, (len(values), 1))
+    starts[:, [COORDINATES.index(axis) for axis in plan.axes]] = values
+    run = fates(plan.runner, plan.apex, starts, law=plan.law, ball=plan.ball)
     return np.stack([run.fate, run.strides])
 
 
@@ -106,16 +93,10 @@ def follow_points(
 ) -> NDArray[np.int32]:
     """Fates of starts of a slice, by rows and columns, in blocks; how many are done is reported."""
     values = np.column_stack([np.asarray(plan.rows)[rows], np.asarray(plan.columns)[columns]])
-    parts = [
-        Points(plan.runner, plan.apex, plan.axes, part, plan.law, plan.ball)
-        for part in np.array_split(values, -(-len(values) // MAX_POINTS_AT_ONCE))
-    ]
-    ends: dict[int, NDArray[np.int32]] = {}
-    with blocks(fates_of_points, parts) as results:
-        for number, found in results:
-            ends[number] = found
-            report(found.shape[1])
-    return np.concatenate([ends[number] for number in range(len(parts))], axis=1)
+    parts = np.array_split(values, -(-len(values) // MAX_POINTS_AT_ONCE))
+    with blocks(partial(fates_of_points, replace(plan, rows=(), columns=())), parts) as results:
+        ends = in_order(results, lambda number: report(len(parts[number])))
+    return np.concatenate(ends, axis=1)
 
 
 @dataclass(frozen=True, eq=False)

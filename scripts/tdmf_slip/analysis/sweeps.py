@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise, product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -203,14 +204,15 @@ def sweep(
         dict(zip(others, place, strict=True)) for place in product(*(range(len(v)) for v in others.values()))
     ]
     missing = [number for number, place in enumerate(places) if place not in made.done]
-    blocks = [_Block(runner.replace(rows[number]), along, tuple(axes[along])) for number in missing]
+    blocks = [runner.replace(rows[number]) for number in missing]
+    values = tuple(axes[along])
     if len(places) == 1:
         for block in blocks:
-            made.write({}, _columns(sweep_row(block.runner, along, block.values, progress)))
+            made.write({}, _columns(sweep_row(block, along, values, progress)))
     else:
         with (
             progress_bar("sweep", len(rows), "rows", progress) as bar,
-            run_blocks(columns_of_block, blocks, executor) as results,
+            run_blocks(partial(columns_of_row, along, values), blocks, executor) as results,
         ):
             bar.update(len(rows) - len(missing))
             for number, columns in results:
@@ -317,22 +319,10 @@ def _blank(runner: Runner, axes: Mapping[str, NDArray[np.float64]], along: str) 
     )
 
 
-@dataclass(frozen=True)
-class _Block:
-    """A row of a sweep: a block of work."""
-
-    runner: Runner
-    """Runner whose gaits are found."""
-    along: str
-    """Name that varies along the row."""
-    values: tuple[float, ...]
-    """Values of that name."""
-
-
-def columns_of_block(block: _Block) -> dict[str, Any]:
-    """Arrays of a row by the names of the sweep's variables."""
+def columns_of_row(along: str, values: tuple[float, ...], runner: Runner) -> dict[str, Any]:
+    """Arrays of a row of a sweep by the names of its variables: a block of work."""
     try:
-        return _columns(sweep_row(block.runner, block.along, block.values))
+        return _columns(sweep_row(runner, along, values))
     except TdmfSlipError as problem:  # also start values that go with other rows only
         return {"problem": str(problem)}
 

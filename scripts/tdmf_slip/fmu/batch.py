@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -25,20 +26,6 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Job:
-    """A run: a block of work."""
-
-    values: Mapping[str, Value]
-    """Start values by name."""
-    strides: int
-    """Number of strides."""
-    tolerance: float
-    """Relative tolerance of the solver."""
-    interface: str
-    """`me` or `cs`."""
-
-
-@dataclass(frozen=True)
 class Result:
     """How a run ended."""
 
@@ -54,15 +41,10 @@ OVER = ("run",)
 """The dimension of all arrays."""
 
 
-def run_one(job: Job) -> Result:
+def run_one(strides: int, tolerance: float, interface: str, starts: Mapping[str, Value]) -> Result:
     """One run of the unit. A run that fails is a result, too: the others go on."""
     try:
-        run = run_unit(
-            job.values,
-            strides=job.strides,
-            tolerance=job.tolerance,
-            interface=job.interface,
-        )
+        run = run_unit(starts, strides=strides, tolerance=tolerance, interface=interface)
     except TdmfSlipError as problem:  # the unit may refuse how several values go together
         return Result({}, False, str(problem))
     return Result(run.stride, run.fallen, "")
@@ -126,17 +108,16 @@ def simulate_many(
         fmu.variables.start_values(start_values_of(row), f"runner {number}")
         for number, row in enumerate(given)
     ]
-    jobs = [Job(its, strides, tolerance, interface) for its in starts]
-    names = list(dict.fromkeys(name for job in jobs for name in job.values))
     with (
-        progress_bar("batch", len(jobs), "runs", progress) as bar,
-        run_blocks(run_one, jobs, executor) as finished,
+        progress_bar("batch", len(starts), "runs", progress) as bar,
+        run_blocks(partial(run_one, strides, tolerance, interface), starts, executor) as finished,
     ):
         results = in_order(finished, lambda _: bar.update())
-    return _runs(jobs, results, names, fmu)
+    return _runs(starts, results, fmu)
 
 
-def _runs(jobs: Sequence[Job], results: Sequence[Result], names: Sequence[str], fmu: Fmu) -> xarray.Dataset:
+def _runs(starts: Sequence[Mapping[str, Value]], results: Sequence[Result], fmu: Fmu) -> xarray.Dataset:
+    names = list(dict.fromkeys(name for its in starts for name in its))
     alike = {name: value for name, value in fmu.variables.all_start_values({}).items() if name not in names}
     arrays: dict[str, tuple[Any, ...]] = {
         "fallen": (OVER, [result.fallen for result in results]),
@@ -150,5 +131,5 @@ def _runs(jobs: Sequence[Job], results: Sequence[Result], names: Sequence[str], 
             np.array(values, dtype=object if is_text else float),
             variable.attributes,
         )
-    given = {name: (OVER, [fmu.variables.start_of(name, job.values) for job in jobs]) for name in names}
+    given = {name: (OVER, [fmu.variables.start_of(name, its) for its in starts]) for name in names}
     return dataset("runs", {**origin_of(version=fmu.version), "start_values": alike}, arrays, given)
