@@ -1,4 +1,4 @@
-"""A run at a glance: heights, leg, ground force and speed over time, with the contact modes behind them."""
+"""Runs over time: those of the unit with their contact modes, those of own models with all that moves."""
 
 from collections.abc import Sequence
 
@@ -10,6 +10,7 @@ from matplotlib.patches import Patch
 
 from ..errors import InputError
 from ..fmu.run import MODE
+from ..library.gait import Gait
 from ..record import runner_in
 from ..variables import paper_units
 from ..variables.table import VARIABLES
@@ -22,6 +23,8 @@ PANELS: Sequence[tuple[str, Sequence[tuple[str, str]]]] = (
     ("foot velocity", (("foot.vx", "foot, horizontal"),)),
 )
 """Label of each panel, and variables with their names."""
+MAX_PANELS = 8
+"""Largest number of quantities of an own model that are drawn; outputs come first."""
 
 
 def figure_of(run: xarray.Dataset) -> Figure:
@@ -67,3 +70,33 @@ def _key(run: xarray.Dataset) -> list[Patch]:
         for mode in seen
         if mode != "flight"
     ]
+
+
+def of_own_gait(gait: Gait) -> Figure:
+    """The outputs and states over the strides of a gait."""
+    from ..fmu.simulation import simulate  # FMPy loads only where a unit is run
+
+    run: xarray.Dataset = simulate(gait, stop_time=gait.period)
+    return of_trajectory(run)
+
+
+def of_trajectory(run: xarray.Dataset) -> Figure:
+    """A panel for each output and state; dashed lines where the mode changes."""
+    moving = [name for name, of in run.data_vars.items() if name != "mode" and len(set(of.values)) > 1]
+    if not moving:
+        raise InputError("plot: a trajectory on which nothing changes; allowed: one that moves")
+    times, modes = run["time"].values, run["mode"].values
+    pairs = zip(times[1:], modes, modes[1:], strict=False)
+    changes = [time for time, before, after in pairs if before != after]
+    with style.styled():
+        count = min(MAX_PANELS, len(moving))
+        figure, panels = style.subplots(
+            count, 1, figsize=(7.6, 1.0 + 1.3 * count), sharex=True, squeeze=False
+        )
+        for axes, name in zip(panels[:, 0], moving, strict=False):
+            axes.plot(times, run[name].values, color=style.CURVE)
+            axes.set_ylabel(style.with_unit(str(name), run[name].attrs["units"]))
+            for time in changes:
+                axes.axvline(time, **style.LIMIT_LINE)
+        panels[-1, 0].set_xlabel(style.with_unit("time", "s"))
+    return figure

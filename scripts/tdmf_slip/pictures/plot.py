@@ -36,8 +36,8 @@ PICTURES: Mapping[str, str] = {
     "strides": "basin_map.of_strides",
     "sweep": "sweep_diagram.figure_of",
     "viability": "basin_map.of_viable_set",
-    "trajectory": "trajectory.figure_of",
-    "gait of a model of one's own": "trajectory.of_gait",
+    "trajectory": "overview.of_trajectory",
+    "gait of a model of one's own": "overview.of_own_gait",
 }
 """Module and function by the kind of a result: the name of its class, or a dataset's attribute `result`."""
 DATASETS: Mapping[str, tuple[str, Sequence[int]]] = {

@@ -275,6 +275,19 @@ def printed(unit: str) -> str:
     return unit
 
 
+def stable_curve(
+    axes: Axes,
+    x: Any,
+    y: Any,
+    stable: Any,
+    colour: str,
+    **look: Any,
+) -> None:
+    """Draw a curve of gaits, solid where they are stable, else thin and dashed."""
+    axes.plot(x, y, color=colour, linewidth=1.0, linestyle=SLIP_DASHES)
+    axes.plot(x, np.where(stable, y, np.nan), color=colour, **look)
+
+
 def name_unstable(axes: Axes) -> None:
     """Add an entry for unstable gaits, whose lines are thin and dashed, to the legend of the axes."""
     axes.plot([], [], color=INK, linewidth=1.0, linestyle=SLIP_DASHES, label="unstable gaits")

@@ -60,13 +60,13 @@ def _curves(gaits: "xarray.Dataset", borders: "xarray.Dataset | None", display: 
     shown = shown or {"period": "period"}
     figure, panels = style.subplots(len(shown) + 1, 1, figsize=(7.6, 7.2), sharex=True)
     moduli = np.hypot(found["eigenvalue_real"].values, found["eigenvalue_imag"].values)[:, :3]
-    stable = found["lambda_max"].values < 1.0
+    stable, marker = found["lambda_max"].values < 1.0, "." if len(values) < 2 else None
     for column, colour in zip(moduli.T, (style.CURVE, style.SECOND_CURVE, style.FAINT), strict=False):
-        _draw(panels[0], values, column, stable, colour)
+        style.stable_curve(panels[0], values, column, stable, colour, marker=marker)
     panels[0].axhline(1.0, **style.LIMIT_LINE)
     panels[0].set_ylabel("moduli of the eigenvalues")
     for axes, (quantity, label) in zip(panels[1:], shown.items(), strict=True):
-        _draw(axes, values, found[quantity].values, stable)
+        style.stable_curve(axes, values, found[quantity].values, stable, style.CURVE, marker=marker)
         axes.set_ylabel(style.with_unit(label, display.label(found[quantity].attrs["units"])))
     for axes in panels:
         for value in [] if borders is None else borders[name].values:
@@ -81,19 +81,6 @@ def _curves(gaits: "xarray.Dataset", borders: "xarray.Dataset | None", display: 
     figure.draw_without_rendering()  # lays out the axes
     _words(panels[0], values, found["word"].values.tolist())
     return figure
-
-
-def _draw(
-    axes: Axes,
-    values: NDArray[np.float64],
-    heights: NDArray[np.float64],
-    stable: NDArray[np.bool_],
-    colour: str = style.CURVE,
-) -> None:
-    axes.plot(values, heights, color=colour, linewidth=1.0, linestyle=style.SLIP_DASHES)
-    axes.plot(
-        values, np.where(stable, heights, np.nan), color=colour, marker="." if len(values) < 2 else None
-    )
 
 
 def _words(axes: Axes, values: NDArray[np.float64], words: Sequence[str]) -> None:

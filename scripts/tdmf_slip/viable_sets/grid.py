@@ -20,9 +20,10 @@ sums, four numbers for a box of any size, so that a pass takes all pairs at once
 """
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -188,38 +189,28 @@ class Transitions:
         return int(np.count_nonzero(self.fate == CLOSED))
 
 
-@dataclass(frozen=True, eq=False)
-class Corners:
-    """Some rows of corners: a block of work."""
-
-    runner: Runner
-    """Runner that makes the strides."""
-    grid: Grid
-    """Grid of all corners."""
-    rows: tuple[int, ...]
-    """Numbers of the rows."""
-
-
-def strides_of(part: Corners) -> tuple[NDArray[np.int8], NDArray[np.float32]]:
-    """All actions from all corners of a block."""
-    grid, count = part.grid, part.grid.action_count
+def strides_of(
+    runner: Runner, grid: Grid, rows: Sequence[int]
+) -> tuple[NDArray[np.int8], NDArray[np.float32]]:
+    """All actions from all corners in rows of a grid: a block of work."""
+    count = grid.action_count
     heights, speeds = grid.edges.values()
-    nodes = np.array([(height, speed) for height in heights[list(part.rows)] for speed in speeds])
+    nodes = np.array([(height, speed) for height in heights[list(rows)] for speed in speeds])
     actions = grid.all_actions()
     fates = np.empty((len(nodes), count), np.int8)
     nexts = np.empty((len(REDUCED), len(nodes), count), np.float32)
     at_once = max(1, STRIDES_IN_A_CALL // count)
     for first in range(0, len(nodes), at_once):
         some = slice(first, first + at_once)
-        starts = starts_at(part.runner, nodes[some])
+        starts = starts_at(runner, nodes[some])
         settings = {name: np.tile(values, len(starts))[:, None] for name, values in actions.items()}
-        batch = Batch(part.runner, np.repeat(starts, count, axis=0), inputs=settings)
+        batch = Batch(runner, np.repeat(starts, count, axis=0), inputs=settings)
         run = batch.run(1)
         closed = run.strides == 1
         apices = np.where(closed[:, None], run.apex[:, : len(REDUCED)], np.nan)
         fates[some] = np.where(closed, CLOSED, run.fate).reshape(len(starts), count)
         nexts[:, some] = apices.T.reshape(len(REDUCED), len(starts), count)
-    shape = (len(part.rows), len(speeds), count)
+    shape = (len(rows), len(speeds), count)
     return fates.reshape(shape), nexts.reshape(len(REDUCED), *shape)
 
 
@@ -258,10 +249,9 @@ def make_transitions(
     missing = [row for row, of in enumerate(fate.values) if (of == NOT_YET).any()]
     at_once = max(1, STRIDES_IN_A_BLOCK // math.prod(fate.shape[1:]))
     blocks = [missing[first : first + at_once] for first in range(0, len(missing), at_once)]
-    parts = [Corners(runner, grid, tuple(rows)) for rows in blocks]
     with (
         progress_bar(what, fate.size, "strides", progress) as bar,
-        run_blocks(strides_of, parts, executor) as results,
+        run_blocks(partial(strides_of, runner, grid), blocks, executor) as results,
     ):
         bar.update((len(fate) - len(missing)) * math.prod(fate.shape[1:]))
         for number, (fates, nexts) in results:

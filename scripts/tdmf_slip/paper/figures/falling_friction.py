@@ -135,8 +135,7 @@ def _named(slope: float) -> str:
 
 def _curve(axes: Axes, its: Mapping[str, NDArray[np.generic]], name: str, colour: str) -> None:
     velocities, heights = its["stribeck_velocity"], np.asarray(its[name], float)
-    axes.plot(velocities, heights, color=colour, linewidth=1.0, linestyle=style.SLIP_DASHES)
-    axes.plot(velocities, np.where(its["stable"], heights, np.nan), color=colour)
+    style.stable_curve(axes, velocities, heights, its["stable"], colour)
     for kind, marker in MARKS.items():
         here = its["kind"] == kind
         axes.plot(velocities[here], heights[here], marker, color=colour, markersize=6, zorder=4)

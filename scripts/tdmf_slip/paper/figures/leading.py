@@ -29,8 +29,7 @@ def draw(axes: Axes, values: Sequence[float], gaits: Sequence[Gait], *, named: b
         ("largest eigenvalue, of speed", "second eigenvalue, of height"),
         strict=True,
     ):
-        axes.plot(values, heights, color=colour, linewidth=1.0, linestyle=style.SLIP_DASHES)
-        axes.plot(values, np.where(stable, heights, np.nan), color=colour, label=name if named else None)
+        style.stable_curve(axes, values, heights, stable, colour, label=name if named else None)
     for border in (-1.0, 1.0):
         axes.axhline(border, **style.LIMIT_LINE)
 

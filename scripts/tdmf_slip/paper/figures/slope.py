@@ -138,6 +138,5 @@ def draw(path: Path, data: Columns) -> None:
 
 def _curve(axes: Axes, data: Columns, name: str, colour: str, label: str | None) -> None:
     slopes, heights = np.asarray(data["slope_degrees"]), np.asarray(data[name])
-    axes.plot(slopes, heights, color=colour, linewidth=1.0, linestyle=style.SLIP_DASHES)
-    axes.plot(slopes, np.where(data["stable"], heights, np.nan), color=colour, label=label)
+    style.stable_curve(axes, slopes, heights, data["stable"], colour, label=label)
     axes.plot(slopes[-1], heights[-1], "o", color=colour, markersize=4)

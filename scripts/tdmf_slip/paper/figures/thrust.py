@@ -130,5 +130,4 @@ def _curve(
     if name == MATCHED:
         axes.plot(speed, height, "x", color=COLOURS[name], markersize=5, label=name)
         return
-    axes.plot(speed, height, color=COLOURS[name], linewidth=1.0, linestyle=style.SLIP_DASHES)
-    axes.plot(speed, np.where(stable, height, np.nan), color=COLOURS[name], label=name)
+    style.stable_curve(axes, speed, height, stable, COLOURS[name], label=name)
