@@ -1,98 +1,57 @@
-from .analysis.basin import basin
-from .analysis.branches import continue_branch
-from .analysis.comparison import compare
-from .analysis.curves import continue_curves
-from .analysis.first_passage import FirstPassage, strides_to_fall
-from .analysis.rare_falls import RareFalls, rare_falls
-from .analysis.stride_map import stride_map
-from .analysis.sweeps import Sweep, gait_at, sweep
-from .analysis.targeted import TargetNotMetError, find_gait
-from .analysis.trajectories import trajectory
-from .building.build import build
-from .building.new import new
-from .errors import GaitNotFoundError, InputError, RunError, TdmfSlipError
-from .feedback.controllability import Controllability, controllability
-from .feedback.gains import Feedback, dead_beat, lqr, place_poles
-from .feedback.judgement import apex_covariance
-from .fitting.fitted import fit
-from .fitting.result import Fit
-from .fmu.batch import simulate_many
-from .fmu.fmu import Fmu, fmu_path, load_fmu
-from .fmu.profile import Profile
-from .fmu.simulation import simulate
-from .library.batch import Batch
-from .library.gait import Gait
-from .library.ground import RoughGround
-from .library.laws import AffineLaw
-from .library.own_model import load_model
-from .library.runner import Runner
-from .optimization.optimize import optimize, pareto_front
-from .optimization.optimum import Optimum
-from .paper.validation import Validation, validate
-from .pictures.plot import plot
-from .proof.proof import Proof
-from .proof.prove import prove
-from .proof.prove_attraction import Attraction, prove_attraction
-from .proof.prove_border import BorderProof, prove_border
-from .version import __version__
-from .viable_sets.viability import ViableController, viability
-
-__all__ = [
-    "AffineLaw",
-    "Attraction",
-    "Batch",
-    "BorderProof",
-    "Controllability",
-    "Feedback",
-    "FirstPassage",
-    "Fit",
-    "Fmu",
-    "Gait",
-    "GaitNotFoundError",
-    "InputError",
-    "Optimum",
-    "Profile",
-    "Proof",
-    "RareFalls",
-    "RoughGround",
-    "RunError",
-    "Runner",
-    "Sweep",
-    "TargetNotMetError",
-    "TdmfSlipError",
-    "Validation",
-    "ViableController",
-    "__version__",
-    "apex_covariance",
-    "basin",
-    "build",
-    "compare",
-    "continue_branch",
-    "continue_curves",
-    "controllability",
-    "dead_beat",
-    "find_gait",
-    "fit",
-    "fmu_path",
-    "gait_at",
-    "load_fmu",
-    "load_model",
-    "lqr",
-    "new",
-    "optimize",
-    "pareto_front",
-    "place_poles",
-    "plot",
-    "prove",
-    "prove_attraction",
-    "prove_border",
-    "rare_falls",
-    "simulate",
-    "simulate_many",
-    "stride_map",
-    "strides_to_fall",
-    "sweep",
-    "trajectory",
-    "validate",
-    "viability",
-]
+from .analysis.basin import basin as basin
+from .analysis.branches import continue_branch as continue_branch
+from .analysis.comparison import compare as compare
+from .analysis.curves import continue_curves as continue_curves
+from .analysis.first_passage import FirstPassage as FirstPassage
+from .analysis.first_passage import strides_to_fall as strides_to_fall
+from .analysis.rare_falls import RareFalls as RareFalls
+from .analysis.rare_falls import rare_falls as rare_falls
+from .analysis.stride_map import stride_map as stride_map
+from .analysis.sweeps import Sweep as Sweep
+from .analysis.sweeps import gait_at as gait_at
+from .analysis.sweeps import sweep as sweep
+from .analysis.targeted import TargetNotMetError as TargetNotMetError
+from .analysis.targeted import find_gait as find_gait
+from .analysis.trajectories import trajectory as trajectory
+from .building.build import build as build
+from .building.new import new as new
+from .errors import GaitNotFoundError as GaitNotFoundError
+from .errors import InputError as InputError
+from .errors import RunError as RunError
+from .errors import TdmfSlipError as TdmfSlipError
+from .feedback.controllability import Controllability as Controllability
+from .feedback.controllability import controllability as controllability
+from .feedback.gains import Feedback as Feedback
+from .feedback.gains import dead_beat as dead_beat
+from .feedback.gains import lqr as lqr
+from .feedback.gains import place_poles as place_poles
+from .feedback.judgement import apex_covariance as apex_covariance
+from .fitting.fitted import fit as fit
+from .fitting.result import Fit as Fit
+from .fmu.batch import simulate_many as simulate_many
+from .fmu.fmu import Fmu as Fmu
+from .fmu.fmu import fmu_path as fmu_path
+from .fmu.fmu import load_fmu as load_fmu
+from .fmu.profile import Profile as Profile
+from .fmu.simulation import simulate as simulate
+from .library.batch import Batch as Batch
+from .library.gait import Gait as Gait
+from .library.ground import RoughGround as RoughGround
+from .library.laws import AffineLaw as AffineLaw
+from .library.own_model import load_model as load_model
+from .library.runner import Runner as Runner
+from .optimization.optimize import optimize as optimize
+from .optimization.optimize import pareto_front as pareto_front
+from .optimization.optimum import Optimum as Optimum
+from .paper.validation import Validation as Validation
+from .paper.validation import validate as validate
+from .pictures.plot import plot as plot
+from .proof.proof import Proof as Proof
+from .proof.prove import prove as prove
+from .proof.prove_attraction import Attraction as Attraction
+from .proof.prove_attraction import prove_attraction as prove_attraction
+from .proof.prove_border import BorderProof as BorderProof
+from .proof.prove_border import prove_border as prove_border
+from .version import __version__ as __version__
+from .viable_sets.viability import ViableController as ViableController
+from .viable_sets.viability import viability as viability
