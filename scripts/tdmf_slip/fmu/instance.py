@@ -251,9 +251,8 @@ class Instance:
     def _simulate(
         self, experiment: Experiment, step_finished: Callable[[float, Recorder], bool]
     ) -> NDArray[np.void]:
-        HEARD.messages = self.messages
         simulation = fmpy.simulation if experiment.inputs is None else own_simulation()
-        try:
+        with self._accounted(Exception):  # FMPy raises bare Exceptions
             rows: NDArray[np.void] = simulation.simulate_fmu(
                 self._folder,
                 model_description=self.fmu.description,
@@ -269,28 +268,20 @@ class Instance:
                 step_finished=step_finished,
                 terminate=False,
             )
-            return rows
-        except Exception as problem:  # FMPy raises bare Exceptions
-            raise self._account_of(problem) from problem
+        return rows
 
     def start(self, values: Mapping[str, float | int | bool], tolerance: float | None = None) -> None:
         """Set start values and initialize, to go on by `advance` (Co-Simulation)."""
-        HEARD.messages = self.messages
-        try:
+        with self._accounted():
             self._set(values)
             self._fmu.setupExperiment(tolerance=tolerance)
             self._fmu.enterInitializationMode()
             self._fmu.exitInitializationMode()
-        except FMICallException as problem:
-            raise self._account_of(problem) from problem
 
     def set(self, values: Mapping[str, float | int | bool]) -> None:
         """Set inputs or tunable parameters between two steps."""
-        HEARD.messages = self.messages
-        try:
+        with self._accounted():
             self._set(values)
-        except FMICallException as problem:
-            raise self._account_of(problem) from problem
 
     def _set(self, values: Mapping[str, float | int | bool]) -> None:
         setters = {"Real": self._fmu.setReal, "Boolean": self._fmu.setBoolean}
@@ -300,10 +291,16 @@ class Instance:
 
     def advance(self, time: float, duration: float) -> None:
         """One communication step from `time` on; both in s."""
+        with self._accounted():
+            self._fmu.doStep(currentCommunicationPoint=time, communicationStepSize=duration)
+
+    @contextlib.contextmanager
+    def _accounted(self, kind: type[Exception] = FMICallException) -> Iterator[None]:
+        """Hear the unit's messages during a call, and raise a failed call with them."""
         HEARD.messages = self.messages
         try:
-            self._fmu.doStep(currentCommunicationPoint=time, communicationStepSize=duration)
-        except FMICallException as problem:
+            yield
+        except kind as problem:
             raise self._account_of(problem) from problem
 
     def _account_of(self, problem: Exception) -> TdmfSlipError:
