@@ -338,11 +338,11 @@ def test_a_file_is_gone_on_with(found, tmp_path, monkeypatch):
     make = grid.strides_of
     made = []
 
-    def dies(part):
+    def dies(runner, cells, rows):
         if len(made) == 2:
             raise KeyboardInterrupt
-        made.append(part.rows)
-        return make(part)
+        made.append(tuple(rows))
+        return make(runner, cells, rows)
 
     monkeypatch.setattr(grid, "strides_of", dies)
     one_by_one = ThreadPoolExecutor(1)  # a block that still runs at the interrupt is not in the file
@@ -350,9 +350,9 @@ def test_a_file_is_gone_on_with(found, tmp_path, monkeypatch):
         tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path, executor=one_by_one)
     again = []
 
-    def counts(part):
-        again.append(part.rows)
-        return make(part)
+    def counts(runner, cells, rows):
+        again.append(tuple(rows))
+        return make(runner, cells, rows)
 
     monkeypatch.setattr(grid, "strides_of", counts)
     assert_same(tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path), found)
