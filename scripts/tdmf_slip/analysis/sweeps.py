@@ -142,7 +142,7 @@ def sweep(
     executor: Executor | None = None,
     progress: bool = False,
 ) -> Sweep:
-    """The gait at each point of a grid over any number of names, and every change of the gait word.
+    """Find the gait at each point of a grid over any number of names, and every change of the gait word.
 
     Gaits are followed along one of the names, each from the one before: along the friction if it varies, else
     along the last name. Where the first values have no gait, a row begins at the first that has one, and
@@ -151,8 +151,7 @@ def sweep(
 
     Parameters
     ----------
-    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
-        Parameters and start, or start values by name; the values of what is varied do not matter.
+    runner : as in `find_gait`
     vary : mapping of str to sequence of float
         Parameters or inputs that are varied, and their values in order; friction has to be above 0.
     model : as in `find_gait`

@@ -65,17 +65,15 @@ def simulate_many(
     Parameters
     ----------
     runners : sequence of runners, or a table with a row for each
-        Each as in `simulate`: start values by the unit's names, a Runner, a preset's name and so on. What one
-        of them names and another does not has the unit's own value there.
+        Each as in `simulate`. A value that one of them names and another does not is the unit's own there.
     strides : int, default 10
-        How many each run makes.
-    tolerance : float, default 1e-9
-        As in `simulate`.
+        Number of strides of each run.
+    tolerance : as in `simulate`
     interface : str, default 'cs'
         `me` or `cs`.
     executor, progress : as in `sweep`
     fmu : Fmu, optional
-        Checks the runners before anything is run.
+        Unit that checks the runners before anything is run.
 
     Returns
     -------

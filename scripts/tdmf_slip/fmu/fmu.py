@@ -40,7 +40,7 @@ def fmu_path(fmi: int = 2) -> Path:
     Returns
     -------
     Path
-        Of a file that is there.
+        Path of a file that exists.
 
     Raises
     ------
@@ -146,17 +146,17 @@ class Fmu:
 
 
 def load_fmu(path: Path | str | Fmu | None = None) -> Fmu:
-    """The unit at a path; read again only where the file has changed.
+    """Load the unit at a path; it is read again only where the file has changed.
 
     Parameters
     ----------
     path : Path, str or Fmu, optional
-        Of the FMU; by default the one that `fmu_path` finds. A unit that is loaded is given back as it is.
+        Path of the FMU, by default that of `fmu_path`. A unit that is loaded is returned as it is.
 
     Returns
     -------
     Fmu
-        With its variables.
+        The unit with its variables.
 
     Raises
     ------

@@ -86,7 +86,7 @@ class Profile:
         Parameters
         ----------
         edges : array_like of float, shape (steps,)
-            Where the ground's height changes, m, ascending.
+            Positions at which the height changes, m, ascending.
         heights : array_like of float, shape (steps + 1,)
             Heights before the first edge, between the edges, and after the last, m.
 
@@ -118,7 +118,7 @@ class Profile:
         Parameters
         ----------
         count : int
-            How many steps.
+            Number of steps.
         tread : float
             Distance from step to step, m.
         roughness : float
@@ -126,7 +126,7 @@ class Profile:
         seed : int
             The same seed makes the same ground.
         begin : float, default 0
-            Where the first step is, m.
+            Position of the first step, m.
 
         Returns
         -------

@@ -154,24 +154,23 @@ def simulate(
 ) -> Run:
     """Run the unit once through FMPy; a fall ends the run and is a result, not an error.
 
-    A runner of a model of one's own, as `load_model` gives, is run by the engine: the result is a Dataset of
-    all outputs and states over `time`, from `stop_time` (10 s) and `output_interval` (a thousandth of it).
+    A runner of a model of one's own, as `load_model` gives, is run by the engine: the result has all outputs
+    and states over `time`, from `stop_time` (10 s) and `output_interval` (a thousandth of it).
 
     Parameters
     ----------
-    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
-        Whose run: start values by variable name, a number in the variable's unit or a text like `40 deg`; the
-        name of a preset or the path of a parameter file; a gait begins at its apex.
+    runner : as in `find_gait`
+        A gait begins at its apex.
     stop_time : float, optional
-        Seconds; the run begins at 0.
+        End of the run, s; it begins at 0.
     strides : int, optional
-        End at the apex that closes this many strides, in Co-Simulation at the next recorded row. With
-        `stop_time`, whichever comes first; with neither, ten strides.
+        Strides after which the run ends, in Co-Simulation at the next recorded row. With `stop_time`,
+        whichever comes first; with neither, ten.
     tolerance : float, default 1e-9
-        Of CVODE, whose absolute tolerances follow from the unit's nominal values; in Co-Simulation the
-        tighter of it and `solver.relative_tolerance` holds.
+        Relative tolerance of CVODE, whose absolute tolerances follow from the unit's nominal values. In
+        Co-Simulation the tighter of it and `solver.relative_tolerance` holds.
     output_interval : float, optional
-        Seconds between recorded rows; by default a tenth of sqrt(m/k), over a profile half of that.
+        Time between recorded rows, s; by default a tenth of sqrt(m/k), over a profile half of that.
     inputs : InputTables, optional
         Tables by input name, see `inputs.InputTables`.
     profile : Profile, optional
@@ -182,8 +181,7 @@ def simulate(
         Keep the rows before and after each event (Model Exchange), not the regular ones only.
     interface : str, optional
         `me` (Model Exchange), the default, or `cs` (Co-Simulation), which a profile needs.
-    progress : bool, default False
-        A bar on stderr.
+    progress : as in `sweep`
     fmu : Fmu, optional
         The unit to run; by default that of `fmu_path`.
 

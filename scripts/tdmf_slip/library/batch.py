@@ -195,29 +195,29 @@ class Batch(Given):
         One runner for all, one for each, or start values by name of which some are arrays with a value for
         each runner.
     apices : array_like of float, shape (n,) or (runners, n), optional
-        Where they begin, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s; by the
+        First apices, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s; for the
         reduced map the first two. By default each gait's apex, or where each runner starts.
     ground : RoughGround, optional
         Uneven ground, for `run` and `step`.
     law : callable or AffineLaw, optional
-        What is set at each apex, for `run` and `step`: `law(apices, stride_number)` gives arrays by name. An
-        `AffineLaw` is followed by the engine itself.
+        Law that sets values at each apex, for `run` and `step`: `law(apices, stride_number)` returns arrays
+        by name. The engine itself follows an `AffineLaw`.
     vary : mapping of str to array_like, shape (runners,), optional
         Parameters and inputs by name in which the runners differ from the one given.
     inputs : mapping of str to array_like, optional
-        Settings by name, for `run`: a number, of each stride, shape (strides,), or of each runner and stride,
-        shape (runners, strides); strides that follow have the last ones.
-    model : {"full", "reduced"}, optional
-        The return map or the reduced one, as in `find_gait`.
+        Settings by name, for `run`: a number, one for each stride, shape (strides,), or one for each runner
+        and stride, shape (runners, strides). Further strides have the last ones.
+    model : as in `find_gait`
     foot_x : array_like of float, optional
-        Where the feet are at the start, m, by default at 0; the ground may have a patch.
+        Positions of the feet at the start, m, by default 0; the ground may have a patch.
     first_number : int, default 0
         Number of the first runner; ground and noise are drawn by the numbers of runners and strides.
     tolerance : float, default 2e-10
         Relative tolerance of a step in `run` and `step`; `stride` has the runner's own.
     step_limit : int, optional
-        Steps of a runner's first stride, at the most; each further one has those left over and a fortieth of
-        them more. By default the library's `TDMF_STEP_LIMIT`. A runner that needs more is unsolved.
+        Largest number of steps of a runner's first stride; each further one has those left over and a
+        fortieth of them more. By default the library's `TDMF_STEP_LIMIT`. A runner that needs more is
+        unsolved.
     threads : int, optional
         Threads of the engine, by default one for each processor, and one within a block of work. Results do
         not depend on it.

@@ -229,14 +229,14 @@ class Gait:
         Parameters
         ----------
         path : Path or str, default "stride.gif"
-            Where it goes: .gif, .mp4 where ffmpeg is, or .html.
+            File to write: .gif, .html, or .mp4 if ffmpeg is installed.
         frames : int, default 120
             Frames in the stride, twenty a second.
 
         Returns
         -------
         Path
-            Of the file.
+            Path of the file.
 
         Raises
         ------

@@ -143,9 +143,9 @@ class OwnModel(Model):
 
 
 def load_model(path: str | os.PathLike[str], *, section: str | None = None) -> OwnModel:
-    """A model of one's own, as `build` or `tdmf-slip build` made it.
+    """Load a model of one's own, as `build` or `tdmf-slip build` made it.
 
-    It stands where a runner is taken, for one with the page's own values, and where a model's name is taken:
+    It may be given for a runner, which then has the page's own values, and for the name of a model:
     `find_gait(model, stiffness=2)`, `Runner("parameters.toml", model=model)`.
 
     Parameters
@@ -158,7 +158,8 @@ def load_model(path: str | os.PathLike[str], *, section: str | None = None) -> O
     Returns
     -------
     Model
-        With `coordinates` of the section, `quantities` of a stride, and the table of its `variables`.
+        The model, with `coordinates` of the section, `quantities` of a stride, and the table of its
+        `variables`.
 
     Raises
     ------

@@ -77,32 +77,30 @@ def prove(
     executor: Executor | None = None,
     progress: bool = False,
 ) -> Proof | RangeProof:
-    """A periodic gait, proved: that there is one, and no other near it, its word, and enclosures of the rest.
+    """Prove a periodic gait: that there is exactly one in a box, its word, and enclosures of the rest.
 
-    With `vary`, gaits over a whole range of a parameter: for each value exactly one in a box, with its word,
-    and whether all are stable.
+    With `vary`, prove gaits over a whole range of a parameter: for each value exactly one in a box, with its
+    word, and whether all are stable.
 
     Parameters
     ----------
     gait : Gait, Runner, mapping of str to value, Series, str or Path, optional
-        The gait, or whose. A float is the binary number that it is, a text or a `Fraction` the exact number
-        that it reads as: "0.6" is 3/5, "40 deg" is 2 pi/9. What is not given is Table 1, exactly, and so is a
-        float of a runner that is the unit's own start value.
+        The gait, or its runner. A float is the binary number that it is, a text or a `Fraction` the exact
+        number that it reads as: "0.6" is 3/5, "40 deg" is 2 pi/9. What is not given is Table 1, exactly, and
+        so is a float of a runner that is the unit's own start value.
     box : float, str or Fraction, optional
-        Within how much of the apex, in units of the coordinates' scales, exactly one gait is to lie: around
-        the apex of a gait that is given, else around the one that is found. By default, as large a box as is
-        proved of some that are tried.
+        Radius of the box, in units of the coordinates' scales, around the apex of the gait that is given or
+        found. By default the largest of several that can be proved.
     digits : int, default 20
-        That the enclosures are to have, from 5 to 200.
+        Digits of the enclosures, from 5 to 200.
     vary : mapping of str to pair, optional
         A parameter, and the ends of its range; exact like all values.
     output : str or path, optional
-        With `vary`: a file of JSON lines that each part of the range is added to as it is done, and that a
-        proof goes on from.
+        With `vary`: a file of JSON lines to which each part of the range is added as it is done, and from
+        which a proof is resumed.
     executor : concurrent.futures.Executor, optional
         With `vary`: proves parts of the range side by side, such as a `ProcessPoolExecutor()` or
-        `client.get_executor()` of Dask; by default one after the other. Threads prove one after the other,
-        too.
+        `client.get_executor()` of Dask. By default, and in threads, one is proved after the other.
     progress : bool, default False
         With `vary`: a bar on stderr.
 

@@ -122,20 +122,19 @@ def prove_border(
     digits: int = DEFAULT_DIGITS,
     sides: bool = True,
 ) -> BorderProof:
-    """A border between gait words, proved: where two events happen at once, and a gait on each side.
+    """Prove a border between gait words: where two events happen at once, and a gait on each side.
 
     Parameters
     ----------
     border : Border or float
         Value of the parameter at the border, as a sweep's `borders` has it.
     runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
-        Whose gaits; exact as in `prove`.
+        Runner of the gaits; exact as in `prove`.
     vary : str, default "ground.friction"
-        The parameter along which it is.
-    digits : int, default 20
-        That the enclosures are to have, from 5 to 200.
+        Name of the parameter.
+    digits : as in `prove`
     sides : bool, default True
-        A gait on each side is proved, too.
+        Prove a gait on each side, too.
 
     Returns
     -------
