@@ -2,11 +2,13 @@
 
 import doctest
 import inspect
+import shutil
 
 import matplotlib.pyplot as plt
 import pytest
 import tdmf_slip
 from conftest import RELEASE
+from own_pages import loaded
 
 FUNCTIONS = {
     name: getattr(tdmf_slip, name)
@@ -23,13 +25,23 @@ def test_every_function_has_an_example():
     assert len(FUNCTIONS) > 20 and set(FUNCTIONS) - WITH_EXAMPLE == set()
 
 
+@pytest.fixture
+def build_once(monkeypatch, tmp_path_factory):
+    """Let `tdmf_slip.build` hand out the ball that all tests share; the test of the command builds another."""
+    page = tdmf_slip.new(tmp_path_factory.mktemp("new") / "my_ball", start="scratch") / "page.py"
+    shared = loaded(page).folder
+    monkeypatch.setattr(tdmf_slip, "build", lambda page: shutil.copytree(shared, page / "build"))
+
+
 @pytest.mark.parametrize("name", sorted(WITH_EXAMPLE))
-def test_an_example_prints_what_it_says(name, tmp_path, monkeypatch):
+def test_an_example_prints_what_it_says(name, tmp_path, monkeypatch, request):
     if name in SLOW and not RELEASE:
         pytest.skip("takes a minute or more")
     if name.startswith("prove"):
         pytest.importorskip("flint", reason="NOT TESTED: examples of proofs, python-flint is missing")
     monkeypatch.chdir(tmp_path)
+    if name in ("build", "load_model"):
+        request.getfixturevalue("build_once")
     found = doctest.DocTestFinder(recurse=False).find(FUNCTIONS[name], name, globs={})
     (example,) = found
     said = []

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import reference_gaits
-from independent_runner import Stride, torque_of_gains
 from page_runs import COMPILER, ROOT, CompiledPage, central_difference
 from runner_pages import SECTION, word, world_of
 from scipy.integrate import solve_ivp
+from scipy_strides import Stride, torque_of_gains
 from tdmf_slip.library.page import PageMap
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
@@ -341,12 +341,11 @@ APEX = (1.4, 1.05, 1.0, -0.55, 0.0, 0.0)
 
 def assert_stride_is_scipys(page, point, stride, **given):
     """A stride from an apex, beside SciPy's."""
-    world = world_of(point)
-    run = page.start(friction=stride.friction, **given, **TIGHT, **world).to(stop="apex")
-    time, apex, work = stride.run(world)
-    assert run.time == pytest.approx(time, abs=1e-9)
-    assert [getattr(run, name) for name in SECTION] == pytest.approx(apex, abs=1e-9)
-    assert run.work == pytest.approx(work, abs=1e-9)
+    run = page.start(friction=stride.friction, **given, **TIGHT, **world_of(point)).to(stop="apex")
+    wanted = stride.run(point)
+    assert word(run) == wanted["word"]
+    assert [getattr(run, name) for name in SECTION] == pytest.approx(wanted["apex"], abs=1e-9)
+    assert (run.time, run.work) == pytest.approx((wanted["period"], wanted["work"]), abs=1e-9)
 
 
 def test_the_gains_in_stance_act_as_in_an_independent_program(pd_runner):
@@ -384,16 +383,24 @@ class ClockedStride(Stride):
         super().__init__(
             friction, torque=lambda t, *_: -0.2 * self.drives * np.sin(np.pi * (t - self.landed))
         )
-        self.target = np.arcsin(speed * 1.1 / 2 + 0.3 * (speed - 0.95))
+        self.touchdown_angle = np.arcsin(speed * 1.1 / 2 + 0.3 * (speed - 0.95))
+
+    @property
+    def drives(self):
+        return self.phase == "drive"
 
     def guards(self):
         guards = super().guards()
-        return guards | {"mid": lambda t, y: 1 - (t - self.landed)} if "mid" in guards else guards
+        return (
+            guards | {"upright": lambda leg: 1 - (leg.time - self.landed)} if "upright" in guards else guards
+        )
 
-    def take(self, name, y):
-        super().take(name, y)
-        if name == "touchdown":
-            self.landed, self.drives = self.time, True
+    def take(self, event, z):
+        if event == "touchdown":
+            self.landed = self.time
+        super().take(event, z)
+        if event == "touchdown":
+            self.phase = "drive"
 
 
 def test_the_clock_and_raibert_s_law_act_as_in_an_independent_program(clocked):

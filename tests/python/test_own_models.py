@@ -8,10 +8,9 @@ import numpy as np
 import pytest
 import tdmf_slip
 from conftest import ROOT
-from independent_runner import Stride, torque_of_gains
 from own_pages import loaded
 from page_runs import COMPILER
-from runner_pages import world_of
+from scipy_strides import Stride, torque_of_gains
 from tdmf_slip import Batch, InputError, Runner, find_gait, load_model, stride_map
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
@@ -63,15 +62,15 @@ def test_strides_of_many_balls_are_those_of_the_closed_form(ball):
 def test_a_stride_under_a_law_of_one_s_own_is_scipy_s(pd_runner):
     apex = (1.4, 1.05, 1.0, -0.55, 0.0, 0.0)
     stride = Batch(Runner(pd_runner, friction=0.43, **GAINS), apex).stride()
-    time, wanted, work = Stride(0.43, torque=torque_of_gains(**GAINS)).run(world_of(apex))
-    assert stride.next_apex == pytest.approx(wanted, abs=1e-9)
-    assert (stride.period, stride.work) == pytest.approx((time, work), abs=1e-9)
+    wanted = Stride(0.43, torque=torque_of_gains(**GAINS)).run(apex)
+    assert stride.next_apex == pytest.approx(wanted["apex"], abs=1e-9)
+    assert (stride.period, stride.work) == pytest.approx((wanted["period"], wanted["work"]), abs=1e-9)
 
 
 def test_the_gait_under_a_law_of_one_s_own_closes_in_scipy_and_its_jacobian_is_differences(pd_runner):
     gait = find_gait(pd_runner, friction=0.6, **GAINS)
-    _, again, _ = Stride(0.6, torque=torque_of_gains(**GAINS)).run(world_of(gait.apex))
-    assert again == pytest.approx(gait.apex, abs=1e-9)
+    again = Stride(0.6, torque=torque_of_gains(**GAINS)).run(gait.apex)
+    assert again["apex"] == pytest.approx(gait.apex, abs=1e-9)
     names = ["hip.stance_kp", "stance_kd", "friction", "hip.stance_torque"]
     exact = Batch(gait, gait.apex).stride(along=names)
     step = 1e-6 * gait.runner.scales
