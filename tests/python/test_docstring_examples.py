@@ -27,7 +27,7 @@ def test_every_function_has_an_example():
 
 @pytest.fixture
 def build_once(monkeypatch, tmp_path_factory):
-    """Let `tdmf_slip.build` hand out the ball that all tests share; the test of the command builds another."""
+    """Let `tdmf_slip.build` hand out the build that all tests share."""
     page = tdmf_slip.new(tmp_path_factory.mktemp("new") / "my_ball", start="scratch") / "page.py"
     shared = loaded(page).folder
     monkeypatch.setattr(tdmf_slip, "build", lambda page: shutil.copytree(shared, page / "build"))
