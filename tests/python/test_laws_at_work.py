@@ -13,7 +13,6 @@ from tdmf_slip.analysis.attraction import robustness, volume
 from tdmf_slip.analysis.ball import check_attracts, fates, jacobian_under
 from tdmf_slip.blocks import InTurn
 from tdmf_slip.library.return_map import stride_from
-from tdmf_slip.paper.matched import Trial, first_passage
 
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
 NAMES = (ANGLE, TORQUE)
@@ -75,8 +74,6 @@ def test_a_law_that_settles_a_runner_keeps_it_up_longer(gait, settling):
         strides_to_fall(gait.runner, 0.5, 200, 1, 60, gait=gait, law=law) for law in (None, settling)
     )
     assert held.interval[0] > free.interval[1]
-    trials = [Trial(gait.runner, 0.5, 200, 1, 60, law) for law in (None, settling)]
-    assert [first_passage(trial) for trial in trials] == [free, held]
 
 
 def test_a_law_that_settles_a_runner_lets_it_recover_from_more(gait, settling):

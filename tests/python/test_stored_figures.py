@@ -11,6 +11,7 @@ from tdmf_slip import Runner, compare, find_gait, gait_at, strides_to_fall
 from tdmf_slip import viability as find_viable
 from tdmf_slip.library.quantities import quantities_of
 from tdmf_slip.paper.figures import columns, optimal, rough, slippery_patch, slope, thrust, viability
+from tdmf_slip.paper.matched import HOLD, VARY
 from tdmf_slip.pictures import style
 from tdmf_slip.pictures.style import CurveLabel
 
@@ -36,9 +37,7 @@ def test_matched_runners_on_rough_ground_are_what_is_kept():
     assert np.all(high[friction >= 2.5] < 140.0) and np.all(low[friction <= 0.3] > 450.0)
     mean = data["mean_strides"][matched]
     assert np.all(np.diff(mean[(friction >= 0.15) & (friction <= 2.5)]) < 0.0)
-    runners = compare(
-        [{"ground.friction": mu} for mu in (rough.REFERENCE, 10.0)], hold=rough.HOLD, vary=rough.VARY
-    )
+    runners = compare([{"ground.friction": mu} for mu in (rough.REFERENCE, 10.0)], hold=HOLD, vary=VARY)
     runner = gait_at(runners.sel(runner=1, step="after")).runner
     found = strides_to_fall(runner, rough.MATCHED_ROUGHNESS, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES)
     (row,) = np.flatnonzero(matched & (data["friction"] == 10.0))

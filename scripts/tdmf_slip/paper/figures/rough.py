@@ -8,11 +8,13 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 
-from ...analysis.comparison import compare
+from ...analysis.first_passage import FirstPassage, strides_to_fall
+from ...blocks import in_order, run_blocks
 from ...library.runner import Runner
 from ...pictures import style
+from ...terminal.progress import progress_bar
 from ...variables.table import FRICTION
-from ..matched import Trial, first_passages
+from ..matched import at_frictions
 from . import figure_9
 from .columns import Columns, attributes
 
@@ -25,42 +27,30 @@ DRAWN = ("friction", "mean_strides", "mean_strides_low", "mean_strides_high")
 
 REFERENCE, MATCHED_ROUGHNESS = 0.2, 0.3
 """Friction of the gait to which runners are matched, and roughness of their ground."""
-HOLD = ("speed", "apex_height", "apex_leg_angle")
-VARY = ("hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor")
 
 
 def measure(runner: Runner) -> Columns:
     """Data of the figure by column; if no runner fell, the mean and its upper bound are inf."""
     trials = [
-        Trial(runner.replace({FRICTION: friction}), roughness, RUNNERS, SEED, MAX_STRIDES)
-        for roughness in ROUGHNESS
-        for friction in FRICTIONS
+        (runner.replace({FRICTION: friction}), roughness) for roughness in ROUGHNESS for friction in FRICTIONS
     ]
     as_they_come = len(trials)
-    for one in _matched(runner):
-        trials.append(Trial(one, MATCHED_ROUGHNESS, RUNNERS, SEED, MAX_STRIDES))
-    found = first_passages(trials, progress=True)
+    matched = at_frictions(runner, REFERENCE, FRICTIONS)
+    trials += [(gait.runner, MATCHED_ROUGHNESS) for gait in matched if gait.stable]
+    with progress_bar("rough", len(trials), "means", True) as bar, run_blocks(_passage, trials) as results:
+        found = in_order(results, lambda _: bar.update())
     return {
         "matched": [float(number >= as_they_come) for number in range(len(trials))],
         **attributes(found, "roughness"),
-        "friction": [trial.runner[FRICTION] for trial in trials],
+        "friction": [one[FRICTION] for one, _ in trials],
         **attributes(found, "word", "runners", "falls", "strides", "stopped", "unsolved", "mean_strides"),
         "mean_strides_low": [one.interval[0] for one in found],
         "mean_strides_high": [one.interval[1] for one in found],
     }
 
 
-def _matched(runner: Runner) -> list[Runner]:
-    """Matched runners at all frictions at which they have a stable gait."""
-    found = compare.plain(
-        [runner.replace({FRICTION: mu}) for mu in (REFERENCE, *FRICTIONS)], hold=HOLD, vary=VARY
-    )
-    missed = {of.runner for of in found.not_held}
-    return [
-        gait.runner
-        for number, gait in enumerate(found.after)
-        if number and number not in missed and gait.stable
-    ]
+def _passage(trial: tuple[Runner, float]) -> FirstPassage:
+    return strides_to_fall(*trial, RUNNERS, SEED, MAX_STRIDES)
 
 
 def draw(path: Path, data: Columns) -> None:

@@ -5,11 +5,11 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 
-from ...analysis.comparison import compare
 from ...library.runner import Runner
 from ...pictures import style
 from ...variables.table import FRICTION
 from ...viable_sets.viability import viability
+from ..matched import at_frictions
 from . import figure_9
 from .columns import Columns, attributes
 
@@ -27,11 +27,7 @@ BAND, COLOUR = "between the inner and the outer set", "#1f5fa8"
 def measure(runner: Runner) -> Columns:
     """Data of the figure by column: viable sets of matched runners by the reduced map, at each friction."""
     small = Runner(runner, model="reduced")
-    found = compare.plain(
-        [small.replace({FRICTION: mu}) for mu in (REFERENCE, *FRICTIONS)], hold=HOLD, vary=VARY
-    )
-    missed = {of.runner for of in found.not_held}
-    runners = [gait.runner for number, gait in enumerate(found.after) if number and number not in missed]
+    runners = [gait.runner for gait in at_frictions(small, REFERENCE, FRICTIONS, HOLD, VARY)]
     sets = [viability(one, axes=AXES, vary=CHOSEN, n=CELLS, progress=True) for one in runners]
     return {
         "friction": [one[FRICTION] for one in runners],
