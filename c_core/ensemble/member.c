@@ -396,8 +396,7 @@ static bool ends_elsewhere(tdmf_member *member, tdmf_run_outcome outcome) {
     if (outcome != TDMF_RUN_ARRIVED) {
         return give_up(member, TDMF_FATE_UNSOLVED);
     }
-    const bool has_no_stride = member->ensemble->map == TDMF_REDUCED_MAP &&
-                               (mode == MODE_flight_place_calm || mode == MODE_flight_retract_calm);
+    const bool has_no_stride = member->ensemble->map == TDMF_REDUCED_MAP && mode == MODE_flight_calm;
     return give_up(member, has_no_stride ? TDMF_FATE_NO_STRIDE : TDMF_FATE_UNDECIDED); /* it takes too long */
 }
 

@@ -191,8 +191,10 @@ class Instants:
         if watches is not True:
             about = f"Whether {event_name} is watched."
             row["is_watched"] = add(f"watches_{of}", "answer", answer_in_c(watches), about)
-        if event.crossing is not None and page.answer(key, event.crossing, event_name) is True:
-            row["is_crossing"] = "true"
+        crosses = event.crossing is not None and page.answer(key, event.crossing, event_name)
+        if crosses is not False:
+            about = f"Whether {event_name} has to cross zero."
+            row["is_crossing"] = add(f"crosses_{of}", "answer", answer_in_c(crosses), about)
         if all(page.modes[next_key[0]].ends for next_key in next_keys):
             row["ends"] = "true"
         forget_expressions()

@@ -2,9 +2,12 @@
 
 from ..hybrid import Model, input, parameter, radians, select, setting, state
 
+REST, RETRACT, PLACE = 0, 1, 2
+"""Values of `swing`: the clamp holds the retracting torque at 0, the leg is retracted, or it is placed."""
+
 
 class Hip(Model):
-    """Torque between body and leg. In flight, the word `swing` selects the law in force."""
+    """Torque between body and leg. In flight, `swing` selects the law in force."""
 
     prefix = "hip"
     drive_torque = parameter(
@@ -35,6 +38,7 @@ class Hip(Model):
     liftoff_angle = state(
         0, "rad", "Leg angle when the foot last left the ground, theta_LO", name="hip.liftoff_angle")
     driving = state(0, "1", "1 from touchdown to mid-stance, else 0")
+    swing = state(PLACE, "1", "Law of the hip in flight: 0 rest, 1 retract, 2 place")
     placing = state(0, "s", "In place, the time since it began; else 0", name="hip.place_time")
     touchdown_time = state(0, "s", "Time of the last impact")
     was_placed = state(0, "1", "1 if the leg was being placed at the last impact, else 0")
@@ -46,30 +50,40 @@ class Hip(Model):
         """Torque -tau0 until mid-stance, then 0  (11)."""
         return r.external_torque - r.driving * (r.drive_torque + r.more_torque)
 
-    def servo(r, target, target_rate=0):
-        """-kp (theta - target) - kd (thetadot - rate of the target)."""
+    def servo(r, target, target_rate=0, share=1):
+        """-kp (theta - target) - kd (thetadot - rate of the target), or a share of this torque."""
         leg = r.leg()
-        return -r.kp * (leg.angle - target) - r.kd * (leg.angle_rate - target_rate)
-
-    def placing_torque(r):
-        """Torque of (12) after the apex: the target angle decreases from theta0 at the rate omega."""
-        target = r.touchdown_angle + r.more_angle - r.retraction_rate * r.placing
-        return r.servo(target, -r.retraction_rate)
+        return -share * r.kp * (leg.angle - target) - share * r.kd * (leg.angle_rate - target_rate)
 
     def retracting_torque(r):
         """Torque of (12) while the centre of mass rises, without the clamp."""
         return r.servo(r.liftoff_factor * r.liftoff_angle)
 
     def swing_torque(r):
-        """Total torque of the flight law (12). In `rest` the clamp holds the retracting torque at 0."""
-        if r.swing == "rest":
-            return r.external_torque
-        law = r.retracting_torque() if r.swing == "retract" else r.placing_torque()
-        return r.external_torque + law
+        """Total torque of the flight law (12). In `rest` the clamp holds the retracting torque at 0.
+
+        In `place` the target angle decreases from theta0 at the rate omega.
+        """
+        first = select(
+            r.swing < PLACE, r.liftoff_factor * r.liftoff_angle, r.touchdown_angle + r.more_angle)
+        turn, share = r.is_placing() * r.retraction_rate, select(r.swing > REST, 1, 0)
+        return r.external_torque + r.servo(first - turn * r.placing, -turn, share)
+
+    def is_placing(r):
+        """1 in place, else 0."""
+        return select(r.swing < PLACE, 0, 1)
+
+    def is_retracting(r):
+        """Whether the hip retracts the leg, which the clamp may end."""
+        return not r.in_stance() and abs(r.swing - RETRACT) <= 0
+
+    def is_resting(r):
+        """Whether the clamp holds the retracting torque at 0."""
+        return not r.in_stance() and r.swing < RETRACT
 
     def swing_rates(r):
         """Rate of the time in place."""
-        return dict(placing=1) if r.swing == "place" else {}
+        return {} if r.in_stance() else dict(placing=r.is_placing())
 
     def swinging(r):
         """Phase of the hip at lift-off: place if the centre of mass falls, else retract.
@@ -79,11 +93,11 @@ class Hip(Model):
         goes_on = select(r.time <= r.touchdown_time, r.was_placed, 0)
         r = r.replace(liftoff_angle=r.leg().angle, placing=goes_on * r.placed_for, rises_again=goes_on)
         if r.rise() < 0 or goes_on > 0:
-            return r.replace(swing="place")
+            return r.replace(swing=PLACE)
         return r.replace(swing=r.rising_swing())
 
     def rising_swing(r):
         """Phase of the hip while the centre of mass rises: retract, or rest if the clamp is closed."""
         if r.swing_clamp > 0 and r.retracting_torque() <= 0:
-            return "rest"
-        return "retract"
+            return REST
+        return RETRACT

@@ -1,6 +1,7 @@
 """The reduced map: the leg is placed in flight as if by itself, so that an apex has two coordinates."""
 
 from ..hybrid import Record, cos, event, mode, output, section
+from .hip import PLACE, RETRACT
 from .runner import PlainRunner, RunnerOnOneLine
 
 
@@ -36,18 +37,18 @@ class ReducedRunner(RunnerOnOneLine):
     def begins(r):
         """Every run begins at an apex, with the foot above the ground."""
         r = r.replace(liftoff_angle=r.angle, height=r.set_height(), slope=r.set_slope())
-        flying = r.to("flight", swing="place", placing=0).place_leg()
+        flying = r.to("flight", swing=PLACE, placing=0).place_leg()
         if flying.foot_above(r.height, r.slope) <= 0:
             return r.to("no_start")
         return flying.open_stride()
 
-    @mode("swing", of="flight")
+    @mode(of="flight")
     def flight(r):
         """The centre of mass is ballistic. The leg turns after the apex."""
         total, fx, fy = r.body_mass + r.foot_mass, r.external_fx, r.external_fy
-        rates = dict(com_x=r.com_vx, com_y=r.com_vy, com_vx=fx / total, com_vy=fy / total - r.gravity,
-                     external_work=fx * r.com_vx + fy * r.com_vy)
-        return rates | dict(angle=r.leg().angle_rate, placing=1) if r.swing == "place" else rates
+        return dict(com_x=r.com_vx, com_y=r.com_vy, com_vx=fx / total, com_vy=fy / total - r.gravity,
+                    external_work=fx * r.com_vx + fy * r.com_vy, placing=r.is_placing(),
+                    angle=r.is_placing() * r.leg().angle_rate)
 
     @mode(of="world", ends=True)
     def no_start(r):
@@ -73,7 +74,7 @@ class ReducedRunner(RunnerOnOneLine):
         """Whether the body may reach the ground: in flight before the foot, with a leg that may lie."""
         if r.mode != "flight":
             return True
-        if r.swing != "place":
+        if r.swing < PLACE:
             return False
         if abs(r.retraction_rate) > 0:
             return True
@@ -94,7 +95,8 @@ class ReducedRunner(RunnerOnOneLine):
         """The leg is shorter than leg.min_length."""
         return r.to("fallen")
 
-    @event("flight", swing="place", when=lambda r: r.foot_above(r.height, r.slope), unit="m")
+    @event("flight", when=lambda r: r.foot_above(r.height, r.slope), unit="m",
+           only=lambda r: r.swing > RETRACT)
     def touchdown(r):
         """The foot reaches the ground."""
         return r.land(was_placed=1)
@@ -106,12 +108,12 @@ class ReducedRunner(RunnerOnOneLine):
             return r.to("no_stance")
         if r.rise() <= 0 or r.external_fy >= (r.body_mass + r.foot_mass) * r.gravity:
             return r.to("no_apex")
-        return r.replace(liftoff_angle=r.leg().angle, placing=0).with_thrust(0).to("flight", swing="retract")
+        return r.replace(liftoff_angle=r.leg().angle, placing=0).with_thrust(0).to("flight", swing=RETRACT)
 
-    @event("flight", swing="retract", when=lambda r: r.rise(), unit="m/s")
+    @event("flight", when=lambda r: r.rise(), unit="m/s", only=lambda r: r.swing < PLACE)
     def apex(r):
         """A stride closes, and the leg is placed anew."""
-        closed = r.replace(swing="place", placing=0).place_leg().close_stride()
+        closed = r.replace(swing=PLACE, placing=0).place_leg().close_stride()
         return closed.to("no_start") if closed.foot_above(r.height, r.slope) <= 0 else closed
 
     @output("N.m", name="hip.torque")

@@ -3,7 +3,7 @@
 from ..hybrid import Model, Record, cos, event, mode, output, require, section, select, sin, sqrt
 from .friction import Friction
 from .ground import Ground
-from .hip import Hip
+from .hip import PLACE, REST, RETRACT, Hip
 from .leg import Leg
 from .stride import Stride
 
@@ -79,7 +79,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
     def start_flight(r):
         """A run begins in flight, with a stride if it begins at an apex."""
-        flying, slow = r.to("flight", wind="calm", swing="place", placing=0), r.margin_of("m/s")
+        flying, slow = r.to("flight", wind="calm", swing=PLACE, placing=0), r.margin_of("m/s")
         if abs(r.rise()) <= slow:
             return flying.open_stride()
         return flying if r.rise() < 0 else flying.replace(swing=r.rising_swing())
@@ -96,7 +96,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
     # ---- modes
 
-    @mode("swing wind", of="flight")
+    @mode("wind", of="flight")
     def flight(r):
         """The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau."""
         leg = r.leg()
@@ -143,7 +143,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         rates = r.on_ground(r.push(r.stance_torque()), r.stance_torque(), acceleration)
         return rates | dict(friction_loss=friction_force * r.foot_vx)
 
-    @mode("swing", of="ground")
+    @mode(of="ground")
     def graze(r):
         """The foot touches the ground without force, under the torque tau_eq between both hip laws."""
         axial, turning = r.spring() / r.leg().length, r.equilibrium_turn()
@@ -230,32 +230,33 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         """The leg is shorter than leg.min_length."""
         return r.to("fallen")
 
-    @event("flight", when=lambda r: r.rise(), unit="m/s", crossing=lambda r: r.swing == "place",
-           only=lambda r: r.swing != "place" or r.wind == "pushed" or r.rises_again > 0)
+    @event("flight", when=lambda r: r.rise(), unit="m/s", crossing=lambda r: r.swing > RETRACT,
+           only=lambda r: r.wind == "pushed" or r.swing < PLACE or r.rises_again > 0)
     def apex(r):
         """A stride closes and place begins. An external force can cause further apices in place."""
-        return r.close_stride().replace(swing="place", placing=0, rises_again=0)
+        return r.close_stride().replace(swing=PLACE, placing=0, rises_again=0)
 
-    @event("graze", swing=("retract", "rest"), when=lambda r: r.rise(), unit="m/s")
+    @event("graze", when=lambda r: r.rise(), unit="m/s", only=lambda r: r.swing < PLACE)
     def apex_in_graze(r):
         """Place begins. No stride closes, because the foot is on the ground."""
-        return r.replace(swing="place", placing=0)
+        return r.replace(swing=PLACE, placing=0)
 
     @event("flight", when=lambda r: r.foot_above(r.height, r.slope), unit="m")
     def touchdown(r):
         """The foot reaches the ground."""
-        return r.land(was_placed=1 if r.swing == "place" else 0)
+        return r.land(was_placed=r.is_placing())
 
-    @event("flight graze", swing="retract", when=lambda r: r.retracting_torque(), unit="N.m", counted=False,
-           only=lambda r: r.swing_clamp > 0)
+    @event("flight graze", when=lambda r: r.retracting_torque(), unit="N.m", counted=False,
+           only=lambda r: r.swing_clamp > 0 and r.is_retracting())
     def clamp(r):
         """The clamp of (12) holds the retracting torque at 0."""
-        return r.replace(swing="rest")
+        return r.replace(swing=REST)
 
-    @event("flight graze", swing="rest", when=lambda r: -r.retracting_torque(), unit="N.m", counted=False)
+    @event("flight graze", when=lambda r: -r.retracting_torque(), unit="N.m", counted=False,
+           only=lambda r: r.is_resting())
     def release(r):
         """The clamp of (12) releases the retracting torque."""
-        return r.replace(swing="retract")
+        return r.replace(swing=RETRACT)
 
     @event("stick slip", when=lambda r: -r.leg().length_rate, unit="m/s", counted=False,
            only=lambda r: r.thrusting <= 0 and r.notes_compression > 0)
@@ -320,7 +321,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         r = r.replace(placing=0, **r.kept_in_stance(r.neighbours()))
         return r.slide(select(r.foot_vx > 0, 1, -1)) if abs(r.foot_vx) > 0 else r.resting()
 
-    @event("graze", swing=("retract", "rest", "place"), when=lambda r: r.flight_lifts(), unit="N")
+    @event("graze", when=lambda r: r.flight_lifts(), unit="N", only=lambda r: not r.in_stance())
     def graze_to_flight(r):
         """The flight law lifts the foot."""
         return r.fly()
@@ -401,7 +402,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         """Phase of the hip law."""
         if r.in_stance():
             return select(r.driving > 0, 1, 2)
-        return 3 if r.mode in ("flight", "graze") and r.swing != "place" else 4
+        return select(r.swing < PLACE, 3, 4) if r.mode in ("flight", "graze") else 4
 
     has_fallen = output(
         "1", "Whether the runner has fallen, which freezes the motion", name="status.fallen", kind=bool,

@@ -128,10 +128,6 @@ static bool is_pushed(const runner_states *x) {
            x->external_fy_rate != 0.0;
 }
 
-static int mode_of_swing(const tdmf_mode *mode, int place, int retract, int rest) {
-    return mode->phase == TDMF_PHASE_PLACE ? place : mode->clamp_closed ? rest : retract;
-}
-
 /* Whether a slip is so slow that friction depends on its speed. */
 static bool is_in_layer(const runner_states *x, const runner_parameters *p) {
     const bool friction_falls = p->stribeck_velocity > 0.0 && p->static_ratio > 1.0;
@@ -146,12 +142,9 @@ static int page_mode_of(const tdmf_mode *mode, const runner_states *x, const run
     case TDMF_CONTACT_STICK:
         return MODE_stick;
     case TDMF_CONTACT_GRAZE:
-        return mode_of_swing(mode, MODE_graze_place, MODE_graze_retract, MODE_graze_rest);
+        return MODE_graze;
     case TDMF_CONTACT_FLIGHT:
-        return is_pushed(x) ? mode_of_swing(mode, MODE_flight_place_pushed, MODE_flight_retract_pushed,
-                                            MODE_flight_rest_pushed)
-                            : mode_of_swing(mode, MODE_flight_place_calm, MODE_flight_retract_calm,
-                                            MODE_flight_rest_calm);
+        return is_pushed(x) ? MODE_flight_pushed : MODE_flight_calm;
     default:
         return is_in_layer(x, p) ? MODE_slip_falling : MODE_slip_constant;
     }
@@ -179,10 +172,16 @@ static void read_ground(const tdmf_model *model, const tdmf_motion *motion, runn
     x->friction_behind = friction_of_segment(p, behind);
 }
 
+/* Values of the page's state `swing`. */
+static const double swing_rest = 0.0, swing_retract = 1.0, swing_place = 2.0;
+
 static void read_mode(const tdmf_mode *mode, runner_states *x) {
     const bool rises_again = mode->phase == TDMF_PHASE_PLACE && mode->rises;
     x->way = mode->contact == TDMF_CONTACT_SLIP_NEGATIVE ? -1.0 : 1.0;
     x->liftoff_angle = mode->liftoff_angle;
+    x->swing = mode->phase == TDMF_PHASE_PLACE ? swing_place
+               : mode->clamp_closed            ? swing_rest
+                                               : swing_retract;
     x->driving = tdmf_is_loaded(mode) ? mode->phase == TDMF_PHASE_DRIVE : mode->mid_stance_pending;
     x->thrusting = mode->thrusts;
     x->rises_again = rises_again;
@@ -196,21 +195,11 @@ static tdmf_contact_mode contact_of(int mode, double way) {
     case MODE_slip_constant:
     case MODE_slip_falling:
         return way > 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE;
-    case MODE_graze_place:
-    case MODE_graze_rest:
-    case MODE_graze_retract:
+    case MODE_graze:
         return TDMF_CONTACT_GRAZE;
     default:
         return TDMF_CONTACT_FLIGHT;
     }
-}
-
-static bool is_in_place(int mode) {
-    return mode == MODE_flight_place_calm || mode == MODE_flight_place_pushed || mode == MODE_graze_place;
-}
-
-static bool is_at_rest(int mode) {
-    return mode == MODE_flight_rest_calm || mode == MODE_flight_rest_pushed || mode == MODE_graze_rest;
 }
 
 /* Whether an apex is to come. In place one is if the centre of mass rises, again or pushed. */
@@ -253,12 +242,12 @@ static void write_mode(tdmf_system system, const tdmf_page_point *point, int las
     if (tdmf_is_loaded(mode)) {
         mode->phase = x->driving > 0.0 ? TDMF_PHASE_DRIVE : TDMF_PHASE_COAST;
     } else {
-        mode->phase = is_in_place(at) ? TDMF_PHASE_PLACE : TDMF_PHASE_RETRACT;
+        mode->phase = x->swing > swing_retract ? TDMF_PHASE_PLACE : TDMF_PHASE_RETRACT;
     }
     mode->zone = tdmf_sign_of_slip(mode) != 0.0 ? (tdmf_zone)(int)x->segment : TDMF_ZONE_BEFORE;
     mode->liftoff_angle = x->liftoff_angle;
     mode->mid_stance_pending = x->driving > 0.0;
-    mode->clamp_closed = is_at_rest(at);
+    mode->clamp_closed = !tdmf_is_loaded(mode) && x->swing < swing_retract;
     mode->thrusts = x->thrusting > 0.0;
     mode->rises = !tdmf_is_loaded(mode) && rises(system.model, point, mode);
     mode->rest_length = tdmf_rest_length(system.model, &inputs, mode);

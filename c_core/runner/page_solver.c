@@ -222,8 +222,7 @@ static double speed_of_leg(const tdmf_page_point *point) {
 /* The series of flight and stick tells at once whether they are too stiff; slip and graze may be over before
  * it matters. A guard may end the first step sooner. */
 static bool begins_too_stiff(const tdmf_page_solver *s, double reach, double duration) {
-    const bool lasts = s->point.mode == MODE_stick || s->point.mode == MODE_flight_place_calm ||
-                       s->point.mode == MODE_flight_retract_calm || s->point.mode == MODE_flight_rest_calm;
+    const bool lasts = s->point.mode == MODE_stick || s->point.mode == MODE_flight_calm;
     const double span = fmin(s->system.model->scales.time, duration);
     const bool is_short = lasts && s->run.run.events == 0 && reach * TDMF_STIFFNESS_LIMIT < span;
     return is_short && reach * speed_of_leg(&s->point) < slow_change;

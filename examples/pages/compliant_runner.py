@@ -1,15 +1,16 @@
 """A runner on ground that yields: a spring with the damping of Hunt and Crossley (1975)."""
 
-from tdmf_slip.hybrid import Record, event, observe, parameter, select, state
-from tdmf_slip.pages.runner import PlainRunner
+from tdmf_slip.hybrid import Record, event, mode, observe, parameter, select, state
+from tdmf_slip.pages.runner import PLACE, PlainRunner
 
 
 class CompliantRunner(PlainRunner):
     """The foot sinks into the ground: it has no impact, may bounce, and is free where nothing bears it.
 
     At the penetration d = -y the normal force is f_n = k_g d (1 + c_g ddot). It is 0 where the foot leaves
-    its dent faster than the ground follows. `graze` is a foot that is free in a stance: it bounces until the
-    law of stance presses it down no more. If the law of flight still does, a torque between both lifts it.
+    its dent faster than the ground follows. `graze` is a foot that is free in a stance: its `course` is a
+    bounce until the law of stance presses it down no more. If the law of flight still does, a torque between
+    both lifts it in a release.
     """
 
     prefix = "ground"
@@ -47,6 +48,7 @@ class CompliantRunner(PlainRunner):
         lost = r.dissipation * foot.vy if r.mode in ("stick", "slip") else r.in_dent
         return super().leg_rates() | dict(ground_loss=-r.ground_stiffness * foot.y * foot.vy * lost)
 
+    @mode("course", of="ground")
     def graze(r):
         """The foot is free."""
         push = r.push(r.torque())
@@ -54,7 +56,11 @@ class CompliantRunner(PlainRunner):
 
     def in_stance(r):
         """Whether the law of stance drives the hip."""
-        return super().in_stance() or (r.mode == "graze" and r.swing == "bounce")
+        return super().in_stance() or r.bounces()
+
+    def bounces(r):
+        """Whether the foot is free in a stance that goes on."""
+        return r.mode == "graze" and r.course == "bounce"
 
     @event("start_of_run", when=lambda r: -1, counted=False)
     def begins(r):
@@ -62,14 +68,14 @@ class CompliantRunner(PlainRunner):
         in_dent = select(r.foot().y < -r.margin_of("m"), 1, 0)
         return r.replace(liftoff_angle=r.angle, in_dent=in_dent).start_flight()
 
-    @event("flight graze", only=lambda r: r.mode == "flight" or r.swing == "bounce",
+    @event("flight graze", only=lambda r: r.mode == "flight" or r.bounces(),
            when=lambda r: (1 - r.in_dent) * r.foot().y / r.free_length - r.in_dent * r.follows())
     def touchdown(r):
         """Contact begins, at d = 0 or in a dent at 1 + c_g ddot = 0. After a flight it begins a stance."""
         if r.mode == "flight":
             r = r.replace(
                 driving=select(r.angle >= 0, 1, 0), touchdowns_so_far=r.touchdowns_so_far + 1, bar_is_due=1,
-                touchdown_time=r.time, placing=0, placed_for=r.placing, was_placed=int(r.swing == "place"))
+                touchdown_time=r.time, placing=0, placed_for=r.placing, was_placed=r.is_placing())
         r = r.to("stick", contacts_so_far=r.contacts_so_far + 1)
         r = r.replace(foot_off=r.in_dent * r.foot_off, slid_from=r.foot_x)
         return r.slide(select(r.foot_vx > 0, 1, -1)) if abs(r.foot_vx) > 0 else r.resting()
@@ -78,7 +84,7 @@ class CompliantRunner(PlainRunner):
     def contact_ends(r):
         """The ground bears the foot no more. The foot bounces, or lifts off at once."""
         in_dent = select(-r.foot_off / r.free_length > r.follows(), 1, 0)
-        return r.to("graze", swing="bounce", pressed=1, in_dent=in_dent, foot_off=in_dent * r.foot_off)
+        return r.to("graze", course="bounce", pressed=1, in_dent=in_dent, foot_off=in_dent * r.foot_off)
 
     @event("flight graze", when=lambda r: -r.foot().y, unit="m", counted=False, only=lambda r: r.in_dent > 0)
     def leaves_dent(r):
@@ -89,18 +95,19 @@ class CompliantRunner(PlainRunner):
     def graze_to_contact(r):
         """The law of stance presses the foot down, or ceases to. A released foot then bounces again."""
         turned = r.replace(pressed=-r.pressed)
-        return turned if r.swing == "bounce" else turned.replace(swing="bounce").count_event(1)
+        return turned if r.bounces() else turned.replace(course="bounce").count_event(1)
 
-    @event("graze", swing="bounce", when=lambda r: -r.foot_off_rate, unit="m/s", only=lambda r: r.pressed < 0)
+    @event("graze", course="bounce", when=lambda r: -r.foot_off_rate, unit="m/s",
+           only=lambda r: r.pressed < 0)
     def lift_off(r):
         """The stance is over. A stance that began at this instant has not ended place."""
-        return super().lift_off()
+        return super().lift_off().replace(course="release")
 
-    @event("flight graze", when=lambda r: r.rise(), unit="m/s", only=lambda r: r.swing != "place",
-           crossing=lambda r: r.swing == "bounce")
+    @event("flight graze", when=lambda r: r.rise(), unit="m/s", crossing=lambda r: r.bounces(),
+           only=lambda r: r.bounces() or r.swing < PLACE)
     def apex(r):
         """A stride closes and place begins. In a bounce, the leg angle is latched."""
-        latched = r.replace(liftoff_angle=r.leg().angle) if r.swing == "bounce" else r
+        latched = r.replace(liftoff_angle=r.leg().angle) if r.bounces() else r
         return PlainRunner.apex(latched).fly()
 
     def open_stride(r):

@@ -425,18 +425,16 @@ class PageRun:
     def modes_entered(self):
         """Times at which modes began, with contact and hip phase in the words of `native_runs`."""
         befores = [self.states_before[i] for i in range(1, self.run.log_count)] + [self.x]
-        way, driving = map(self.of.states.index, ("way", "driving"))
-        phases = {"rest": "retract"}
+        way, driving, swing = map(self.of.states.index, ("way", "driving", "swing"))
         found = []
         for row, x in zip(self.rows[: self.run.log_count], befores, strict=False):
-            mode, words = self.of.keys[row.after]
+            mode, _ = self.of.keys[row.after]
             if mode == "fallen":
                 break
-            words = dict(words)
             contact = mode if mode != "slip" else "slip+" if x[way] > 0 else "slip-"
             in_stance = "drive" if x[driving] > 0 else "coast"
-            phase = in_stance if mode in ("stick", "slip") else words.get("swing", "place")
-            found.append((row.time, contact, phases.get(phase, phase)))
+            in_flight = "place" if x[swing] > 1 else "retract"
+            found.append((row.time, contact, in_stance if mode in ("stick", "slip") else in_flight))
         return found
 
     @property

@@ -288,8 +288,8 @@ def test_laws_run_on_numbers_arrays_and_symbols_alike():
     from c_core.pages.runner import PlainRunner
 
     lengths = np.linspace(0.8, 1.2, 5)
-    many = PlainRunner.at("flight", swing="place", length=lengths, angle=np.full(5, 0.3)).spring()
-    one = [PlainRunner.at("flight", swing="place", length=float(x), angle=0.3).spring() for x in lengths]
+    many = PlainRunner.at("flight", length=lengths, angle=np.full(5, 0.3)).spring()
+    one = [PlainRunner.at("flight", length=float(x), angle=0.3).spring() for x in lengths]
     assert many == pytest.approx(one, abs=0)
 
 

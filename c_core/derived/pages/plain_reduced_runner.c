@@ -61,6 +61,7 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
     y->com_vx = seen_vx_plus_share_times_vx;
     y->com_vy = x->seen_vy + share * vy;
     y->momentum = 0.0;
+    y->swing = 2.0;
     y->placing = 0.0;
     return next[1]; /* flight */
 }
@@ -128,6 +129,7 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     y->com_vx = sum_2;
     y->com_vy = dx->seen_vy + (d_share * vy + share * d_vy);
     y->momentum = 0.0;
+    y->swing = 0.0;
     y->placing = 0.0;
 }
 
@@ -171,38 +173,43 @@ static void vary_leave_start_of_run(const real *parameters, const real *states, 
     y->mode_began = dx->time;
 }
 
-/* Constants of flight_place. */
-static void open_flight_place(const real *parameters, const real *states, real *constants) {
+/* Constants of flight. */
+static void open_flight(const real *parameters, const real *states, real *constants) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
-    flight_place_constants *c = (void *)constants;
+    flight_constants *c = (void *)constants;
     const real minus_gravity = -p->gravity;
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
+    const real is_placing_times_rate = is_placing * rate;
     const real total = p->body_mass + p->foot_mass;
     const real share = p->body_mass / total;
     const real by_1_minus_share_times_length = (1.0 - share) * x->length;
     const real share_times_length = share * x->length;
     c->com_vx = x->com_vx;
     c->minus_gravity = minus_gravity;
-    c->rate = rate;
+    c->is_placing = is_placing;
+    c->is_placing_times_rate = is_placing_times_rate;
     c->by_1_minus_share_times_length = by_1_minus_share_times_length;
     c->share_times_length = share_times_length;
 }
 
-/* First variation of open_flight_place. */
-static void vary_open_flight_place(const real *parameters, const real *states, const real *d_parameters,
+/* First variation of open_flight. */
+static void vary_open_flight(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
     const plain_reduced_runner_states *dx = (const void *)d_states;
-    flight_place_constants *c = (void *)constants;
+    flight_constants *c = (void *)constants;
     const real d_minus_gravity = -dp->gravity;
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
     const real d_rate = (dx->momentum - rate * d_square) / square;
+    const real d_is_placing_times_rate = is_placing * d_rate;
     const real total = p->body_mass + p->foot_mass;
     const real share = p->body_mass / total;
     const real d_total = dp->body_mass + dp->foot_mass;
@@ -212,13 +219,14 @@ static void vary_open_flight_place(const real *parameters, const real *states, c
     const real d_share_times_length = length_times_d_share + share * dx->length;
     c->com_vx = dx->com_vx;
     c->minus_gravity = d_minus_gravity;
-    c->rate = d_rate;
+    c->is_placing = 0.0;
+    c->is_placing_times_rate = d_is_placing_times_rate;
     c->by_1_minus_share_times_length = d_by_1_minus_share_times_length;
     c->share_times_length = d_share_times_length;
 }
 
 /* falls: The body reaches the ground. */
-static int react_flight_place_falls(const real *parameters, const real *states, const tdmf_table *tables,
+static int react_flight_falls(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
@@ -242,8 +250,8 @@ static int react_flight_place_falls(const real *parameters, const real *states, 
 }
 
 /* First variation of falls. */
-static void vary_react_flight_place_falls(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
+static void vary_react_flight_falls(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -279,9 +287,12 @@ static void vary_react_flight_place_falls(const real *parameters, const real *st
 }
 
 /* Whether falls is watched. */
-static real watches_flight_place_falls(const real *parameters, const real *states) {
+static real watches_flight_falls(const real *parameters, const real *states) {
     const plain_reduced_runner_states *x = (const void *)states;
     (void)parameters;
+    if (x->swing < 2.0) {
+        return 0.0;
+    }
     if (real_cos(x->angle) < 0.01) {
         return 1.0;
     }
@@ -289,8 +300,8 @@ static real watches_flight_place_falls(const real *parameters, const real *state
 }
 
 /* First variation of the guard of falls. */
-static real vary_guard_flight_place_falls(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
+static real vary_guard_flight_falls(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -305,8 +316,218 @@ static real vary_guard_flight_place_falls(const real *parameters, const real *st
     return d_above;
 }
 
+/* apex: A stride closes, and the leg is placed anew. */
+static int react_flight_apex(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    plain_reduced_runner_states *y = (void *)after;
+    (void)tables;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real cosine = real_cos(p->touchdown_angle);
+    const real above = x->com_y - share * p->free_length * cosine;
+    const real count_plus_by_1_or_count = select(x->is_open > 0.0, x->count + 1.0, x->count);
+    const real word_so_far_or_word_code = select(x->is_open > 0.0, x->word_so_far, x->word_code);
+    const real period = x->time - x->apex_time;
+    const real period_or_period = select(x->is_open > 0.0, period, x->period);
+    const real distance = x->com_x - x->x_then;
+    const real distance_or_distance = select(x->is_open > 0.0, distance, x->distance);
+    const real com_y_minus_y_then_or_rise_of_stride = select(x->is_open > 0.0, x->com_y - x->y_then,
+        x->rise_of_stride);
+    const real hip = x->work - x->work_then;
+    const real hip_or_work_of_stride = select(x->is_open > 0.0, hip, x->work_of_stride);
+    const real hip_or_hip_work = select(x->is_open > 0.0, hip, x->hip_work);
+    const real sum_or_positive_work = select(x->is_open > 0.0, x->positive_work_so_far
+        - x->positive_work_then, x->positive_work);
+    const real distance_over_period_or_speed = select(x->is_open > 0.0, distance / period, x->speed);
+    const real weight = body_mass_plus_foot_mass * p->gravity;
+    const real select_2 = select(x->is_open > 0.0, hip / (weight * distance), x->cost_of_transport);
+    const real touchdowns_so_far_or_touchdowns = select(x->is_open > 0.0, x->touchdowns_so_far,
+        x->touchdowns);
+    const real stance_so_far_or_stance_time = select(x->is_open > 0.0, x->stance_so_far, x->stance_time);
+    const real select_3 = select(x->is_open > 0.0, x->stance_so_far / period, x->duty_factor);
+    const real slip_so_far_or_slip_distance = select(x->is_open > 0.0, x->slip_so_far, x->slip_distance);
+    const real peak_force_so_far_or_peak_force = select(x->is_open > 0.0, x->peak_force_so_far,
+        x->peak_force);
+    const real select_4 = select(x->is_open > 0.0, x->peak_force_so_far, x->peak_vertical_force);
+    y->is_open = 1.0;
+    y->work_then = x->work;
+    y->positive_work_then = x->positive_work_so_far;
+    y->peak_force_so_far = 0.0;
+    y->touchdowns_so_far = 0.0;
+    y->slip_so_far = 0.0;
+    y->stance_so_far = 0.0;
+    y->word_so_far = 0.0;
+    y->last_letter = 0.0;
+    y->bar_is_due = 0.0;
+    y->x_then = x->com_x;
+    y->y_then = x->com_y;
+    y->count = count_plus_by_1_or_count;
+    y->word_code = word_so_far_or_word_code;
+    y->period = period_or_period;
+    y->distance = distance_or_distance;
+    y->rise_of_stride = com_y_minus_y_then_or_rise_of_stride;
+    y->work_of_stride = hip_or_work_of_stride;
+    y->hip_work = hip_or_hip_work;
+    y->positive_work = sum_or_positive_work;
+    y->speed = distance_over_period_or_speed;
+    y->cost_of_transport = select_2;
+    y->touchdowns = touchdowns_so_far_or_touchdowns;
+    y->stance_time = stance_so_far_or_stance_time;
+    y->duty_factor = select_3;
+    y->slip_distance = slip_so_far_or_slip_distance;
+    y->peak_force = peak_force_so_far_or_peak_force;
+    y->peak_vertical_force = select_4;
+    y->apex_time = x->time;
+    y->apex_com_height = x->com_y;
+    y->apex_com_speed = x->com_vx;
+    y->apex_length = p->free_length;
+    y->apex_angle = p->touchdown_angle;
+    y->apex_length_rate = 0.0;
+    y->apex_angle_rate = 0.0;
+    y->length = p->free_length;
+    y->angle = p->touchdown_angle;
+    y->length_rate = 0.0;
+    y->swing = 2.0;
+    y->placing = 0.0;
+    if (above <= 0.0) {
+        const real sine = real_sin(p->touchdown_angle);
+        const real y_2 = p->free_length * cosine;
+        y->seen_x = x->com_x + share * (p->free_length * sine);
+        y->seen_y = x->com_y - share * y_2;
+        y->seen_vx = x->com_vx;
+        y->seen_vy = x->com_vy;
+        y->angle_rate = 0.0;
+        return next[0]; /* no_start */
+    }
+    y->momentum = 0.0;
+    return next[1]; /* flight */
+}
+
+/* First variation of apex. */
+static void vary_react_flight_apex(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, const tdmf_table *tables, int seed, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    plain_reduced_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real cosine = real_cos(p->touchdown_angle);
+    const real above = x->com_y - share * p->free_length * cosine;
+    const real word_so_far_or_word_code = select(x->is_open > 0.0, dx->word_so_far, dx->word_code);
+    const real d_period = dx->time - dx->apex_time;
+    const real d_period_or_period = select(x->is_open > 0.0, d_period, dx->period);
+    const real d_distance = dx->com_x - dx->x_then;
+    const real d_distance_or_distance = select(x->is_open > 0.0, d_distance, dx->distance);
+    const real com_y_minus_y_then_or_rise_of_stride = select(x->is_open > 0.0, dx->com_y - dx->y_then,
+        dx->rise_of_stride);
+    const real d_hip = dx->work - dx->work_then;
+    const real d_hip_or_work_of_stride = select(x->is_open > 0.0, d_hip, dx->work_of_stride);
+    const real d_hip_or_hip_work = select(x->is_open > 0.0, d_hip, dx->hip_work);
+    const real sum_or_positive_work = select(x->is_open > 0.0, dx->positive_work_so_far
+        - dx->positive_work_then, dx->positive_work);
+    const real distance = x->com_x - x->x_then;
+    const real period = x->time - x->apex_time;
+    const real sum_over_period_or_speed = select(x->is_open > 0.0, (d_distance
+        - distance / period * d_period) / period, dx->speed);
+    const real weight = body_mass_plus_foot_mass * p->gravity;
+    const real weight_times_distance = weight * distance;
+    const real body_mass_plus_foot_mass_2 = dp->body_mass + dp->foot_mass;
+    const real hip = x->work - x->work_then;
+    const real d_weight = p->gravity * body_mass_plus_foot_mass_2 + body_mass_plus_foot_mass * dp->gravity;
+    const real ratio_or_cost_of_transport = select(x->is_open > 0.0, (d_hip
+        - hip / weight_times_distance * (d_weight * distance + weight * d_distance)) / weight_times_distance,
+        dx->cost_of_transport);
+    const real touchdowns_so_far_or_touchdowns = select(x->is_open > 0.0, dx->touchdowns_so_far,
+        dx->touchdowns);
+    const real stance_so_far_or_stance_time = select(x->is_open > 0.0, dx->stance_so_far, dx->stance_time);
+    const real select_2 = select(x->is_open > 0.0, (dx->stance_so_far
+        - x->stance_so_far / period * d_period) / period, dx->duty_factor);
+    const real slip_so_far_or_slip_distance = select(x->is_open > 0.0, dx->slip_so_far, dx->slip_distance);
+    const real peak_force_so_far_or_peak_force = select(x->is_open > 0.0, dx->peak_force_so_far,
+        dx->peak_force);
+    const real select_3 = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_vertical_force);
+    y->is_open = 0.0;
+    y->work_then = dx->work;
+    y->positive_work_then = dx->positive_work_so_far;
+    y->peak_force_so_far = 0.0;
+    y->touchdowns_so_far = 0.0;
+    y->slip_so_far = 0.0;
+    y->stance_so_far = 0.0;
+    y->word_so_far = 0.0;
+    y->last_letter = 0.0;
+    y->bar_is_due = 0.0;
+    y->x_then = dx->com_x;
+    y->y_then = dx->com_y;
+    y->count = dx->count;
+    y->word_code = word_so_far_or_word_code;
+    y->period = d_period_or_period;
+    y->distance = d_distance_or_distance;
+    y->rise_of_stride = com_y_minus_y_then_or_rise_of_stride;
+    y->work_of_stride = d_hip_or_work_of_stride;
+    y->hip_work = d_hip_or_hip_work;
+    y->positive_work = sum_or_positive_work;
+    y->speed = sum_over_period_or_speed;
+    y->cost_of_transport = ratio_or_cost_of_transport;
+    y->touchdowns = touchdowns_so_far_or_touchdowns;
+    y->stance_time = stance_so_far_or_stance_time;
+    y->duty_factor = select_2;
+    y->slip_distance = slip_so_far_or_slip_distance;
+    y->peak_force = peak_force_so_far_or_peak_force;
+    y->peak_vertical_force = select_3;
+    y->apex_time = dx->time;
+    y->apex_com_height = dx->com_y;
+    y->apex_com_speed = dx->com_vx;
+    y->apex_length = dp->free_length;
+    y->apex_angle = dp->touchdown_angle;
+    y->apex_length_rate = 0.0;
+    y->apex_angle_rate = 0.0;
+    y->length = dp->free_length;
+    y->angle = dp->touchdown_angle;
+    y->length_rate = 0.0;
+    y->swing = 0.0;
+    y->placing = 0.0;
+    if (above <= 0.0) {
+        const real sine = real_sin(p->touchdown_angle);
+        const real d_share = (dp->body_mass - share * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
+        const real d_sine = cosine * dp->touchdown_angle;
+        const real y_2 = p->free_length * cosine;
+        const real d_y = cosine * dp->free_length - p->free_length * (sine * dp->touchdown_angle);
+        y->seen_x = dx->com_x + (p->free_length * sine * d_share + share * (sine * dp->free_length
+            + p->free_length * d_sine));
+        y->seen_y = dx->com_y - (y_2 * d_share + share * d_y);
+        y->seen_vx = dx->com_vx;
+        y->seen_vy = dx->com_vy;
+        y->angle_rate = 0.0;
+        return;
+    }
+    y->momentum = 0.0;
+}
+
+/* Whether apex is watched. */
+static real watches_flight_apex(const real *parameters, const real *states) {
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)parameters;
+    if (x->swing < 2.0) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
+/* First variation of the guard of apex. */
+static real vary_guard_flight_apex(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states, (void)d_parameters;
+    return dx->com_vy;
+}
+
 /* touchdown: The foot reaches the ground. */
-static int react_flight_place_touchdown(const real *parameters, const real *states, const tdmf_table *tables,
+static int react_flight_touchdown(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
@@ -359,8 +580,8 @@ static int react_flight_place_touchdown(const real *parameters, const real *stat
 }
 
 /* First variation of touchdown. */
-static void vary_react_flight_place_touchdown(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
+static void vary_react_flight_touchdown(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -430,9 +651,19 @@ static void vary_react_flight_place_touchdown(const real *parameters, const real
     }
 }
 
+/* Whether touchdown is watched. */
+static real watches_flight_touchdown(const real *parameters, const real *states) {
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)parameters;
+    if (x->swing > 1.0) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
 /* First variation of the guard of touchdown. */
-static real vary_guard_flight_place_touchdown(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
+static real vary_guard_flight_touchdown(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -446,7 +677,7 @@ static real vary_guard_flight_place_touchdown(const real *parameters, const real
 }
 
 /* from world, in flight. */
-static void from_world_flight_place(const real *parameters, const real *states, real *after) {
+static void from_world_flight(const real *parameters, const real *states, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     plain_reduced_runner_states *y = (void *)after;
@@ -466,8 +697,8 @@ static void from_world_flight_place(const real *parameters, const real *states, 
     y->momentum = moment;
 }
 
-/* First variation of from_world_flight_place. */
-static void vary_from_world_flight_place(const real *parameters, const real *states, const real *d_parameters,
+/* First variation of from_world_flight. */
+static void vary_from_world_flight(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
@@ -502,7 +733,7 @@ static void vary_from_world_flight_place(const real *parameters, const real *sta
 }
 
 /* to world, in flight. */
-static void to_world_flight_place(const real *parameters, const real *states, real *after) {
+static void to_world_flight(const real *parameters, const real *states, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
     plain_reduced_runner_states *y = (void *)after;
@@ -522,8 +753,8 @@ static void to_world_flight_place(const real *parameters, const real *states, re
     y->angle_rate = rate;
 }
 
-/* First variation of to_world_flight_place. */
-static void vary_to_world_flight_place(const real *parameters, const real *states, const real *d_parameters,
+/* First variation of to_world_flight. */
+static void vary_to_world_flight(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
@@ -768,6 +999,7 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     y->com_vy = rise;
     y->momentum = moment;
     y->liftoff_angle = angle;
+    y->swing = 1.0;
     y->placing = 0.0;
     return next[2]; /* flight */
 }
@@ -818,6 +1050,7 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     y->com_vy = d_rise;
     y->momentum = d_moment;
     y->liftoff_angle = d_angle;
+    y->swing = 0.0;
     y->placing = 0.0;
 }
 
@@ -1276,226 +1509,6 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     y->mode_began = dx->time;
 }
 
-/* Constants of flight_retract. */
-static void open_flight_retract(const real *parameters, const real *states, real *constants) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    flight_retract_constants *c = (void *)constants;
-    const real minus_gravity = -p->gravity;
-    c->com_vx = x->com_vx;
-    c->minus_gravity = minus_gravity;
-}
-
-/* First variation of open_flight_retract. */
-static void vary_open_flight_retract(const real *parameters, const real *states, const real *d_parameters,
-    const real *d_states, real *constants) {
-    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
-    const plain_reduced_runner_states *dx = (const void *)d_states;
-    (void)parameters, (void)states;
-    flight_retract_constants *c = (void *)constants;
-    const real d_minus_gravity = -dp->gravity;
-    c->com_vx = dx->com_vx;
-    c->minus_gravity = d_minus_gravity;
-}
-
-/* apex: A stride closes, and the leg is placed anew. */
-static int react_flight_retract_apex(const real *parameters, const real *states, const tdmf_table *tables,
-    real *after, const int *next) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    plain_reduced_runner_states *y = (void *)after;
-    (void)tables;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real cosine = real_cos(p->touchdown_angle);
-    const real above = x->com_y - share * p->free_length * cosine;
-    const real count_plus_by_1_or_count = select(x->is_open > 0.0, x->count + 1.0, x->count);
-    const real word_so_far_or_word_code = select(x->is_open > 0.0, x->word_so_far, x->word_code);
-    const real period = x->time - x->apex_time;
-    const real period_or_period = select(x->is_open > 0.0, period, x->period);
-    const real distance = x->com_x - x->x_then;
-    const real distance_or_distance = select(x->is_open > 0.0, distance, x->distance);
-    const real com_y_minus_y_then_or_rise_of_stride = select(x->is_open > 0.0, x->com_y - x->y_then,
-        x->rise_of_stride);
-    const real hip = x->work - x->work_then;
-    const real hip_or_work_of_stride = select(x->is_open > 0.0, hip, x->work_of_stride);
-    const real hip_or_hip_work = select(x->is_open > 0.0, hip, x->hip_work);
-    const real sum_or_positive_work = select(x->is_open > 0.0, x->positive_work_so_far
-        - x->positive_work_then, x->positive_work);
-    const real distance_over_period_or_speed = select(x->is_open > 0.0, distance / period, x->speed);
-    const real weight = body_mass_plus_foot_mass * p->gravity;
-    const real select_2 = select(x->is_open > 0.0, hip / (weight * distance), x->cost_of_transport);
-    const real touchdowns_so_far_or_touchdowns = select(x->is_open > 0.0, x->touchdowns_so_far,
-        x->touchdowns);
-    const real stance_so_far_or_stance_time = select(x->is_open > 0.0, x->stance_so_far, x->stance_time);
-    const real select_3 = select(x->is_open > 0.0, x->stance_so_far / period, x->duty_factor);
-    const real slip_so_far_or_slip_distance = select(x->is_open > 0.0, x->slip_so_far, x->slip_distance);
-    const real peak_force_so_far_or_peak_force = select(x->is_open > 0.0, x->peak_force_so_far,
-        x->peak_force);
-    const real select_4 = select(x->is_open > 0.0, x->peak_force_so_far, x->peak_vertical_force);
-    y->is_open = 1.0;
-    y->work_then = x->work;
-    y->positive_work_then = x->positive_work_so_far;
-    y->peak_force_so_far = 0.0;
-    y->touchdowns_so_far = 0.0;
-    y->slip_so_far = 0.0;
-    y->stance_so_far = 0.0;
-    y->word_so_far = 0.0;
-    y->last_letter = 0.0;
-    y->bar_is_due = 0.0;
-    y->x_then = x->com_x;
-    y->y_then = x->com_y;
-    y->count = count_plus_by_1_or_count;
-    y->word_code = word_so_far_or_word_code;
-    y->period = period_or_period;
-    y->distance = distance_or_distance;
-    y->rise_of_stride = com_y_minus_y_then_or_rise_of_stride;
-    y->work_of_stride = hip_or_work_of_stride;
-    y->hip_work = hip_or_hip_work;
-    y->positive_work = sum_or_positive_work;
-    y->speed = distance_over_period_or_speed;
-    y->cost_of_transport = select_2;
-    y->touchdowns = touchdowns_so_far_or_touchdowns;
-    y->stance_time = stance_so_far_or_stance_time;
-    y->duty_factor = select_3;
-    y->slip_distance = slip_so_far_or_slip_distance;
-    y->peak_force = peak_force_so_far_or_peak_force;
-    y->peak_vertical_force = select_4;
-    y->apex_time = x->time;
-    y->apex_com_height = x->com_y;
-    y->apex_com_speed = x->com_vx;
-    y->apex_length = p->free_length;
-    y->apex_angle = p->touchdown_angle;
-    y->apex_length_rate = 0.0;
-    y->apex_angle_rate = 0.0;
-    y->length = p->free_length;
-    y->angle = p->touchdown_angle;
-    y->length_rate = 0.0;
-    y->placing = 0.0;
-    if (above <= 0.0) {
-        const real sine = real_sin(p->touchdown_angle);
-        const real y_2 = p->free_length * cosine;
-        y->seen_x = x->com_x + share * (p->free_length * sine);
-        y->seen_y = x->com_y - share * y_2;
-        y->seen_vx = x->com_vx;
-        y->seen_vy = x->com_vy;
-        y->angle_rate = 0.0;
-        return next[0]; /* no_start */
-    }
-    y->momentum = 0.0;
-    return next[1]; /* flight */
-}
-
-/* First variation of apex. */
-static void vary_react_flight_retract_apex(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    const plain_reduced_runner_parameters *p = (const void *)parameters;
-    const plain_reduced_runner_states *x = (const void *)states;
-    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
-    const plain_reduced_runner_states *dx = (const void *)d_states;
-    plain_reduced_runner_states *y = (void *)after;
-    (void)tables, (void)seed;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real cosine = real_cos(p->touchdown_angle);
-    const real above = x->com_y - share * p->free_length * cosine;
-    const real word_so_far_or_word_code = select(x->is_open > 0.0, dx->word_so_far, dx->word_code);
-    const real d_period = dx->time - dx->apex_time;
-    const real d_period_or_period = select(x->is_open > 0.0, d_period, dx->period);
-    const real d_distance = dx->com_x - dx->x_then;
-    const real d_distance_or_distance = select(x->is_open > 0.0, d_distance, dx->distance);
-    const real com_y_minus_y_then_or_rise_of_stride = select(x->is_open > 0.0, dx->com_y - dx->y_then,
-        dx->rise_of_stride);
-    const real d_hip = dx->work - dx->work_then;
-    const real d_hip_or_work_of_stride = select(x->is_open > 0.0, d_hip, dx->work_of_stride);
-    const real d_hip_or_hip_work = select(x->is_open > 0.0, d_hip, dx->hip_work);
-    const real sum_or_positive_work = select(x->is_open > 0.0, dx->positive_work_so_far
-        - dx->positive_work_then, dx->positive_work);
-    const real distance = x->com_x - x->x_then;
-    const real period = x->time - x->apex_time;
-    const real sum_over_period_or_speed = select(x->is_open > 0.0, (d_distance
-        - distance / period * d_period) / period, dx->speed);
-    const real weight = body_mass_plus_foot_mass * p->gravity;
-    const real weight_times_distance = weight * distance;
-    const real body_mass_plus_foot_mass_2 = dp->body_mass + dp->foot_mass;
-    const real hip = x->work - x->work_then;
-    const real d_weight = p->gravity * body_mass_plus_foot_mass_2 + body_mass_plus_foot_mass * dp->gravity;
-    const real ratio_or_cost_of_transport = select(x->is_open > 0.0, (d_hip
-        - hip / weight_times_distance * (d_weight * distance + weight * d_distance)) / weight_times_distance,
-        dx->cost_of_transport);
-    const real touchdowns_so_far_or_touchdowns = select(x->is_open > 0.0, dx->touchdowns_so_far,
-        dx->touchdowns);
-    const real stance_so_far_or_stance_time = select(x->is_open > 0.0, dx->stance_so_far, dx->stance_time);
-    const real select_2 = select(x->is_open > 0.0, (dx->stance_so_far
-        - x->stance_so_far / period * d_period) / period, dx->duty_factor);
-    const real slip_so_far_or_slip_distance = select(x->is_open > 0.0, dx->slip_so_far, dx->slip_distance);
-    const real peak_force_so_far_or_peak_force = select(x->is_open > 0.0, dx->peak_force_so_far,
-        dx->peak_force);
-    const real select_3 = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_vertical_force);
-    y->is_open = 0.0;
-    y->work_then = dx->work;
-    y->positive_work_then = dx->positive_work_so_far;
-    y->peak_force_so_far = 0.0;
-    y->touchdowns_so_far = 0.0;
-    y->slip_so_far = 0.0;
-    y->stance_so_far = 0.0;
-    y->word_so_far = 0.0;
-    y->last_letter = 0.0;
-    y->bar_is_due = 0.0;
-    y->x_then = dx->com_x;
-    y->y_then = dx->com_y;
-    y->count = dx->count;
-    y->word_code = word_so_far_or_word_code;
-    y->period = d_period_or_period;
-    y->distance = d_distance_or_distance;
-    y->rise_of_stride = com_y_minus_y_then_or_rise_of_stride;
-    y->work_of_stride = d_hip_or_work_of_stride;
-    y->hip_work = d_hip_or_hip_work;
-    y->positive_work = sum_or_positive_work;
-    y->speed = sum_over_period_or_speed;
-    y->cost_of_transport = ratio_or_cost_of_transport;
-    y->touchdowns = touchdowns_so_far_or_touchdowns;
-    y->stance_time = stance_so_far_or_stance_time;
-    y->duty_factor = select_2;
-    y->slip_distance = slip_so_far_or_slip_distance;
-    y->peak_force = peak_force_so_far_or_peak_force;
-    y->peak_vertical_force = select_3;
-    y->apex_time = dx->time;
-    y->apex_com_height = dx->com_y;
-    y->apex_com_speed = dx->com_vx;
-    y->apex_length = dp->free_length;
-    y->apex_angle = dp->touchdown_angle;
-    y->apex_length_rate = 0.0;
-    y->apex_angle_rate = 0.0;
-    y->length = dp->free_length;
-    y->angle = dp->touchdown_angle;
-    y->length_rate = 0.0;
-    y->placing = 0.0;
-    if (above <= 0.0) {
-        const real sine = real_sin(p->touchdown_angle);
-        const real d_share = (dp->body_mass - share * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
-        const real d_sine = cosine * dp->touchdown_angle;
-        const real y_2 = p->free_length * cosine;
-        const real d_y = cosine * dp->free_length - p->free_length * (sine * dp->touchdown_angle);
-        y->seen_x = dx->com_x + (p->free_length * sine * d_share + share * (sine * dp->free_length
-            + p->free_length * d_sine));
-        y->seen_y = dx->com_y - (y_2 * d_share + share * d_y);
-        y->seen_vx = dx->com_vx;
-        y->seen_vy = dx->com_vy;
-        y->angle_rate = 0.0;
-        return;
-    }
-    y->momentum = 0.0;
-}
-
-/* First variation of the guard of apex. */
-static real vary_guard_flight_retract_apex(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
-    const plain_reduced_runner_states *dx = (const void *)d_states;
-    (void)parameters, (void)states, (void)d_parameters;
-    return dx->com_vy;
-}
-
 /* at_apex: A start at an apex, with the centre of mass at x = 0 and the leg at rest. */
 static void enter_at_apex(const real *parameters, const real *states, const real *at, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
@@ -1617,9 +1630,10 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_states[66] = p->stiffness * p->free_length * p->free_length;
     of_states[67] = 1.0;
     of_states[68] = 1.0;
-    of_states[69] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[69] = 1.0;
     of_states[70] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[71] = p->stiffness * p->free_length * p->free_length;
+    of_states[71] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[72] = p->stiffness * p->free_length * p->free_length;
     of_events[EVENT_begins] = 1.0;
     of_events[EVENT_falls] = p->free_length;
     of_events[EVENT_collapses] = p->free_length;
@@ -1634,7 +1648,7 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
 
 static const tdmf_guard_kind guards_start_of_run[] = {
     {.event = EVENT_begins, .react = react_start_of_run_begins, .vary_react = vary_react_start_of_run_begins,
-        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_no_start, MODE_flight_place}},
+        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_no_start, MODE_flight}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_start_of_run[] = {
@@ -1646,16 +1660,19 @@ static const tdmf_guard_kind guards_no_start[] = {
 static const tdmf_watch_kind watches_no_start[] = {
     {.into = -1},
 };
-static const tdmf_guard_kind guards_flight_place[] = {
-    {.event = EVENT_falls, .is_counted = true, .react = react_flight_place_falls,
-        .vary_react = vary_react_flight_place_falls, .is_watched = watches_flight_place_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_falls, .next = {MODE_fallen}},
-    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_place_touchdown,
-        .vary_react = vary_react_flight_place_touchdown, .vary_guard = vary_guard_flight_place_touchdown,
-        .next = {MODE_slip_constant, MODE_stick}},
+static const tdmf_guard_kind guards_flight[] = {
+    {.event = EVENT_falls, .is_counted = true, .react = react_flight_falls,
+        .vary_react = vary_react_flight_falls, .is_watched = watches_flight_falls, .ends = true,
+        .vary_guard = vary_guard_flight_falls, .next = {MODE_fallen}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_apex,
+        .vary_react = vary_react_flight_apex, .is_watched = watches_flight_apex,
+        .vary_guard = vary_guard_flight_apex, .next = {MODE_no_start, MODE_flight}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_touchdown,
+        .vary_react = vary_react_flight_touchdown, .is_watched = watches_flight_touchdown,
+        .vary_guard = vary_guard_flight_touchdown, .next = {MODE_slip_constant, MODE_stick}},
     {.event = -1},
 };
-static const tdmf_watch_kind watches_flight_place[] = {
+static const tdmf_watch_kind watches_flight[] = {
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
@@ -1677,7 +1694,7 @@ static const tdmf_guard_kind guards_slip_constant[] = {
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_constant}},
     {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
         .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
-        .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
+        .next = {MODE_no_stance, MODE_no_apex, MODE_flight}},
     {.event = EVENT_comes_to_rest, .is_counted = true, .react = react_slip_constant_comes_to_rest,
         .vary_react = vary_react_slip_constant_comes_to_rest,
         .vary_guard = vary_guard_slip_constant_comes_to_rest, .next = {MODE_stick, MODE_slip_constant}},
@@ -1700,7 +1717,7 @@ static const tdmf_guard_kind guards_stick[] = {
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_stick}},
     {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
         .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
-        .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
+        .next = {MODE_no_stance, MODE_no_apex, MODE_flight}},
     {.event = EVENT_slips_forward, .is_counted = true, .react = react_stick_slips_forward,
         .vary_react = vary_react_stick_slips_forward, .vary_guard = vary_guard_stick_slips_forward,
         .next = {MODE_slip_constant}},
@@ -1726,16 +1743,6 @@ static const tdmf_guard_kind guards_no_apex[] = {
 static const tdmf_watch_kind watches_no_apex[] = {
     {.into = -1},
 };
-static const tdmf_guard_kind guards_flight_retract[] = {
-    {.event = EVENT_apex, .is_counted = true, .react = react_flight_retract_apex,
-        .vary_react = vary_react_flight_retract_apex, .vary_guard = vary_guard_flight_retract_apex,
-        .next = {MODE_no_start, MODE_flight_place}},
-    {.event = -1},
-};
-static const tdmf_watch_kind watches_flight_retract[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
-    {.into = -1},
-};
 static const int coordinates_at_apex[] = {35, 36};
 
 static const tdmf_mode_kind modes[] = {
@@ -1749,13 +1756,13 @@ static const tdmf_mode_kind modes[] = {
         .usual_count = 0, .watches = watches_no_start, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_plain_reduced_runner_motions[MODE_flight_place], .open = open_flight_place,
-        .vary_open = vary_open_flight_place, .guard_count = 2, .guards = guards_flight_place,
-        .watch_count = 1, .usual_count = 1, .watches = watches_flight_place, .outputs = outputs_start_of_run,
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_flight], .open = open_flight,
+        .vary_open = vary_open_flight, .guard_count = 3, .guards = guards_flight, .watch_count = 1,
+        .usual_count = 1, .watches = watches_flight, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
-        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place,
-        .vary_from_world = vary_from_world_flight_place, .to_world = to_world_flight_place,
-        .vary_to_world = vary_to_world_flight_place},
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight,
+        .vary_from_world = vary_from_world_flight, .to_world = to_world_flight,
+        .vary_to_world = vary_to_world_flight},
     {.motion = &tdmf_plain_reduced_runner_motions[MODE_fallen], .ends = true, .open = open_start_of_run,
         .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_fallen, .watch_count = 0,
         .usual_count = 0, .watches = watches_fallen, .outputs = outputs_start_of_run,
@@ -1784,13 +1791,6 @@ static const tdmf_mode_kind modes[] = {
         .usual_count = 0, .watches = watches_no_apex, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_plain_reduced_runner_motions[MODE_flight_retract], .open = open_flight_retract,
-        .vary_open = vary_open_flight_retract, .guard_count = 1, .guards = guards_flight_retract,
-        .watch_count = 1, .usual_count = 1, .watches = watches_flight_retract,
-        .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
-        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
-        .from_world = from_world_flight_place, .vary_from_world = vary_from_world_flight_place,
-        .to_world = to_world_flight_place, .vary_to_world = vary_to_world_flight_place},
 };
 
 static const tdmf_set_kind sets[] = {
@@ -1802,8 +1802,8 @@ static const tdmf_section_kind sections[] = {
     {.event = -1},
 };
 
-static const char *const mode_names[] = {"start_of_run", "no_start", "flight_place", "fallen",
-    "slip_constant", "stick", "no_stance", "no_apex", "flight_retract"};
+static const char *const mode_names[] = {"start_of_run", "no_start", "flight", "fallen", "slip_constant",
+    "stick", "no_stance", "no_apex"};
 static const char *const state_names[] = {"time", "events", "last_event", "is_open", "work_then",
     "positive_work_so_far", "positive_work_then", "peak_force_so_far", "touchdowns_so_far", "slip_so_far",
     "slid_from", "stance_so_far", "word_so_far", "last_letter", "bar_is_due", "mode_began", "x_then",
@@ -1813,7 +1813,8 @@ static const char *const state_names[] = {"time", "events", "last_event", "is_op
     "apex_length", "apex_angle", "apex_length_rate", "apex_angle_rate", "seen_x", "seen_y", "length", "angle",
     "seen_vx", "seen_vy", "length_rate", "angle_rate", "com_x", "com_y", "com_vx", "com_vy", "momentum", "x",
     "y", "vx", "vy", "foot_x", "foot_vx", "winding", "damper_loss", "friction", "way", "friction_loss",
-    "impact_loss", "external_torque", "liftoff_angle", "driving", "placing", "touchdown_time", "work"};
+    "impact_loss", "external_torque", "liftoff_angle", "driving", "swing", "placing", "touchdown_time",
+    "work"};
 static const char *const parameter_names[] = {"body_mass", "foot_mass", "stiffness", "damping", "free_length",
     "least_length", "gravity", "drive_torque", "touchdown_angle"};
 static const char *const event_names[] = {"begins", "falls", "collapses", "apex", "touchdown", "mid_stance",
@@ -1826,7 +1827,7 @@ static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.4722627765193387, 0.6417114468531165, 0.9999993776846997,
     -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05, 1.1268102275039307e-06,
     4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0,
-    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0};
 static const double parameter_defaults[] = {1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01, 0.2, 0.6981317007977318};
 static const double parameter_least[] = {1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09, -1e+18,
     -1.5707963267948966};
@@ -1845,9 +1846,9 @@ const tdmf_model_kind tdmf_plain_reduced_runner_model = {
         TDMF_FOUR_LANES(tdmf_plain_reduced_runner_motions_of_4),
         TDMF_EIGHT_LANES(tdmf_plain_reduced_runner_motions_of_8)},
     .seeds = TDMF_FOR_SEEDS(tdmf_plain_reduced_runner_seeds),
-    .mode_count = 9,
+    .mode_count = 8,
     .mode_names = mode_names,
-    .state_count = 72,
+    .state_count = 73,
     .state_names = state_names,
     .parameter_count = 9,
     .parameter_names = parameter_names,

@@ -4,8 +4,8 @@
 
 #include "driver.h"
 
-enum {MODE_start_of_run, MODE_no_start, MODE_flight_place, MODE_fallen, MODE_slip_constant, MODE_stick,
-    MODE_no_stance, MODE_no_apex, MODE_flight_retract, MODE_COUNT};
+enum {MODE_start_of_run, MODE_no_start, MODE_flight, MODE_fallen, MODE_slip_constant, MODE_stick,
+    MODE_no_stance, MODE_no_apex, MODE_COUNT};
 enum {EVENT_begins, EVENT_falls, EVENT_collapses, EVENT_apex, EVENT_touchdown, EVENT_mid_stance,
     EVENT_lift_off, EVENT_slips_forward, EVENT_slips_backward, EVENT_comes_to_rest, EVENT_COUNT};
 enum {OUTPUT_COUNT};
@@ -95,6 +95,7 @@ typedef struct {
     real external_torque; /* N.m: Torque added to the hip law */
     real liftoff_angle; /* rad: Leg angle when the foot last left the ground, theta_LO */
     real driving; /* 1: 1 from touchdown to mid-stance, else 0 */
+    real swing; /* 1: Law of the hip in flight: 0 rest, 1 retract, 2 place */
     real placing; /* s: In place, the time since it began; else 0 */
     real touchdown_time; /* s: Time of the last impact */
     real work; /* J: Work of the total hip torque since the start, W */
@@ -109,8 +110,9 @@ typedef struct {
 } no_start_constants;
 
 typedef struct {
-    real com_vx, minus_gravity, rate, by_1_minus_share_times_length, share_times_length;
-} flight_place_constants;
+    real com_vx, minus_gravity, is_placing, is_placing_times_rate, by_1_minus_share_times_length,
+        share_times_length;
+} flight_constants;
 
 typedef struct {
     real none;
@@ -133,10 +135,6 @@ typedef struct {
 typedef struct {
     real none;
 } no_apex_constants;
-
-typedef struct {
-    real com_vx, minus_gravity;
-} flight_retract_constants;
 
 extern const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_reduced_runner_motions)[];
 tdmf_motions_of_width tdmf_plain_reduced_runner_motions_of_2, tdmf_plain_reduced_runner_motions_of_4,

@@ -2,12 +2,12 @@
 #ifndef PLAIN_REDUCED_RUNNER_IN_RUNNER_H
 #define PLAIN_REDUCED_RUNNER_IN_RUNNER_H
 
-static const int plain_reduced_modes_in_whole[] = {0, -1, 3, 6, 1, 2, -1, -1, 5};
+static const int plain_reduced_modes_in_whole[] = {0, -1, 3, 4, 1, 2, -1, -1};
 static const int plain_reduced_parameters_in_whole[] = {8, 9, 10, 11, 12, 13, 14, 20, 23};
 static const int plain_reduced_states_in_whole[] = {0, 1, 2, 6, 7, 9, 10, 11, 13, 14, 15, 16, 17, 18, 19, 20,
     21, 22, 23, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 59,
     60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 83, 87, 88, 89, 90, 92, 93,
-    94, 95, 96, 100};
+    94, 95, 96, 97, 101};
 static const int plain_reduced_events_in_whole[] = {4, 7, 8, 9, 11, 15, 16, 19, 20, 21};
 
 #endif

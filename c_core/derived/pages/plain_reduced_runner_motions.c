@@ -59,46 +59,46 @@ static void vary_no_start(const real *constants, const real *series, const real 
     (void)constants, (void)series, (void)d_constants, (void)order, (void)varied;
 }
 
-/* ---- flight_place */
+/* ---- flight */
 
 /* The centre of mass is ballistic. The leg turns after the apex. */
 typedef struct {
-    real com_y[TERMS], time[TERMS], com_x[TERMS], com_vy[TERMS], angle[TERMS], placing[TERMS];
-} flight_place_series;
+    real com_y[TERMS], time[TERMS], com_x[TERMS], com_vy[TERMS], placing[TERMS], angle[TERMS];
+} flight_series;
 
 /* All coefficients. */
-static void expand_flight_place(const real *constants, int order, real *expanded) {
-    const flight_place_constants *c = (const void *)constants;
-    flight_place_series *s = (void *)expanded;
+static void expand_flight(const real *constants, int order, real *expanded) {
+    const flight_constants *c = (const void *)constants;
+    flight_series *s = (void *)expanded;
     s->time[1] = broadcast(1.0);
     s->com_x[1] = c->com_vx;
     s->com_vy[1] = c->minus_gravity;
-    s->angle[1] = c->rate;
-    s->placing[1] = broadcast(1.0);
+    s->placing[1] = c->is_placing;
+    s->angle[1] = c->is_placing_times_rate;
     for (int k = 0; k < order; ++k) {
         s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
     }
 }
 
 /* First variation of the series. */
-static void vary_flight_place(const real *constants, const real *series, const real *d_constants, int order,
+static void vary_flight(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    const flight_place_constants *d = (const void *)d_constants;
-    flight_place_series *t = (void *)varied;
+    const flight_constants *d = (const void *)d_constants;
+    flight_series *t = (void *)varied;
     (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->com_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->com_vx));
         t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
-        t->angle[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->rate));
-        t->placing[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
+        t->placing[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->is_placing));
+        t->angle[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->is_placing_times_rate));
     }
 }
 
 /* First variation of power_of_hip. */
-static void d_observed_flight_place_power_of_hip(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
+static void d_observed_flight_power_of_hip(const real *constants, const real *series, const real *d_constants,
+    const real *d_series, int order, real *dg) {
     (void)constants, (void)series, (void)d_constants, (void)d_series;
     for (int k = 0; k < order; ++k) {
         dg[k] = broadcast(0.0);
@@ -106,9 +106,9 @@ static void d_observed_flight_place_power_of_hip(const real *constants, const re
 }
 
 /* falls: The body reaches the ground. */
-static void guard_flight_place_falls(const real *constants, const real *series, int order, real *g) {
-    const flight_place_constants *c = (const void *)constants;
-    const flight_place_series *s = (const void *)series;
+static void guard_flight_falls(const real *constants, const real *series, int order, real *g) {
+    const flight_constants *c = (const void *)constants;
+    const flight_series *s = (const void *)series;
     real own_cos_of_angle[TERMS], own_sin_of_angle[TERMS];
     for (int k = 0; k < order; ++k) {
         sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
@@ -116,10 +116,19 @@ static void guard_flight_place_falls(const real *constants, const real *series, 
     }
 }
 
+/* apex: A stride closes, and the leg is placed anew. */
+static void guard_flight_apex(const real *constants, const real *series, int order, real *g) {
+    const flight_series *s = (const void *)series;
+    (void)constants;
+    for (int k = 0; k < order; ++k) {
+        g[k] = (double)(k + 1) * s->com_y[k + 1];
+    }
+}
+
 /* touchdown: The foot reaches the ground. */
-static void guard_flight_place_touchdown(const real *constants, const real *series, int order, real *g) {
-    const flight_place_constants *c = (const void *)constants;
-    const flight_place_series *s = (const void *)series;
+static void guard_flight_touchdown(const real *constants, const real *series, int order, real *g) {
+    const flight_constants *c = (const void *)constants;
+    const flight_series *s = (const void *)series;
     real own_cos_of_angle[TERMS], own_sin_of_angle[TERMS];
     for (int k = 0; k < order; ++k) {
         sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
@@ -128,7 +137,7 @@ static void guard_flight_place_touchdown(const real *constants, const real *seri
 }
 
 /* power_of_hip: Power of the total hip torque. */
-static void guard_flight_place_power_of_hip(const real *constants, const real *series, int order, real *g) {
+static void guard_flight_power_of_hip(const real *constants, const real *series, int order, real *g) {
     (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = broadcast(0.0);
@@ -136,28 +145,37 @@ static void guard_flight_place_power_of_hip(const real *constants, const real *s
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_place(const real *constants, const real *series, const real *power, int order,
+static void bounds_flight(const real *constants, const real *series, const real *power, int order,
     uint64_t watched, interval *bounds) {
-    const flight_place_constants *c = (const void *)constants;
-    const flight_place_series *s = (const void *)series;
+    const flight_constants *c = (const void *)constants;
+    const flight_series *s = (const void *)series;
     (void)order;
-    const interval span_0 = interval_of_series(s->angle, power, 2);
-    const interval span_1 = interval_of_series(s->com_y, power, 3);
-    const interval span_2 = interval_at(c->share_times_length, c->share_times_length);
-    const interval span_3 = interval_of_turn(s->angle[0], span_0, false);
-    const interval span_4 = interval_product(span_2, span_3);
-    const interval span_5 = interval_difference(span_1, span_4);
-    bounds[1] = span_5;
     if (watched >> 0 & 1) {
-        const interval span_6 = interval_at(c->by_1_minus_share_times_length,
+        const interval span_0 = interval_of_series(s->angle, power, 2);
+        const interval span_1 = interval_of_series(s->com_y, power, 3);
+        const interval span_2 = interval_at(c->by_1_minus_share_times_length,
             c->by_1_minus_share_times_length);
-        const interval span_7 = interval_product(span_6, span_3);
-        const interval span_8 = interval_sum(span_1, span_7);
-        bounds[0] = span_8;
+        const interval span_3 = interval_of_turn(s->angle[0], span_0, false);
+        const interval span_4 = interval_product(span_2, span_3);
+        const interval span_5 = interval_sum(span_1, span_4);
+        bounds[0] = span_5;
+    }
+    if (watched >> 1 & 1) {
+        const interval span_0 = interval_of_rate(s->com_y, power, 2);
+        bounds[1] = span_0;
     }
     if (watched >> 2 & 1) {
-        const interval span_6 = interval_at(broadcast(0.0), broadcast(0.0));
-        bounds[2] = span_6;
+        const interval span_0 = interval_of_series(s->angle, power, 2);
+        const interval span_1 = interval_of_series(s->com_y, power, 3);
+        const interval span_2 = interval_at(c->share_times_length, c->share_times_length);
+        const interval span_3 = interval_of_turn(s->angle[0], span_0, false);
+        const interval span_4 = interval_product(span_2, span_3);
+        const interval span_5 = interval_difference(span_1, span_4);
+        bounds[2] = span_5;
+    }
+    if (watched >> 3 & 1) {
+        const interval span_0 = interval_at(broadcast(0.0), broadcast(0.0));
+        bounds[3] = span_0;
     }
 }
 
@@ -959,78 +977,6 @@ static void vary_no_apex(const real *constants, const real *series, const real *
     (void)constants, (void)series, (void)d_constants, (void)order, (void)varied;
 }
 
-/* ---- flight_retract */
-
-/* The centre of mass is ballistic. The leg turns after the apex. */
-typedef struct {
-    real com_y[TERMS], time[TERMS], com_x[TERMS], com_vy[TERMS];
-} flight_retract_series;
-
-/* All coefficients. */
-static void expand_flight_retract(const real *constants, int order, real *expanded) {
-    const flight_retract_constants *c = (const void *)constants;
-    flight_retract_series *s = (void *)expanded;
-    s->time[1] = broadcast(1.0);
-    s->com_x[1] = c->com_vx;
-    s->com_vy[1] = c->minus_gravity;
-    for (int k = 0; k < order; ++k) {
-        s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
-    }
-}
-
-/* First variation of the series. */
-static void vary_flight_retract(const real *constants, const real *series, const real *d_constants, int order,
-    real *varied) {
-    const flight_retract_constants *d = (const void *)d_constants;
-    flight_retract_series *t = (void *)varied;
-    (void)constants, (void)series;
-    for (int k = 0; k < order; ++k) {
-        t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
-        t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
-        t->com_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->com_vx));
-        t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
-    }
-}
-
-/* First variation of power_of_hip. */
-static void d_observed_flight_retract_power_of_hip(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants, (void)series, (void)d_constants, (void)d_series;
-    for (int k = 0; k < order; ++k) {
-        dg[k] = broadcast(0.0);
-    }
-}
-
-/* apex: A stride closes, and the leg is placed anew. */
-static void guard_flight_retract_apex(const real *constants, const real *series, int order, real *g) {
-    const flight_retract_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->com_y[k + 1];
-    }
-}
-
-/* power_of_hip: Power of the total hip torque. */
-static void guard_flight_retract_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants, (void)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = broadcast(0.0);
-    }
-}
-
-/* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_retract(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
-    const flight_retract_series *s = (const void *)series;
-    (void)constants, (void)order;
-    const interval span_0 = interval_of_rate(s->com_y, power, 2);
-    bounds[0] = span_0;
-    if (watched >> 1 & 1) {
-        const interval span_1 = interval_at(broadcast(0.0), broadcast(0.0));
-        bounds[1] = span_1;
-    }
-}
-
 static const tdmf_polynomial polynomials_start_of_run[] = {guard_start_of_run_begins};
 static const tdmf_vary_polynomial vary_observed_start_of_run[] = {NULL};
 static const int moving_start_of_run[] = {0}, degrees_start_of_run[] = {1}, judged_start_of_run[] = {0},
@@ -1040,12 +986,12 @@ static const tdmf_polynomial polynomials_no_start[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_no_start[] = {NULL};
 static const int moving_no_start[] = {0}, degrees_no_start[] = {0}, judged_no_start[] = {0},
     divided_no_start[] = {0}, divisors_no_start[] = {0}, integrals_no_start[] = {0}, factors_no_start[] = {0};
-static const tdmf_polynomial polynomials_flight_place[] = {guard_flight_place_falls,
-    guard_flight_place_touchdown, guard_flight_place_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_flight_place[] = {d_observed_flight_place_power_of_hip};
-static const int moving_flight_place[] = {50, 0, 49, 52, 44, 69}, degrees_flight_place[] = {2, 1, 1, 1, 1, 1},
-    judged_flight_place[] = {0}, divided_flight_place[] = {0}, divisors_flight_place[] = {0},
-    integrals_flight_place[] = {-1}, factors_flight_place[] = {-1, -1};
+static const tdmf_polynomial polynomials_flight[] = {guard_flight_falls, guard_flight_apex,
+    guard_flight_touchdown, guard_flight_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight[] = {d_observed_flight_power_of_hip};
+static const int moving_flight[] = {50, 0, 49, 52, 70, 44}, degrees_flight[] = {2, 1, 1, 1, 1, 1},
+    judged_flight[] = {0}, divided_flight[] = {0}, divisors_flight[] = {0}, integrals_flight[] = {-1},
+    factors_flight[] = {-1, -1};
 static const tdmf_polynomial polynomials_fallen[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0}, degrees_fallen[] = {0}, judged_fallen[] = {0}, divided_fallen[] = {0},
@@ -1055,7 +1001,7 @@ static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_
     guard_slip_constant_comes_to_rest, guard_slip_constant_power_of_hip, guard_slip_constant_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_slip_constant_power_of_hip,
     d_observed_slip_constant_force_on_foot};
-static const int moving_slip_constant[] = {54, 55, 56, 57, 58, 59, 61, 64, 71, 0},
+static const int moving_slip_constant[] = {54, 55, 56, 57, 58, 59, 61, 64, 72, 0},
     degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99}, judged_slip_constant[] = {2, 3, 5,
     6, 7, 8, 10}, divided_slip_constant[] = {-1, -1, -1, -1, -1, -1, -1}, divisors_slip_constant[] = {14, 13},
     integrals_slip_constant[] = {8, -1}, factors_slip_constant[] = {27, -1, -1, -1};
@@ -1064,7 +1010,7 @@ static const tdmf_polynomial polynomials_stick[] = {guard_stick_falls, guard_sti
     guard_stick_power_of_hip, guard_stick_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_power_of_hip,
     d_observed_stick_force_on_foot};
-static const int moving_stick[] = {54, 55, 56, 57, 61, 71, 0, 58}, degrees_stick[] = {99, 99, 99, 99, 99, 99,
+static const int moving_stick[] = {54, 55, 56, 57, 61, 72, 0, 58}, degrees_stick[] = {99, 99, 99, 99, 99, 99,
     1, 1, 99}, judged_stick[] = {2, 3, 4, 5, 8}, divided_stick[] = {-1, -1, -1, -1, -1},
     divisors_stick[] = {12, 11}, integrals_stick[] = {5, -1}, factors_stick[] = {23, -1, -1, -1};
 static const tdmf_polynomial polynomials_no_stance[] = {NULL};
@@ -1076,12 +1022,6 @@ static const tdmf_polynomial polynomials_no_apex[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_no_apex[] = {NULL};
 static const int moving_no_apex[] = {0}, degrees_no_apex[] = {0}, judged_no_apex[] = {0},
     divided_no_apex[] = {0}, divisors_no_apex[] = {0}, integrals_no_apex[] = {0}, factors_no_apex[] = {0};
-static const tdmf_polynomial polynomials_flight_retract[] = {guard_flight_retract_apex,
-    guard_flight_retract_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_flight_retract[] = {d_observed_flight_retract_power_of_hip};
-static const int moving_flight_retract[] = {50, 0, 49, 52}, degrees_flight_retract[] = {2, 1, 1, 1},
-    judged_flight_retract[] = {0}, divided_flight_retract[] = {0}, divisors_flight_retract[] = {0},
-    integrals_flight_retract[] = {-1}, factors_flight_retract[] = {-1, -1};
 
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_reduced_runner_motions)[] = {
     {.moving_count = 1, .extra_count = 0, .series_count = 1, .constant_count = 0, .judged_count = 0,
@@ -1096,12 +1036,11 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_reduced_runner_motions)[] = {
         .factors = factors_no_start, .polynomials = polynomials_no_start,
         .vary_observed = vary_observed_no_start, .expand = expand_no_start, .vary = vary_no_start,
         .bounds = NULL},
-    {.moving_count = 6, .extra_count = 0, .series_count = 6, .constant_count = 5, .judged_count = 0,
-        .divisor_count = 0, .moving = moving_flight_place, .degrees = degrees_flight_place,
-        .judged = judged_flight_place, .divided = divided_flight_place, .divisors = divisors_flight_place,
-        .integrals = integrals_flight_place, .factors = factors_flight_place,
-        .polynomials = polynomials_flight_place, .vary_observed = vary_observed_flight_place,
-        .expand = expand_flight_place, .vary = vary_flight_place, .bounds = bounds_flight_place},
+    {.moving_count = 6, .extra_count = 0, .series_count = 6, .constant_count = 6, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_flight, .degrees = degrees_flight, .judged = judged_flight,
+        .divided = divided_flight, .divisors = divisors_flight, .integrals = integrals_flight,
+        .factors = factors_flight, .polynomials = polynomials_flight, .vary_observed = vary_observed_flight,
+        .expand = expand_flight, .vary = vary_flight, .bounds = bounds_flight},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_fallen, .degrees = degrees_fallen, .judged = judged_fallen,
         .divided = divided_fallen, .divisors = divisors_fallen, .integrals = integrals_fallen,
@@ -1130,13 +1069,6 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_reduced_runner_motions)[] = {
         .factors = factors_no_apex, .polynomials = polynomials_no_apex,
         .vary_observed = vary_observed_no_apex, .expand = expand_no_apex, .vary = vary_no_apex,
         .bounds = NULL},
-    {.moving_count = 4, .extra_count = 0, .series_count = 4, .constant_count = 2, .judged_count = 0,
-        .divisor_count = 0, .moving = moving_flight_retract, .degrees = degrees_flight_retract,
-        .judged = judged_flight_retract, .divided = divided_flight_retract,
-        .divisors = divisors_flight_retract, .integrals = integrals_flight_retract,
-        .factors = factors_flight_retract, .polynomials = polynomials_flight_retract,
-        .vary_observed = vary_observed_flight_retract, .expand = expand_flight_retract,
-        .vary = vary_flight_retract, .bounds = bounds_flight_retract},
 };
 
 #ifdef TDMF_LANES

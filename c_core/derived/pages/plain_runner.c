@@ -100,16 +100,20 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
         y->apex_angle = x->angle;
         y->apex_length_rate = x->length_rate;
         y->apex_angle_rate = rate;
+        y->swing = 2.0;
         return next[2]; /* flight */
     }
     if (rise < 0.0) {
+        y->swing = 2.0;
         return next[2]; /* flight */
     }
     const real servo = -(p->kp * (x->angle - p->liftoff_factor * x->angle)) - p->kd * x->angle_rate;
     if (p->swing_clamp > 0.0 && servo <= 0.0) {
-        return next[3]; /* flight */
+        y->swing = 0.0;
+        return next[2]; /* flight */
     }
-    return next[4]; /* flight */
+    y->swing = 1.0;
+    return next[2]; /* flight */
 }
 
 /* First variation of begins. */
@@ -199,6 +203,7 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     y->com_vx = sum_3;
     y->com_vy = d_rise;
     y->momentum = d_moment;
+    y->swing = 0.0;
     if (real_abs(rise) <= slow) {
         const real moment = square * x->angle_rate;
         const real rate = moment / square;
@@ -523,6 +528,7 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         const real turning = swing_torque / square;
         const real off = axial_times_y_ + turning * x->x_;
         const real normal = off + foot_mass_times_gravity;
+        y->swing = 2.0;
         if (normal < minus_hardly) {
             y->length = length;
             y->angle = angle;
@@ -537,10 +543,12 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         }
         return next[1]; /* graze */
     }
-    const real retracting_torque = -(p->kp * (angle - p->liftoff_factor * angle)) - kd_times_angle_rate;
+    const real first = p->liftoff_factor * angle;
+    const real retracting_torque = -(p->kp * (angle - first)) - kd_times_angle_rate;
     if (p->swing_clamp > 0.0 && retracting_torque <= 0.0) {
         const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
             + foot_mass_times_gravity;
+        y->swing = 0.0;
         if (flight_lifts < minus_hardly) {
             y->length = length;
             y->angle = angle;
@@ -551,10 +559,11 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
             y->com_vy = rise;
             y->momentum = moment;
             y->thrusting = 0.0;
-            return next[2]; /* flight */
+            return next[0]; /* flight */
         }
-        return next[3]; /* graze */
+        return next[1]; /* graze */
     }
+    y->swing = 1.0;
     if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
         + foot_mass_times_gravity < minus_hardly) {
         y->length = length;
@@ -566,9 +575,9 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         y->com_vy = rise;
         y->momentum = moment;
         y->thrusting = 0.0;
-        return next[4]; /* flight */
+        return next[0]; /* flight */
     }
-    return next[5]; /* graze */
+    return next[1]; /* graze */
 }
 
 /* First variation of lift_off. */
@@ -615,6 +624,7 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real d_goes_on = select(x->time <= x->touchdown_time, dx->was_placed, 0.0);
     const real sum_2 = d_goes_on * x->placed_for + goes_on * dx->placed_for;
     y->liftoff_angle = d_angle;
+    y->swing = 0.0;
     y->placing = sum_2;
     y->rises_again = d_goes_on;
     if (rise < 0.0 || goes_on > 0.0) {
@@ -637,7 +647,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         }
         return;
     }
-    const real retracting_torque = -(p->kp * (angle - p->liftoff_factor * angle)) - kd_times_angle_rate;
+    const real first = p->liftoff_factor * angle;
+    const real retracting_torque = -(p->kp * (angle - first)) - kd_times_angle_rate;
     if (p->swing_clamp > 0.0 && retracting_torque <= 0.0) {
         const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
             + foot_mass_times_gravity;
@@ -1140,62 +1151,84 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     y->mode_began = dx->time;
 }
 
-/* Constants of flight_place_calm. */
-static void open_flight_place_calm(const real *parameters, const real *states, real *constants) {
+/* Constants of flight_calm. */
+static void open_flight_calm(const real *parameters, const real *states, real *constants) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
-    flight_place_calm_constants *c = (void *)constants;
+    flight_calm_constants *c = (void *)constants;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
+    const real share = select(x->swing > 0.0, 1.0, 0.0);
+    const real share_times_kp = share * p->kp;
+    const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
+    const real first = select(x->swing < 2.0, liftoff_factor_times_liftoff_angle, p->touchdown_angle);
+    const real share_times_kd = share * p->kd;
     const real minus_gravity = -p->gravity;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real by_1_minus_share = 1.0 - share;
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
+    const real body_mass_over_body_mass_plus_foot_mass = p->body_mass / (p->body_mass + p->foot_mass);
+    const real sum_2 = 1.0 - body_mass_over_body_mass_plus_foot_mass;
     c->mobility = mobility;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
     c->damping = p->damping;
     c->external_torque = x->external_torque;
     c->kp = p->kp;
-    c->touchdown_angle = p->touchdown_angle;
+    c->share_times_kp = share_times_kp;
+    c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
+    c->first = first;
     c->kd = p->kd;
+    c->share_times_kd = share_times_kd;
     c->com_vx = x->com_vx;
     c->minus_gravity = minus_gravity;
-    c->share = share;
-    c->by_1_minus_share = by_1_minus_share;
+    c->is_placing = is_placing;
+    c->body_mass_over_body_mass_plus_foot_mass = body_mass_over_body_mass_plus_foot_mass;
+    c->sum_2 = sum_2;
     c->least_length = p->least_length;
 }
 
-/* First variation of open_flight_place_calm. */
-static void vary_open_flight_place_calm(const real *parameters, const real *states, const real *d_parameters,
+/* First variation of open_flight_calm. */
+static void vary_open_flight_calm(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
     const plain_runner_parameters *p = (const void *)parameters;
+    const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
-    (void)states;
-    flight_place_calm_constants *c = (void *)constants;
+    flight_calm_constants *c = (void *)constants;
     const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass)
         - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
+    const real share = select(x->swing > 0.0, 1.0, 0.0);
+    const real d_share_times_kp = share * dp->kp;
+    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
+        + p->liftoff_factor * dx->liftoff_angle;
+    const real d_first = select(x->swing < 2.0, d_liftoff_factor_times_liftoff_angle, dp->touchdown_angle);
+    const real d_share_times_kd = share * dp->kd;
     const real d_minus_gravity = -dp->gravity;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_by_1_minus_share = -d_share;
+    const real body_mass_over_body_mass_plus_foot_mass = p->body_mass / body_mass_plus_foot_mass;
+    const real d_body_mass_over_body_mass_plus_foot_mass = (dp->body_mass
+        - body_mass_over_body_mass_plus_foot_mass * (dp->body_mass
+        + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real d_sum_2 = -d_body_mass_over_body_mass_plus_foot_mass;
     c->mobility = d_mobility;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
     c->damping = dp->damping;
     c->external_torque = dx->external_torque;
     c->kp = dp->kp;
-    c->touchdown_angle = dp->touchdown_angle;
+    c->share_times_kp = d_share_times_kp;
+    c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
+    c->first = d_first;
     c->kd = dp->kd;
+    c->share_times_kd = d_share_times_kd;
     c->com_vx = dx->com_vx;
     c->minus_gravity = d_minus_gravity;
-    c->share = d_share;
-    c->by_1_minus_share = d_by_1_minus_share;
+    c->is_placing = 0.0;
+    c->body_mass_over_body_mass_plus_foot_mass = d_body_mass_over_body_mass_plus_foot_mass;
+    c->sum_2 = d_sum_2;
     c->least_length = dp->least_length;
 }
 
 /* falls: The body reaches the ground. */
-static int react_flight_place_calm_falls(const real *parameters, const real *states, const tdmf_table *tables,
+static int react_flight_calm_falls(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
@@ -1219,8 +1252,8 @@ static int react_flight_place_calm_falls(const real *parameters, const real *sta
 }
 
 /* First variation of falls. */
-static void vary_react_flight_place_calm_falls(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
+static void vary_react_flight_calm_falls(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -1256,8 +1289,8 @@ static void vary_react_flight_place_calm_falls(const real *parameters, const rea
 }
 
 /* First variation of the guard of falls. */
-static real vary_guard_flight_place_calm_falls(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
+static real vary_guard_flight_calm_falls(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -1273,7 +1306,7 @@ static real vary_guard_flight_place_calm_falls(const real *parameters, const rea
 }
 
 /* First variation of the guard of collapses. */
-static real vary_guard_flight_place_calm_collapses(const real *parameters, const real *states,
+static real vary_guard_flight_calm_collapses(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
@@ -1282,7 +1315,7 @@ static real vary_guard_flight_place_calm_collapses(const real *parameters, const
 }
 
 /* apex: A stride closes and place begins. An external force can cause further apices in place. */
-static int react_flight_place_calm_apex(const real *parameters, const real *states, const tdmf_table *tables,
+static int react_flight_calm_apex(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
@@ -1330,14 +1363,15 @@ static int react_flight_place_calm_apex(const real *parameters, const real *stat
     y->apex_angle = x->angle;
     y->apex_length_rate = x->length_rate;
     y->apex_angle_rate = rate;
+    y->swing = 2.0;
     y->placing = 0.0;
     y->rises_again = 0.0;
     return next[0]; /* flight */
 }
 
 /* First variation of apex. */
-static void vary_react_flight_place_calm_apex(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
+static void vary_react_flight_calm_apex(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -1398,31 +1432,42 @@ static void vary_react_flight_place_calm_apex(const real *parameters, const real
     y->apex_angle = dx->angle;
     y->apex_length_rate = dx->length_rate;
     y->apex_angle_rate = d_rate;
+    y->swing = 0.0;
     y->placing = 0.0;
     y->rises_again = 0.0;
 }
 
 /* Whether apex is watched. */
-static real watches_flight_place_calm_apex(const real *parameters, const real *states) {
+static real watches_flight_calm_apex(const real *parameters, const real *states) {
     const plain_runner_states *x = (const void *)states;
     (void)parameters;
-    if (x->rises_again > 0.0) {
+    if (x->swing < 2.0 || x->rises_again > 0.0) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
+/* Whether apex has to cross zero. */
+static real crosses_flight_calm_apex(const real *parameters, const real *states) {
+    const plain_runner_states *x = (const void *)states;
+    (void)parameters;
+    if (x->swing > 1.0) {
         return 1.0;
     }
     return 0.0;
 }
 
 /* First variation of the guard of apex. */
-static real vary_guard_flight_place_calm_apex(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
+static real vary_guard_flight_calm_apex(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
     const plain_runner_states *dx = (const void *)d_states;
     (void)parameters, (void)states, (void)d_parameters;
     return dx->com_vy;
 }
 
 /* touchdown: The foot reaches the ground. */
-static int react_flight_place_calm_touchdown(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
+static int react_flight_calm_touchdown(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
@@ -1452,6 +1497,7 @@ static int react_flight_place_calm_touchdown(const real *parameters, const real 
     const real speeds = along * along + off * off - way_times_after * way_times_after;
     const real sum_3 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
     const real by_1_or_by_0 = select(x->angle >= 0.0, 1.0, 0.0);
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     y->touchdowns_so_far = touchdowns_so_far_plus_by_1;
     y->slid_from = sum_2;
     y->bar_is_due = 1.0;
@@ -1466,7 +1512,7 @@ static int react_flight_place_calm_touchdown(const real *parameters, const real 
     y->driving = by_1_or_by_0;
     y->placing = 0.0;
     y->touchdown_time = x->time;
-    y->was_placed = 1.0;
+    y->was_placed = is_placing;
     y->placed_for = x->placing;
     if (way * way_times_after > 0.0) {
         y->way = way;
@@ -1476,7 +1522,7 @@ static int react_flight_place_calm_touchdown(const real *parameters, const real 
 }
 
 /* First variation of touchdown. */
-static void vary_react_flight_place_calm_touchdown(const real *parameters, const real *states,
+static void vary_react_flight_calm_touchdown(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
@@ -1550,7 +1596,7 @@ static void vary_react_flight_place_calm_touchdown(const real *parameters, const
 }
 
 /* First variation of the guard of touchdown. */
-static real vary_guard_flight_place_calm_touchdown(const real *parameters, const real *states,
+static real vary_guard_flight_calm_touchdown(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
@@ -1564,8 +1610,88 @@ static real vary_guard_flight_place_calm_touchdown(const real *parameters, const
     return d_above;
 }
 
+/* clamp: The clamp of (12) holds the retracting torque at 0. */
+static int react_flight_calm_clamp(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
+    plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
+    y->swing = 0.0;
+    return next[0]; /* flight */
+}
+
+/* First variation of clamp. */
+static void vary_react_flight_calm_clamp(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, const tdmf_table *tables, int seed, real *after) {
+    plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
+    y->swing = 0.0;
+}
+
+/* Whether clamp is watched. */
+static real watches_flight_calm_clamp(const real *parameters, const real *states) {
+    const plain_runner_parameters *p = (const void *)parameters;
+    const plain_runner_states *x = (const void *)states;
+    if (p->swing_clamp > 0.0 && real_abs(x->swing - 1.0) <= 0.0) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
+/* First variation of the guard of clamp. */
+static real vary_guard_flight_calm_clamp(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
+    const plain_runner_parameters *p = (const void *)parameters;
+    const plain_runner_states *x = (const void *)states;
+    const plain_runner_parameters *dp = (const void *)d_parameters;
+    const plain_runner_states *dx = (const void *)d_states;
+    const real square = x->length * x->length;
+    const real rate = x->momentum / square;
+    const real d_square = 2.0 * (x->length * dx->length);
+    const real d_rate = (dx->momentum - rate * d_square) / square;
+    const real d_servo = -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (dx->angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate
+        + p->kd * d_rate);
+    return d_servo;
+}
+
+/* release: The clamp of (12) releases the retracting torque. */
+static int react_flight_calm_release(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
+    plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
+    y->swing = 1.0;
+    return next[0]; /* flight */
+}
+
+/* Whether release is watched. */
+static real watches_flight_calm_release(const real *parameters, const real *states) {
+    const plain_runner_states *x = (const void *)states;
+    (void)parameters;
+    if (x->swing < 1.0) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
+/* First variation of the guard of release. */
+static real vary_guard_flight_calm_release(const real *parameters, const real *states,
+    const real *d_parameters, const real *d_states) {
+    const plain_runner_parameters *p = (const void *)parameters;
+    const plain_runner_states *x = (const void *)states;
+    const plain_runner_parameters *dp = (const void *)d_parameters;
+    const plain_runner_states *dx = (const void *)d_states;
+    const real square = x->length * x->length;
+    const real rate = x->momentum / square;
+    const real d_square = 2.0 * (x->length * dx->length);
+    const real d_rate = (dx->momentum - rate * d_square) / square;
+    const real d_servo = -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (dx->angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate
+        + p->kd * d_rate);
+    return -d_servo;
+}
+
 /* from world, in flight. */
-static void from_world_flight_place_calm(const real *parameters, const real *states, real *after) {
+static void from_world_flight_calm(const real *parameters, const real *states, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
@@ -1585,9 +1711,9 @@ static void from_world_flight_place_calm(const real *parameters, const real *sta
     y->momentum = moment;
 }
 
-/* First variation of from_world_flight_place_calm. */
-static void vary_from_world_flight_place_calm(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, real *after) {
+/* First variation of from_world_flight_calm. */
+static void vary_from_world_flight_calm(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -1621,7 +1747,7 @@ static void vary_from_world_flight_place_calm(const real *parameters, const real
 }
 
 /* to world, in flight. */
-static void to_world_flight_place_calm(const real *parameters, const real *states, real *after) {
+static void to_world_flight_calm(const real *parameters, const real *states, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
@@ -1641,9 +1767,9 @@ static void to_world_flight_place_calm(const real *parameters, const real *state
     y->angle_rate = rate;
 }
 
-/* First variation of to_world_flight_place_calm. */
-static void vary_to_world_flight_place_calm(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, real *after) {
+/* First variation of to_world_flight_calm. */
+static void vary_to_world_flight_calm(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
@@ -1677,254 +1803,23 @@ static void vary_to_world_flight_place_calm(const real *parameters, const real *
     y->angle_rate = d_rate;
 }
 
-/* Constants of flight_rest_calm. */
-static void open_flight_rest_calm(const real *parameters, const real *states, real *constants) {
+/* Constants of graze. */
+static void open_graze(const real *parameters, const real *states, real *constants) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
-    flight_rest_calm_constants *c = (void *)constants;
-    const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
-    const real minus_gravity = -p->gravity;
-    const real mobility_times_external_torque = mobility * x->external_torque;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real by_1_minus_share = 1.0 - share;
-    const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
-    const real square_of_torque = x->external_torque * x->external_torque;
-    c->mobility = mobility;
-    c->stiffness = p->stiffness;
-    c->free_length = p->free_length;
-    c->damping = p->damping;
-    c->external_torque = x->external_torque;
-    c->com_vx = x->com_vx;
-    c->minus_gravity = minus_gravity;
-    c->mobility_times_external_torque = mobility_times_external_torque;
-    c->share = share;
-    c->by_1_minus_share = by_1_minus_share;
-    c->least_length = p->least_length;
-    c->kp = p->kp;
-    c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
-    c->kd = p->kd;
-    c->square_of_torque = square_of_torque;
-}
-
-/* First variation of open_flight_rest_calm. */
-static void vary_open_flight_rest_calm(const real *parameters, const real *states, const real *d_parameters,
-    const real *d_states, real *constants) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    flight_rest_calm_constants *c = (void *)constants;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real inverse_foot_mass = 1.0 / p->foot_mass;
-    const real d_mobility = -(inverse_body_mass * dp->body_mass / p->body_mass)
-        - inverse_foot_mass * dp->foot_mass / p->foot_mass;
-    const real d_minus_gravity = -dp->gravity;
-    const real mobility = inverse_body_mass + inverse_foot_mass;
-    const real d_mobility_times_external_torque = x->external_torque * d_mobility
-        + mobility * dx->external_torque;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_by_1_minus_share = -d_share;
-    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
-        + p->liftoff_factor * dx->liftoff_angle;
-    const real d_square_of_torque = 2.0 * (x->external_torque * dx->external_torque);
-    c->mobility = d_mobility;
-    c->stiffness = dp->stiffness;
-    c->free_length = dp->free_length;
-    c->damping = dp->damping;
-    c->external_torque = dx->external_torque;
-    c->com_vx = dx->com_vx;
-    c->minus_gravity = d_minus_gravity;
-    c->mobility_times_external_torque = d_mobility_times_external_torque;
-    c->share = d_share;
-    c->by_1_minus_share = d_by_1_minus_share;
-    c->least_length = dp->least_length;
-    c->kp = dp->kp;
-    c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
-    c->kd = dp->kd;
-    c->square_of_torque = d_square_of_torque;
-}
-
-/* touchdown: The foot reaches the ground. */
-static int react_flight_rest_calm_touchdown(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    plain_runner_states *y = (void *)after;
-    (void)tables;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sine = real_sin(x->angle);
-    const real turn = x->momentum / x->length;
-    const real cosine = real_cos(x->angle);
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real along = x->com_vx - share * vx;
-    const real way = select(along >= 0.0, 1.0, -1.0);
-    const real way_times_along = way * along;
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real off = x->com_vy - share * vy;
-    const real friction_times_off = x->friction * off;
-    const real lost = -friction_times_off;
-    const real after_2 = select(way_times_along <= lost, 0.0, way_times_along + friction_times_off);
-    const real way_times_after = way * after_2;
-    const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
-    const real length_times_sine = x->length * sine;
-    const real sum_2 = x->com_x + share * length_times_sine;
-    const real x_2 = -length_times_sine;
-    const real y_2 = x->length * cosine;
-    const real vx_plus_along_minus_way_times_after = vx + along - way_times_after;
-    const real vy_plus_off = vy + off;
-    const real angle_minus_length_times_sineatan2_of_y = x->angle - real_atan2(length_times_sine, y_2);
-    const real speeds = along * along + off * off - way_times_after * way_times_after;
-    const real sum_3 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
-    const real by_1_or_by_0 = select(x->angle >= 0.0, 1.0, 0.0);
-    y->touchdowns_so_far = touchdowns_so_far_plus_by_1;
-    y->slid_from = sum_2;
-    y->bar_is_due = 1.0;
-    y->x_ = x_2;
-    y->y_ = y_2;
-    y->vx = vx_plus_along_minus_way_times_after;
-    y->vy = vy_plus_off;
-    y->foot_x = sum_2;
-    y->foot_vx = way_times_after;
-    y->winding = angle_minus_length_times_sineatan2_of_y;
-    y->impact_loss = sum_3;
-    y->driving = by_1_or_by_0;
-    y->placing = 0.0;
-    y->touchdown_time = x->time;
-    y->was_placed = 0.0;
-    y->placed_for = x->placing;
-    if (way * way_times_after > 0.0) {
-        y->way = way;
-        return next[0]; /* slip */
-    }
-    return next[1]; /* stick */
-}
-
-/* release: The clamp of (12) releases the retracting torque. */
-static int react_flight_rest_calm_release(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
-    (void)parameters, (void)states, (void)tables, (void)after;
-    return next[0]; /* flight */
-}
-
-/* First variation of release. */
-static void vary_react_flight_rest_calm_release(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed, (void)after;
-}
-
-/* First variation of the guard of release. */
-static real vary_guard_flight_rest_calm_release(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real d_servo = -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (dx->angle
-        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate
-        + p->kd * d_rate);
-    return -d_servo;
-}
-
-/* Constants of flight_retract_calm. */
-static void open_flight_retract_calm(const real *parameters, const real *states, real *constants) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    flight_retract_calm_constants *c = (void *)constants;
-    const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
-    const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
-    const real minus_gravity = -p->gravity;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real by_1_minus_share = 1.0 - share;
-    c->mobility = mobility;
-    c->stiffness = p->stiffness;
-    c->free_length = p->free_length;
-    c->damping = p->damping;
-    c->external_torque = x->external_torque;
-    c->kp = p->kp;
-    c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
-    c->kd = p->kd;
-    c->com_vx = x->com_vx;
-    c->minus_gravity = minus_gravity;
-    c->share = share;
-    c->by_1_minus_share = by_1_minus_share;
-    c->least_length = p->least_length;
-}
-
-/* First variation of open_flight_retract_calm. */
-static void vary_open_flight_retract_calm(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, real *constants) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    flight_retract_calm_constants *c = (void *)constants;
-    const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass)
-        - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
-    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
-        + p->liftoff_factor * dx->liftoff_angle;
-    const real d_minus_gravity = -dp->gravity;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_by_1_minus_share = -d_share;
-    c->mobility = d_mobility;
-    c->stiffness = dp->stiffness;
-    c->free_length = dp->free_length;
-    c->damping = dp->damping;
-    c->external_torque = dx->external_torque;
-    c->kp = dp->kp;
-    c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
-    c->kd = dp->kd;
-    c->com_vx = dx->com_vx;
-    c->minus_gravity = d_minus_gravity;
-    c->share = d_share;
-    c->by_1_minus_share = d_by_1_minus_share;
-    c->least_length = dp->least_length;
-}
-
-/* Whether clamp is watched. */
-static real watches_flight_retract_calm_clamp(const real *parameters, const real *states) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    (void)states;
-    if (p->swing_clamp > 0.0) {
-        return 1.0;
-    }
-    return 0.0;
-}
-
-/* First variation of the guard of clamp. */
-static real vary_guard_flight_retract_calm_clamp(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real d_servo = -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (dx->angle
-        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate
-        + p->kd * d_rate);
-    return d_servo;
-}
-
-/* Constants of graze_place. */
-static void open_graze_place(const real *parameters, const real *states, real *constants) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    graze_place_constants *c = (void *)constants;
+    graze_constants *c = (void *)constants;
     const real inverse_body_mass = 1.0 / p->body_mass;
     const real off = p->foot_mass * p->gravity;
     const real inverse_foot_mass = 1.0 / p->foot_mass;
     const real minus_off_over_body_mass_minus_gravity = -(off / p->body_mass) - p->gravity;
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
+    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
     const real stance_torque = x->external_torque - x->driving * p->drive_torque;
+    const real by_1_or_by_0 = select(x->swing > 0.0, 1.0, 0.0);
+    const real by_1_or_by_0_times_kp = by_1_or_by_0 * p->kp;
+    const real first = select(x->swing < 2.0, liftoff_factor_times_liftoff_angle, p->touchdown_angle);
+    const real by_1_or_by_0_times_kd = by_1_or_by_0 * p->kd;
     c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
@@ -1932,23 +1827,28 @@ static void open_graze_place(const real *parameters, const real *states, real *c
     c->off = off;
     c->inverse_foot_mass = inverse_foot_mass;
     c->minus_off_over_body_mass_minus_gravity = minus_off_over_body_mass_minus_gravity;
+    c->is_placing = is_placing;
     c->least_length = p->least_length;
+    c->share = share;
+    c->kp = p->kp;
     c->winding = x->winding;
+    c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
+    c->kd = p->kd;
     c->external_torque = x->external_torque;
     c->stance_torque = stance_torque;
-    c->kp = p->kp;
-    c->touchdown_angle = p->touchdown_angle;
-    c->kd = p->kd;
+    c->by_1_or_by_0_times_kp = by_1_or_by_0_times_kp;
+    c->first = first;
+    c->by_1_or_by_0_times_kd = by_1_or_by_0_times_kd;
 }
 
-/* First variation of open_graze_place. */
-static void vary_open_graze_place(const real *parameters, const real *states, const real *d_parameters,
+/* First variation of open_graze. */
+static void vary_open_graze(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     const plain_runner_parameters *dp = (const void *)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
-    graze_place_constants *c = (void *)constants;
+    graze_constants *c = (void *)constants;
     const real inverse_body_mass = 1.0 / p->body_mass;
     const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
     const real d_off = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
@@ -1957,8 +1857,17 @@ static void vary_open_graze_place(const real *parameters, const real *states, co
     const real off = p->foot_mass * p->gravity;
     const real d_minus_off_over_body_mass_minus_gravity = -((d_off
         - off / p->body_mass * dp->body_mass) / p->body_mass) - dp->gravity;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
+        + p->liftoff_factor * dx->liftoff_angle;
     const real d_stance_torque = dx->external_torque - (p->drive_torque * dx->driving
         + x->driving * dp->drive_torque);
+    const real by_1_or_by_0 = select(x->swing > 0.0, 1.0, 0.0);
+    const real d_by_1_or_by_0_times_kp = by_1_or_by_0 * dp->kp;
+    const real d_first = select(x->swing < 2.0, d_liftoff_factor_times_liftoff_angle, dp->touchdown_angle);
+    const real d_by_1_or_by_0_times_kd = by_1_or_by_0 * dp->kd;
     c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
@@ -1966,17 +1875,125 @@ static void vary_open_graze_place(const real *parameters, const real *states, co
     c->off = d_off;
     c->inverse_foot_mass = d_inverse_foot_mass;
     c->minus_off_over_body_mass_minus_gravity = d_minus_off_over_body_mass_minus_gravity;
+    c->is_placing = 0.0;
     c->least_length = dp->least_length;
+    c->share = d_share;
+    c->kp = dp->kp;
     c->winding = dx->winding;
+    c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
+    c->kd = dp->kd;
     c->external_torque = dx->external_torque;
     c->stance_torque = d_stance_torque;
-    c->kp = dp->kp;
-    c->touchdown_angle = dp->touchdown_angle;
-    c->kd = dp->kd;
+    c->by_1_or_by_0_times_kp = d_by_1_or_by_0_times_kp;
+    c->first = d_first;
+    c->by_1_or_by_0_times_kd = d_by_1_or_by_0_times_kd;
+}
+
+/* apex_in_graze: Place begins. No stride closes, because the foot is on the ground. */
+static int react_graze_apex_in_graze(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
+    plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
+    y->swing = 2.0;
+    y->placing = 0.0;
+    return next[0]; /* graze */
+}
+
+/* First variation of apex_in_graze. */
+static void vary_react_graze_apex_in_graze(const real *parameters, const real *states,
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
+    plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
+    y->swing = 0.0;
+    y->placing = 0.0;
+}
+
+/* Whether apex_in_graze is watched. */
+static real watches_graze_apex_in_graze(const real *parameters, const real *states) {
+    const plain_runner_states *x = (const void *)states;
+    (void)parameters;
+    if (x->swing < 2.0) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
+/* First variation of the guard of apex_in_graze. */
+static real vary_guard_graze_apex_in_graze(const real *parameters, const real *states,
+    const real *d_parameters, const real *d_states) {
+    const plain_runner_parameters *p = (const void *)parameters;
+    const plain_runner_states *x = (const void *)states;
+    const plain_runner_parameters *dp = (const void *)d_parameters;
+    const plain_runner_states *dx = (const void *)d_states;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real d_rise = d_share * x->vy + share * dx->vy;
+    return d_rise;
+}
+
+/* clamp: The clamp of (12) holds the retracting torque at 0. */
+static int react_graze_clamp(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
+    plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
+    y->swing = 0.0;
+    return next[0]; /* graze */
+}
+
+/* First variation of the guard of clamp. */
+static real vary_guard_graze_clamp(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
+    const plain_runner_parameters *p = (const void *)parameters;
+    const plain_runner_states *x = (const void *)states;
+    const plain_runner_parameters *dp = (const void *)d_parameters;
+    const plain_runner_states *dx = (const void *)d_states;
+    const real angle = real_atan2(-x->x_, x->y_) + x->winding;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
+    const real moment = x->x_ * x->vy - x->y_ * x->vx;
+    const real angle_rate = moment / square;
+    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
+    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
+    const real d_servo = -(dp->kp * (angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (d_angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle)))
+        - (dp->kd * angle_rate + p->kd * d_angle_rate);
+    return d_servo;
+}
+
+/* release: The clamp of (12) releases the retracting torque. */
+static int react_graze_release(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
+    plain_runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
+    y->swing = 1.0;
+    return next[0]; /* graze */
+}
+
+/* First variation of the guard of release. */
+static real vary_guard_graze_release(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
+    const plain_runner_parameters *p = (const void *)parameters;
+    const plain_runner_states *x = (const void *)states;
+    const plain_runner_parameters *dp = (const void *)d_parameters;
+    const plain_runner_states *dx = (const void *)d_states;
+    const real angle = real_atan2(-x->x_, x->y_) + x->winding;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
+    const real moment = x->x_ * x->vy - x->y_ * x->vx;
+    const real angle_rate = moment / square;
+    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
+    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
+    const real d_servo = -(dp->kp * (angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (d_angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle)))
+        - (dp->kd * angle_rate + p->kd * d_angle_rate);
+    return -d_servo;
 }
 
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
-static int react_graze_place_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
+static int react_graze_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     plain_runner_states *y = (void *)after;
     (void)parameters, (void)states, (void)tables;
@@ -1985,8 +2002,8 @@ static int react_graze_place_mid_stance(const real *parameters, const real *stat
 }
 
 /* graze_to_contact: The stance law presses the foot on the ground again. */
-static int react_graze_place_graze_to_contact(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
+static int react_graze_graze_to_contact(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
@@ -2017,7 +2034,7 @@ static int react_graze_place_graze_to_contact(const real *parameters, const real
 }
 
 /* First variation of graze_to_contact. */
-static void vary_react_graze_place_graze_to_contact(const real *parameters, const real *states,
+static void vary_react_graze_graze_to_contact(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
@@ -2047,7 +2064,7 @@ static void vary_react_graze_place_graze_to_contact(const real *parameters, cons
 }
 
 /* First variation of the guard of graze_to_contact. */
-static real vary_guard_graze_place_graze_to_contact(const real *parameters, const real *states,
+static real vary_guard_graze_graze_to_contact(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
@@ -2077,8 +2094,8 @@ static real vary_guard_graze_place_graze_to_contact(const real *parameters, cons
 }
 
 /* graze_to_flight: The flight law lifts the foot. */
-static int react_graze_place_graze_to_flight(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
+static int react_graze_graze_to_flight(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
@@ -2106,7 +2123,7 @@ static int react_graze_place_graze_to_flight(const real *parameters, const real 
 }
 
 /* First variation of graze_to_flight. */
-static void vary_react_graze_place_graze_to_flight(const real *parameters, const real *states,
+static void vary_react_graze_graze_to_flight(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
@@ -2142,7 +2159,7 @@ static void vary_react_graze_place_graze_to_flight(const real *parameters, const
 }
 
 /* First variation of the guard of graze_to_flight. */
-static real vary_guard_graze_place_graze_to_flight(const real *parameters, const real *states,
+static real vary_guard_graze_graze_to_flight(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
@@ -2161,17 +2178,23 @@ static real vary_guard_graze_place_graze_to_flight(const real *parameters, const
     const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
+    const real share = select(x->swing > 0.0, 1.0, 0.0);
     const real angle = real_atan2(-x->x_, x->y_) + x->winding;
-    const real angle_minus_touchdown_angle = angle - p->touchdown_angle;
+    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, p->touchdown_angle);
+    const real angle_minus_first = angle - first;
+    const real kp_times_share = p->kp * share;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
+    const real d_first = select(x->swing < 2.0, dp->liftoff_factor * x->liftoff_angle
+        + p->liftoff_factor * dx->liftoff_angle, dp->touchdown_angle);
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
+    const real kd_times_share = p->kd * share;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real d_servo = -(dp->kp * angle_minus_touchdown_angle + p->kp * (d_angle - dp->touchdown_angle))
-        - (dp->kd * angle_rate + p->kd * d_angle_rate);
+    const real d_servo = -(dp->kp * share * angle_minus_first + kp_times_share * (d_angle - d_first))
+        - (dp->kd * share * angle_rate + kd_times_share * d_angle_rate);
     const real d_swing_torque = dx->external_torque + d_servo;
-    const real servo = -(p->kp * angle_minus_touchdown_angle) - p->kd * angle_rate;
+    const real servo = -(kp_times_share * angle_minus_first) - kd_times_share * angle_rate;
     const real swing_torque = x->external_torque + servo;
     const real turning = swing_torque / square;
     const real d_turning = (d_swing_torque - turning * d_square) / square;
@@ -2181,7 +2204,7 @@ static real vary_guard_graze_place_graze_to_flight(const real *parameters, const
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
-static void leave_graze_place(const real *parameters, const real *states, real counted, real *after) {
+static void leave_graze(const real *parameters, const real *states, real counted, real *after) {
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
     (void)parameters;
@@ -2192,8 +2215,8 @@ static void leave_graze_place(const real *parameters, const real *states, real c
     y->mode_began = x->time;
 }
 
-/* First variation of leave_graze_place. */
-static void vary_leave_graze_place(const real *parameters, const real *states, const real *d_parameters,
+/* First variation of leave_graze. */
+static void vary_leave_graze(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real counted, real *after) {
     const plain_runner_states *dx = (const void *)d_states;
     plain_runner_states *y = (void *)after;
@@ -2202,290 +2225,6 @@ static void vary_leave_graze_place(const real *parameters, const real *states, c
     y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slid_from = dx->foot_x;
     y->mode_began = dx->time;
-}
-
-/* Constants of graze_rest. */
-static void open_graze_rest(const real *parameters, const real *states, real *constants) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    graze_rest_constants *c = (void *)constants;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real off = p->foot_mass * p->gravity;
-    const real inverse_foot_mass = 1.0 / p->foot_mass;
-    const real minus_off_over_body_mass_minus_gravity = -(off / p->body_mass) - p->gravity;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
-    const real stance_torque = x->external_torque - x->driving * p->drive_torque;
-    c->inverse_body_mass = inverse_body_mass;
-    c->stiffness = p->stiffness;
-    c->free_length = p->free_length;
-    c->damping = p->damping;
-    c->off = off;
-    c->inverse_foot_mass = inverse_foot_mass;
-    c->minus_off_over_body_mass_minus_gravity = minus_off_over_body_mass_minus_gravity;
-    c->least_length = p->least_length;
-    c->share = share;
-    c->kp = p->kp;
-    c->winding = x->winding;
-    c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
-    c->kd = p->kd;
-    c->external_torque = x->external_torque;
-    c->stance_torque = stance_torque;
-}
-
-/* First variation of open_graze_rest. */
-static void vary_open_graze_rest(const real *parameters, const real *states, const real *d_parameters,
-    const real *d_states, real *constants) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    graze_rest_constants *c = (void *)constants;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
-    const real d_off = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
-    const real inverse_foot_mass = 1.0 / p->foot_mass;
-    const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
-    const real off = p->foot_mass * p->gravity;
-    const real d_minus_off_over_body_mass_minus_gravity = -((d_off
-        - off / p->body_mass * dp->body_mass) / p->body_mass) - dp->gravity;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
-        + p->liftoff_factor * dx->liftoff_angle;
-    const real d_stance_torque = dx->external_torque - (p->drive_torque * dx->driving
-        + x->driving * dp->drive_torque);
-    c->inverse_body_mass = d_inverse_body_mass;
-    c->stiffness = dp->stiffness;
-    c->free_length = dp->free_length;
-    c->damping = dp->damping;
-    c->off = d_off;
-    c->inverse_foot_mass = d_inverse_foot_mass;
-    c->minus_off_over_body_mass_minus_gravity = d_minus_off_over_body_mass_minus_gravity;
-    c->least_length = dp->least_length;
-    c->share = d_share;
-    c->kp = dp->kp;
-    c->winding = dx->winding;
-    c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
-    c->kd = dp->kd;
-    c->external_torque = dx->external_torque;
-    c->stance_torque = d_stance_torque;
-}
-
-/* apex_in_graze: Place begins. No stride closes, because the foot is on the ground. */
-static int react_graze_rest_apex_in_graze(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
-    plain_runner_states *y = (void *)after;
-    (void)parameters, (void)states, (void)tables;
-    y->placing = 0.0;
-    return next[0]; /* graze */
-}
-
-/* First variation of apex_in_graze. */
-static void vary_react_graze_rest_apex_in_graze(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    plain_runner_states *y = (void *)after;
-    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
-    y->placing = 0.0;
-}
-
-/* First variation of the guard of apex_in_graze. */
-static real vary_guard_graze_rest_apex_in_graze(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_rise = d_share * x->vy + share * dx->vy;
-    return d_rise;
-}
-
-/* release: The clamp of (12) releases the retracting torque. */
-static int react_graze_rest_release(const real *parameters, const real *states, const tdmf_table *tables,
-    real *after, const int *next) {
-    (void)parameters, (void)states, (void)tables, (void)after;
-    return next[0]; /* graze */
-}
-
-/* First variation of the guard of release. */
-static real vary_guard_graze_rest_release(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    const real angle = real_atan2(-x->x_, x->y_) + x->winding;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real d_servo = -(dp->kp * (angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (d_angle
-        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle)))
-        - (dp->kd * angle_rate + p->kd * d_angle_rate);
-    return -d_servo;
-}
-
-/* First variation of the guard of graze_to_flight. */
-static real vary_guard_graze_rest_graze_to_flight(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real free_length_minus_length = p->free_length - length;
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
-        - length_rate * d_length) / length;
-    const real d_spring = dp->stiffness * free_length_minus_length + p->stiffness * (dp->free_length
-        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
-    const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
-    const real axial = spring / length;
-    const real d_axial = (d_spring - axial * d_length) / length;
-    const real turning = x->external_torque / square;
-    const real d_turning = (dx->external_torque - turning * d_square) / square;
-    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
-    const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
-    return d_normal;
-}
-
-/* Constants of graze_retract. */
-static void open_graze_retract(const real *parameters, const real *states, real *constants) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    graze_retract_constants *c = (void *)constants;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real off = p->foot_mass * p->gravity;
-    const real inverse_foot_mass = 1.0 / p->foot_mass;
-    const real minus_off_over_body_mass_minus_gravity = -(off / p->body_mass) - p->gravity;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
-    const real stance_torque = x->external_torque - x->driving * p->drive_torque;
-    c->inverse_body_mass = inverse_body_mass;
-    c->stiffness = p->stiffness;
-    c->free_length = p->free_length;
-    c->damping = p->damping;
-    c->off = off;
-    c->inverse_foot_mass = inverse_foot_mass;
-    c->minus_off_over_body_mass_minus_gravity = minus_off_over_body_mass_minus_gravity;
-    c->least_length = p->least_length;
-    c->share = share;
-    c->kp = p->kp;
-    c->winding = x->winding;
-    c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
-    c->kd = p->kd;
-    c->external_torque = x->external_torque;
-    c->stance_torque = stance_torque;
-}
-
-/* First variation of open_graze_retract. */
-static void vary_open_graze_retract(const real *parameters, const real *states, const real *d_parameters,
-    const real *d_states, real *constants) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    graze_retract_constants *c = (void *)constants;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
-    const real d_off = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
-    const real inverse_foot_mass = 1.0 / p->foot_mass;
-    const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
-    const real off = p->foot_mass * p->gravity;
-    const real d_minus_off_over_body_mass_minus_gravity = -((d_off
-        - off / p->body_mass * dp->body_mass) / p->body_mass) - dp->gravity;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
-        + p->liftoff_factor * dx->liftoff_angle;
-    const real d_stance_torque = dx->external_torque - (p->drive_torque * dx->driving
-        + x->driving * dp->drive_torque);
-    c->inverse_body_mass = d_inverse_body_mass;
-    c->stiffness = dp->stiffness;
-    c->free_length = dp->free_length;
-    c->damping = dp->damping;
-    c->off = d_off;
-    c->inverse_foot_mass = d_inverse_foot_mass;
-    c->minus_off_over_body_mass_minus_gravity = d_minus_off_over_body_mass_minus_gravity;
-    c->least_length = dp->least_length;
-    c->share = d_share;
-    c->kp = dp->kp;
-    c->winding = dx->winding;
-    c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
-    c->kd = dp->kd;
-    c->external_torque = dx->external_torque;
-    c->stance_torque = d_stance_torque;
-}
-
-/* First variation of the guard of clamp. */
-static real vary_guard_graze_retract_clamp(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    const real angle = real_atan2(-x->x_, x->y_) + x->winding;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real d_servo = -(dp->kp * (angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (d_angle
-        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle)))
-        - (dp->kd * angle_rate + p->kd * d_angle_rate);
-    return d_servo;
-}
-
-/* First variation of the guard of graze_to_flight. */
-static real vary_guard_graze_retract_graze_to_flight(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
-    const plain_runner_parameters *p = (const void *)parameters;
-    const plain_runner_states *x = (const void *)states;
-    const plain_runner_parameters *dp = (const void *)d_parameters;
-    const plain_runner_states *dx = (const void *)d_states;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real free_length_minus_length = p->free_length - length;
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
-        - length_rate * d_length) / length;
-    const real d_spring = dp->stiffness * free_length_minus_length + p->stiffness * (dp->free_length
-        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
-    const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
-    const real axial = spring / length;
-    const real d_axial = (d_spring - axial * d_length) / length;
-    const real angle = real_atan2(-x->x_, x->y_) + x->winding;
-    const real sum_2 = angle - p->liftoff_factor * x->liftoff_angle;
-    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
-    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real d_servo = -(dp->kp * sum_2 + p->kp * (d_angle - (dp->liftoff_factor * x->liftoff_angle
-        + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * angle_rate + p->kd * d_angle_rate);
-    const real d_swing_torque = dx->external_torque + d_servo;
-    const real servo = -(p->kp * sum_2) - p->kd * angle_rate;
-    const real swing_torque = x->external_torque + servo;
-    const real turning = swing_torque / square;
-    const real d_turning = (d_swing_torque - turning * d_square) / square;
-    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
-    const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
-    return d_normal;
 }
 
 /* at_apex: A start at an apex, with the centre of mass at x = 0. */
@@ -2639,12 +2378,13 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_states[70] = product_2;
     of_states[71] = 1.0;
     of_states[72] = 1.0;
-    of_states[73] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[73] = 1.0;
     of_states[74] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[75] = 1.0;
-    of_states[76] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[77] = 1.0;
-    of_states[78] = product_2;
+    of_states[75] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[76] = 1.0;
+    of_states[77] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[78] = 1.0;
+    of_states[79] = product_2;
     of_events[EVENT_begins] = 1.0;
     of_events[EVENT_falls] = p->free_length;
     of_events[EVENT_collapses] = p->free_length;
@@ -2666,7 +2406,7 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
 static const tdmf_guard_kind guards_start_of_run[] = {
     {.event = EVENT_begins, .react = react_start_of_run_begins, .vary_react = vary_react_start_of_run_begins,
         .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_slip_constant, MODE_stick,
-        MODE_flight_place_calm, MODE_flight_rest_calm, MODE_flight_retract_calm}},
+        MODE_flight_calm}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_start_of_run[] = {
@@ -2687,8 +2427,7 @@ static const tdmf_guard_kind guards_slip_constant[] = {
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_constant}},
     {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
         .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
-        .next = {MODE_flight_place_calm, MODE_graze_place, MODE_flight_rest_calm, MODE_graze_rest,
-        MODE_flight_retract_calm, MODE_graze_retract}},
+        .next = {MODE_flight_calm, MODE_graze}},
     {.event = EVENT_comes_to_rest, .is_counted = true, .react = react_slip_constant_comes_to_rest,
         .vary_react = vary_react_slip_constant_comes_to_rest,
         .vary_guard = vary_guard_slip_constant_comes_to_rest, .next = {MODE_stick, MODE_slip_constant}},
@@ -2716,8 +2455,7 @@ static const tdmf_guard_kind guards_stick[] = {
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_stick}},
     {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
         .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
-        .next = {MODE_flight_place_calm, MODE_graze_place, MODE_flight_rest_calm, MODE_graze_rest,
-        MODE_flight_retract_calm, MODE_graze_retract}},
+        .next = {MODE_flight_calm, MODE_graze}},
     {.event = EVENT_slips_forward, .is_counted = true, .react = react_stick_slips_forward,
         .vary_react = vary_react_stick_slips_forward, .vary_guard = vary_guard_stick_slips_forward,
         .next = {MODE_slip_constant}},
@@ -2732,71 +2470,27 @@ static const tdmf_watch_kind watches_stick[] = {
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
-static const tdmf_guard_kind guards_flight_place_calm[] = {
-    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
-    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
-    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
-        .vary_react = vary_react_flight_place_calm_apex, .is_watched = watches_flight_place_calm_apex,
-        .is_crossing = true, .vary_guard = vary_guard_flight_place_calm_apex,
-        .next = {MODE_flight_place_calm}},
-    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_place_calm_touchdown,
-        .vary_react = vary_react_flight_place_calm_touchdown,
-        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
+static const tdmf_guard_kind guards_flight_calm[] = {
+    {.event = EVENT_falls, .react = react_flight_calm_falls, .vary_react = vary_react_flight_calm_falls,
+        .ends = true, .vary_guard = vary_guard_flight_calm_falls, .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_flight_calm_falls, .vary_react = vary_react_flight_calm_falls,
+        .ends = true, .vary_guard = vary_guard_flight_calm_collapses, .next = {MODE_fallen}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_calm_apex,
+        .vary_react = vary_react_flight_calm_apex, .is_watched = watches_flight_calm_apex,
+        .is_crossing = crosses_flight_calm_apex, .vary_guard = vary_guard_flight_calm_apex,
+        .next = {MODE_flight_calm}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_calm_touchdown,
+        .vary_react = vary_react_flight_calm_touchdown, .vary_guard = vary_guard_flight_calm_touchdown,
+        .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_clamp, .react = react_flight_calm_clamp, .vary_react = vary_react_flight_calm_clamp,
+        .is_watched = watches_flight_calm_clamp, .vary_guard = vary_guard_flight_calm_clamp,
+        .next = {MODE_flight_calm}},
+    {.event = EVENT_release, .react = react_flight_calm_release, .vary_react = vary_react_flight_calm_clamp,
+        .is_watched = watches_flight_calm_release, .vary_guard = vary_guard_flight_calm_release,
+        .next = {MODE_flight_calm}},
     {.event = -1},
 };
-static const tdmf_watch_kind watches_flight_place_calm[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 8},
-    {.part = TDMF_LARGEST, .into = 4},
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
-    {.into = -1},
-};
-static const tdmf_guard_kind guards_flight_rest_calm[] = {
-    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
-    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
-    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
-        .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
-        .next = {MODE_flight_place_calm}},
-    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_rest_calm_touchdown,
-        .vary_react = vary_react_flight_place_calm_touchdown,
-        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_release, .react = react_flight_rest_calm_release,
-        .vary_react = vary_react_flight_rest_calm_release, .vary_guard = vary_guard_flight_rest_calm_release,
-        .next = {MODE_flight_retract_calm}},
-    {.event = -1},
-};
-static const tdmf_watch_kind watches_flight_rest_calm[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 8},
-    {.part = TDMF_LARGEST, .into = 4},
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
-    {.into = -1},
-};
-static const tdmf_guard_kind guards_flight_retract_calm[] = {
-    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
-    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
-    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
-        .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
-        .next = {MODE_flight_place_calm}},
-    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_rest_calm_touchdown,
-        .vary_react = vary_react_flight_place_calm_touchdown,
-        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_clamp, .react = react_flight_rest_calm_release,
-        .vary_react = vary_react_flight_rest_calm_release, .is_watched = watches_flight_retract_calm_clamp,
-        .vary_guard = vary_guard_flight_retract_calm_clamp, .next = {MODE_flight_rest_calm}},
-    {.event = -1},
-};
-static const tdmf_watch_kind watches_flight_retract_calm[] = {
+static const tdmf_watch_kind watches_flight_calm[] = {
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 8},
     {.part = TDMF_LARGEST, .into = 4},
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
@@ -2808,80 +2502,32 @@ static const tdmf_guard_kind guards_fallen[] = {
 static const tdmf_watch_kind watches_fallen[] = {
     {.into = -1},
 };
-static const tdmf_guard_kind guards_graze_place[] = {
+static const tdmf_guard_kind guards_graze[] = {
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
         .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
         .vary_react = vary_react_slip_constant_falls, .ends = true,
         .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
-    {.event = EVENT_mid_stance, .is_counted = true, .react = react_graze_place_mid_stance,
+    {.event = EVENT_apex_in_graze, .is_counted = true, .react = react_graze_apex_in_graze,
+        .vary_react = vary_react_graze_apex_in_graze, .is_watched = watches_graze_apex_in_graze,
+        .vary_guard = vary_guard_graze_apex_in_graze, .next = {MODE_graze}},
+    {.event = EVENT_clamp, .react = react_graze_clamp, .vary_react = vary_react_flight_calm_clamp,
+        .is_watched = watches_flight_calm_clamp, .vary_guard = vary_guard_graze_clamp, .next = {MODE_graze}},
+    {.event = EVENT_release, .react = react_graze_release, .vary_react = vary_react_flight_calm_clamp,
+        .is_watched = watches_flight_calm_release, .vary_guard = vary_guard_graze_release,
+        .next = {MODE_graze}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_graze_mid_stance,
         .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
-        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_graze_place}},
-    {.event = EVENT_graze_to_contact, .is_counted = true, .react = react_graze_place_graze_to_contact,
-        .vary_react = vary_react_graze_place_graze_to_contact,
-        .vary_guard = vary_guard_graze_place_graze_to_contact, .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_graze_to_flight, .is_counted = true, .react = react_graze_place_graze_to_flight,
-        .vary_react = vary_react_graze_place_graze_to_flight,
-        .vary_guard = vary_guard_graze_place_graze_to_flight, .next = {MODE_flight_place_calm}},
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_graze}},
+    {.event = EVENT_graze_to_contact, .is_counted = true, .react = react_graze_graze_to_contact,
+        .vary_react = vary_react_graze_graze_to_contact, .vary_guard = vary_guard_graze_graze_to_contact,
+        .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_graze_to_flight, .is_counted = true, .react = react_graze_graze_to_flight,
+        .vary_react = vary_react_graze_graze_to_flight, .vary_guard = vary_guard_graze_graze_to_flight,
+        .next = {MODE_flight_calm}},
     {.event = -1},
 };
-static const tdmf_watch_kind watches_graze_place[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 8},
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
-    {.into = -1},
-};
-static const tdmf_guard_kind guards_graze_rest[] = {
-    {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
-    {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
-        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
-    {.event = EVENT_apex_in_graze, .is_counted = true, .react = react_graze_rest_apex_in_graze,
-        .vary_react = vary_react_graze_rest_apex_in_graze, .vary_guard = vary_guard_graze_rest_apex_in_graze,
-        .next = {MODE_graze_place}},
-    {.event = EVENT_release, .react = react_graze_rest_release,
-        .vary_react = vary_react_flight_rest_calm_release, .vary_guard = vary_guard_graze_rest_release,
-        .next = {MODE_graze_retract}},
-    {.event = EVENT_mid_stance, .is_counted = true, .react = react_graze_place_mid_stance,
-        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
-        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_graze_rest}},
-    {.event = EVENT_graze_to_contact, .is_counted = true, .react = react_graze_place_graze_to_contact,
-        .vary_react = vary_react_graze_place_graze_to_contact,
-        .vary_guard = vary_guard_graze_place_graze_to_contact, .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_graze_to_flight, .is_counted = true, .react = react_graze_place_graze_to_flight,
-        .vary_react = vary_react_graze_place_graze_to_flight,
-        .vary_guard = vary_guard_graze_rest_graze_to_flight, .next = {MODE_flight_rest_calm}},
-    {.event = -1},
-};
-static const tdmf_watch_kind watches_graze_rest[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 8},
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
-    {.into = -1},
-};
-static const tdmf_guard_kind guards_graze_retract[] = {
-    {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
-    {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
-        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
-    {.event = EVENT_apex_in_graze, .is_counted = true, .react = react_graze_rest_apex_in_graze,
-        .vary_react = vary_react_graze_rest_apex_in_graze, .vary_guard = vary_guard_graze_rest_apex_in_graze,
-        .next = {MODE_graze_place}},
-    {.event = EVENT_clamp, .react = react_graze_rest_release,
-        .vary_react = vary_react_flight_rest_calm_release, .is_watched = watches_flight_retract_calm_clamp,
-        .vary_guard = vary_guard_graze_retract_clamp, .next = {MODE_graze_rest}},
-    {.event = EVENT_mid_stance, .is_counted = true, .react = react_graze_place_mid_stance,
-        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
-        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_graze_retract}},
-    {.event = EVENT_graze_to_contact, .is_counted = true, .react = react_graze_place_graze_to_contact,
-        .vary_react = vary_react_graze_place_graze_to_contact,
-        .vary_guard = vary_guard_graze_place_graze_to_contact, .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_graze_to_flight, .is_counted = true, .react = react_graze_place_graze_to_flight,
-        .vary_react = vary_react_graze_place_graze_to_flight,
-        .vary_guard = vary_guard_graze_retract_graze_to_flight, .next = {MODE_flight_retract_calm}},
-    {.event = -1},
-};
-static const tdmf_watch_kind watches_graze_retract[] = {
+static const tdmf_watch_kind watches_graze[] = {
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 8},
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
@@ -2907,51 +2553,22 @@ static const tdmf_mode_kind modes[] = {
         .leave = leave_stick, .vary_leave = vary_leave_stick, .from_world = from_world_slip_constant,
         .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
         .vary_to_world = vary_to_world_slip_constant},
-    {.motion = &tdmf_plain_runner_motions[MODE_flight_place_calm], .open = open_flight_place_calm,
-        .vary_open = vary_open_flight_place_calm, .guard_count = 4, .guards = guards_flight_place_calm,
-        .watch_count = 3, .usual_count = 1, .watches = watches_flight_place_calm,
-        .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
-        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
-        .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
-        .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm},
-    {.motion = &tdmf_plain_runner_motions[MODE_flight_rest_calm], .open = open_flight_rest_calm,
-        .vary_open = vary_open_flight_rest_calm, .guard_count = 5, .guards = guards_flight_rest_calm,
-        .watch_count = 3, .usual_count = 1, .watches = watches_flight_rest_calm,
-        .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
-        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
-        .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
-        .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm},
-    {.motion = &tdmf_plain_runner_motions[MODE_flight_retract_calm], .open = open_flight_retract_calm,
-        .vary_open = vary_open_flight_retract_calm, .guard_count = 5, .guards = guards_flight_retract_calm,
-        .watch_count = 3, .usual_count = 1, .watches = watches_flight_retract_calm,
-        .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
-        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
-        .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
-        .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm},
+    {.motion = &tdmf_plain_runner_motions[MODE_flight_calm], .open = open_flight_calm,
+        .vary_open = vary_open_flight_calm, .guard_count = 6, .guards = guards_flight_calm, .watch_count = 3,
+        .usual_count = 1, .watches = watches_flight_calm, .outputs = outputs_start_of_run,
+        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_calm,
+        .vary_from_world = vary_from_world_flight_calm, .to_world = to_world_flight_calm,
+        .vary_to_world = vary_to_world_flight_calm},
     {.motion = &tdmf_plain_runner_motions[MODE_fallen], .ends = true, .open = open_start_of_run,
         .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_fallen, .watch_count = 0,
         .usual_count = 0, .watches = watches_fallen, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_plain_runner_motions[MODE_graze_place], .open = open_graze_place,
-        .vary_open = vary_open_graze_place, .guard_count = 5, .guards = guards_graze_place, .watch_count = 2,
-        .usual_count = 1, .watches = watches_graze_place, .outputs = outputs_start_of_run,
-        .vary_outputs = vary_outputs_start_of_run, .leave = leave_graze_place,
-        .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
-        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
-        .vary_to_world = vary_to_world_slip_constant},
-    {.motion = &tdmf_plain_runner_motions[MODE_graze_rest], .open = open_graze_rest,
-        .vary_open = vary_open_graze_rest, .guard_count = 7, .guards = guards_graze_rest, .watch_count = 2,
-        .usual_count = 1, .watches = watches_graze_rest, .outputs = outputs_start_of_run,
-        .vary_outputs = vary_outputs_start_of_run, .leave = leave_graze_place,
-        .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
-        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
-        .vary_to_world = vary_to_world_slip_constant},
-    {.motion = &tdmf_plain_runner_motions[MODE_graze_retract], .open = open_graze_retract,
-        .vary_open = vary_open_graze_retract, .guard_count = 7, .guards = guards_graze_retract,
-        .watch_count = 2, .usual_count = 1, .watches = watches_graze_retract, .outputs = outputs_start_of_run,
-        .vary_outputs = vary_outputs_start_of_run, .leave = leave_graze_place,
-        .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
+    {.motion = &tdmf_plain_runner_motions[MODE_graze], .open = open_graze, .vary_open = vary_open_graze,
+        .guard_count = 8, .guards = guards_graze, .watch_count = 2, .usual_count = 1,
+        .watches = watches_graze, .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
+        .leave = leave_graze, .vary_leave = vary_leave_graze, .from_world = from_world_slip_constant,
         .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
         .vary_to_world = vary_to_world_slip_constant},
 };
@@ -2965,8 +2582,8 @@ static const tdmf_section_kind sections[] = {
     {.event = -1},
 };
 
-static const char *const mode_names[] = {"start_of_run", "slip_constant", "stick", "flight_place_calm",
-    "flight_rest_calm", "flight_retract_calm", "fallen", "graze_place", "graze_rest", "graze_retract"};
+static const char *const mode_names[] = {"start_of_run", "slip_constant", "stick", "flight_calm", "fallen",
+    "graze"};
 static const char *const state_names[] = {"time", "events", "last_event", "greatest_slip_velocity",
     "greatest_foot_height", "squared_torque", "is_open", "work_then", "positive_work_so_far",
     "positive_work_then", "peak_force_so_far", "touchdowns_so_far", "slip_so_far", "slid_from",
@@ -2977,8 +2594,8 @@ static const char *const state_names[] = {"time", "events", "last_event", "great
     "apex_length_rate", "apex_angle_rate", "seen_x", "seen_y", "length", "angle", "seen_vx", "seen_vy",
     "length_rate", "angle_rate", "com_x", "com_y", "com_vx", "com_vy", "momentum", "x", "y", "vx", "vy",
     "foot_x", "foot_vx", "winding", "thrusting", "damper_loss", "friction", "way", "friction_loss",
-    "impact_loss", "external_torque", "liftoff_angle", "driving", "placing", "touchdown_time", "was_placed",
-    "placed_for", "rises_again", "work"};
+    "impact_loss", "external_torque", "liftoff_angle", "driving", "swing", "placing", "touchdown_time",
+    "was_placed", "placed_for", "rises_again", "work"};
 static const char *const parameter_names[] = {"body_mass", "foot_mass", "stiffness", "damping", "free_length",
     "least_length", "gravity", "notes_compression", "drive_torque", "kp", "kd", "touchdown_angle",
     "liftoff_factor", "swing_clamp"};
@@ -2993,7 +2610,7 @@ static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.4722627765193387, 0.6417114468531165, 0.9999993776846997,
     -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05, 1.1268102275039307e-06,
     4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0,
-    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 static const double parameter_defaults[] = {1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01, 1.0, 0.2, 0.1, 0.1,
     0.6981317007977318, 1.2, 0.0};
 static const double parameter_least[] = {1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09,
@@ -3009,13 +2626,13 @@ const tdmf_model_kind tdmf_plain_runner_model = {
     .sections = sections,
     .scales = scales,
     .series_count = 28,
-    .constant_count = 15,
+    .constant_count = 19,
     .lanes = {TDMF_TWO_LANES(tdmf_plain_runner_motions_of_2), TDMF_FOUR_LANES(tdmf_plain_runner_motions_of_4),
         TDMF_EIGHT_LANES(tdmf_plain_runner_motions_of_8)},
     .seeds = TDMF_FOR_SEEDS(tdmf_plain_runner_seeds),
-    .mode_count = 10,
+    .mode_count = 6,
     .mode_names = mode_names,
-    .state_count = 79,
+    .state_count = 80,
     .state_names = state_names,
     .parameter_count = 14,
     .parameter_names = parameter_names,

@@ -4,8 +4,8 @@
 
 #include "driver.h"
 
-enum {MODE_start_of_run, MODE_slip_constant, MODE_stick, MODE_flight_place_calm, MODE_flight_rest_calm,
-    MODE_flight_retract_calm, MODE_fallen, MODE_graze_place, MODE_graze_rest, MODE_graze_retract, MODE_COUNT};
+enum {MODE_start_of_run, MODE_slip_constant, MODE_stick, MODE_flight_calm, MODE_fallen, MODE_graze,
+    MODE_COUNT};
 enum {EVENT_begins, EVENT_falls, EVENT_collapses, EVENT_apex, EVENT_apex_in_graze, EVENT_touchdown,
     EVENT_clamp, EVENT_release, EVENT_greatest_compression, EVENT_mid_stance, EVENT_lift_off,
     EVENT_slips_forward, EVENT_slips_backward, EVENT_comes_to_rest, EVENT_graze_to_contact,
@@ -108,6 +108,7 @@ typedef struct {
     real external_torque; /* N.m: Torque added to the hip law */
     real liftoff_angle; /* rad: Leg angle when the foot last left the ground, theta_LO */
     real driving; /* 1: 1 from touchdown to mid-stance, else 0 */
+    real swing; /* 1: Law of the hip in flight: 0 rest, 1 retract, 2 place */
     real placing; /* s: In place, the time since it began; else 0 */
     real touchdown_time; /* s: Time of the last impact */
     real was_placed; /* 1: 1 if the leg was being placed at the last impact, else 0 */
@@ -131,20 +132,10 @@ typedef struct {
 } stick_constants;
 
 typedef struct {
-    real mobility, stiffness, free_length, damping, external_torque, kp, touchdown_angle, kd, com_vx,
-        minus_gravity, share, by_1_minus_share, least_length;
-} flight_place_calm_constants;
-
-typedef struct {
-    real mobility, stiffness, free_length, damping, external_torque, com_vx, minus_gravity,
-        mobility_times_external_torque, share, by_1_minus_share, least_length, kp,
-        liftoff_factor_times_liftoff_angle, kd, square_of_torque;
-} flight_rest_calm_constants;
-
-typedef struct {
-    real mobility, stiffness, free_length, damping, external_torque, kp, liftoff_factor_times_liftoff_angle,
-        kd, com_vx, minus_gravity, share, by_1_minus_share, least_length;
-} flight_retract_calm_constants;
+    real mobility, stiffness, free_length, damping, external_torque, kp, share_times_kp,
+        liftoff_factor_times_liftoff_angle, first, kd, share_times_kd, com_vx, minus_gravity, is_placing,
+        body_mass_over_body_mass_plus_foot_mass, sum_2, least_length;
+} flight_calm_constants;
 
 typedef struct {
     real none;
@@ -152,21 +143,10 @@ typedef struct {
 
 typedef struct {
     real inverse_body_mass, stiffness, free_length, damping, off, inverse_foot_mass,
-        minus_off_over_body_mass_minus_gravity, least_length, winding, external_torque, stance_torque, kp,
-        touchdown_angle, kd;
-} graze_place_constants;
-
-typedef struct {
-    real inverse_body_mass, stiffness, free_length, damping, off, inverse_foot_mass,
-        minus_off_over_body_mass_minus_gravity, least_length, share, kp, winding,
-        liftoff_factor_times_liftoff_angle, kd, external_torque, stance_torque;
-} graze_rest_constants;
-
-typedef struct {
-    real inverse_body_mass, stiffness, free_length, damping, off, inverse_foot_mass,
-        minus_off_over_body_mass_minus_gravity, least_length, share, kp, winding,
-        liftoff_factor_times_liftoff_angle, kd, external_torque, stance_torque;
-} graze_retract_constants;
+        minus_off_over_body_mass_minus_gravity, is_placing, least_length, share, kp, winding,
+        liftoff_factor_times_liftoff_angle, kd, external_torque, stance_torque, by_1_or_by_0_times_kp, first,
+        by_1_or_by_0_times_kd;
+} graze_constants;
 
 extern const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[];
 tdmf_motions_of_width tdmf_plain_runner_motions_of_2, tdmf_plain_runner_motions_of_4,

@@ -891,7 +891,7 @@ static void bounds_stick(const real *constants, const real *series, const real *
     }
 }
 
-/* ---- flight_place_calm */
+/* ---- flight_calm */
 
 /* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
 typedef struct {
@@ -899,20 +899,19 @@ typedef struct {
         work[TERMS], time[TERMS], com_x[TERMS], com_vy[TERMS], placing[TERMS], square[TERMS], rate[TERMS],
         rate_times_rate[TERMS], length_times_rate_times_rate[TERMS], swing_torque[TERMS],
         length_rate_times_length_rate[TERMS], power_of_hip[TERMS];
-} flight_place_calm_series;
+} flight_calm_series;
 
 typedef struct {
     pair square, rate, rate_times_rate, length_times_rate_times_rate, length_rate_times_length_rate,
         power_of_hip;
-} flight_place_calm_sums;
+} flight_calm_sums;
 
 typedef struct {
     real inverse_square;
-} flight_place_calm_factors;
+} flight_calm_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_flight_place_calm_sums(const flight_place_calm_series *s, int i, int j,
-    flight_place_calm_sums *sum) {
+KERNEL void add_flight_calm_sums(const flight_calm_series *s, int i, int j, flight_calm_sums *sum) {
     add_products(&sum->square, s->length + i - 1, s->length[j]);
     add_both_products(&sum->rate, s->rate, s->square, i, j);
     add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
@@ -922,8 +921,7 @@ KERNEL void add_flight_place_calm_sums(const flight_place_calm_series *s, int i,
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_flight_place_calm_sums(const flight_place_calm_series *s, int i,
-    flight_place_calm_sums *sum) {
+KERNEL void begin_flight_calm_sums(const flight_calm_series *s, int i, flight_calm_sums *sum) {
     sum->square = middle_of_square(s->length, i);
     sum->rate = middle_of_product(s->rate, s->square, i);
     sum->rate_times_rate = middle_of_square(s->rate, i);
@@ -933,8 +931,8 @@ KERNEL void begin_flight_place_calm_sums(const flight_place_calm_series *s, int 
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_flight_place_calm(const flight_place_calm_constants *c, const flight_place_calm_factors *by,
-    int k, const flight_place_calm_sums *sum, int odd, flight_place_calm_series *s) {
+KERNEL void step_flight_calm(const flight_calm_constants *c, const flight_calm_factors *by, int k,
+    const flight_calm_sums *sum, int odd, flight_calm_series *s) {
     s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
     s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
     /* square = length * length */
@@ -947,9 +945,10 @@ KERNEL void step_flight_place_calm(const flight_place_calm_constants *c, const f
     /* length_times_rate_times_rate = length * rate_times_rate */
     s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
         s->length, s->rate_times_rate);
-    /* swing_torque = c->external_torque + (-(c->kp * (angle - c->touchdown_angle)) - c->kd * rate) */
-    s->swing_torque[k] = with_constant(k, -(c->kp * s->angle[k]) - c->kd * s->rate[k], c->external_torque
-        + c->kp * c->touchdown_angle);
+    /* swing_torque = c->external_torque + (-(c->share_times_kp * (angle - c->first)) - c->share_times_kd *
+     * rate) */
+    s->swing_torque[k] = with_constant(k, -(c->share_times_kp * s->angle[k]) - c->share_times_kd * s->rate[k],
+        c->external_torque + c->share_times_kp * c->first);
     /* length_rate_times_length_rate = length_rate * length_rate */
     s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
         s->length_rate);
@@ -965,39 +964,38 @@ KERNEL void step_flight_place_calm(const flight_place_calm_constants *c, const f
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_place_calm(const real *constants, int order, real *series) {
-    const flight_place_calm_constants copy = *(const flight_place_calm_constants *)(const void *)constants,
-        *c = &copy;
-    flight_place_calm_series *s = (void *)series;
-    static const flight_place_calm_sums none;
-    flight_place_calm_sums sum = none;
+static void expand_flight_calm(const real *constants, int order, real *series) {
+    const flight_calm_constants copy = *(const flight_calm_constants *)(const void *)constants, *c = &copy;
+    flight_calm_series *s = (void *)series;
+    static const flight_calm_sums none;
+    flight_calm_sums sum = none;
     s->time[1] = broadcast(1.0);
     s->com_x[1] = c->com_vx;
     s->com_vy[1] = c->minus_gravity;
-    s->placing[1] = broadcast(1.0);
+    s->placing[1] = c->is_placing;
     s->square[0] = s->length[0] * s->length[0];
-    const flight_place_calm_factors factors = {1.0 / s->square[0]}, *by = &factors;
-    step_flight_place_calm(c, by, 0, &sum, 0, s);
-    begin_flight_place_calm_sums(s, 0, &sum);
-    step_flight_place_calm(c, by, 1, &sum, 1, s);
+    const flight_calm_factors factors = {1.0 / s->square[0]}, *by = &factors;
+    step_flight_calm(c, by, 0, &sum, 0, s);
+    begin_flight_calm_sums(s, 0, &sum);
+    step_flight_calm(c, by, 1, &sum, 1, s);
     for (int k = 2; k < order; k += 2) {
-        begin_flight_place_calm_sums(s, k / 2, &sum);
+        begin_flight_calm_sums(s, k / 2, &sum);
         for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_flight_place_calm_sums(s, i, j, &sum);
+            add_flight_calm_sums(s, i, j, &sum);
         }
-        step_flight_place_calm(c, by, k, &sum, 0, s);
-        add_flight_place_calm_sums(s, 1, k, &sum);
-        step_flight_place_calm(c, by, k + 1, &sum, 1, s);
+        step_flight_calm(c, by, k, &sum, 0, s);
+        add_flight_calm_sums(s, 1, k, &sum);
+        step_flight_calm(c, by, k + 1, &sum, 1, s);
     }
 }
 
 /* First variation of the series. */
-static void vary_flight_place_calm(const real *constants, const real *series, const real *d_constants,
-    int order, real *varied) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
-    const flight_place_calm_constants *d = (const void *)d_constants;
-    flight_place_calm_series *t = (void *)varied;
+static void vary_flight_calm(const real *constants, const real *series, const real *d_constants, int order,
+    real *varied) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
+    const flight_calm_constants *d = (const void *)d_constants;
+    flight_calm_series *t = (void *)varied;
     real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
         length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
         length_times_d_rate_times_rate[TERMS], length_rate_times_length_rate_2[TERMS],
@@ -1015,9 +1013,10 @@ static void vary_flight_place_calm(const real *constants, const real *series, co
         rate_times_d_rate[k] = product(s->rate, d_rate, k);
         d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
         length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
-        d_swing_torque[k] = with_constant(k, -(d->kp * s->angle[k]) - c->kp * t->angle[k]
-            - d->kd * s->rate[k] - c->kd * d_rate[k], d->external_torque - (-(d->kp * c->touchdown_angle)
-            - c->kp * d->touchdown_angle));
+        d_swing_torque[k] = with_constant(k, -(d->share_times_kp * s->angle[k])
+            - c->share_times_kp * t->angle[k] - d->share_times_kd * s->rate[k]
+            - c->share_times_kd * d_rate[k], d->external_torque - (-(d->share_times_kp * c->first)
+            - c->share_times_kp * d->first));
         length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
         d_swing_torque_times_rate[k] = product(d_swing_torque, s->rate, k);
         swing_torque_times_d_rate[k] = product(s->swing_torque, d_rate, k);
@@ -1038,14 +1037,14 @@ static void vary_flight_place_calm(const real *constants, const real *series, co
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->com_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->com_vx));
         t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
-        t->placing[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
+        t->placing[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->is_placing));
     }
 }
 
 /* First variation of power_of_hip. */
-static void d_observed_flight_place_calm_power_of_hip(const real *constants, const real *series,
+static void d_observed_flight_calm_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_place_calm_series *t = (const void *)d_series;
+    const flight_calm_series *t = (const void *)d_series;
     (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
         dg[k] = (double)(k + 1) * t->work[k + 1];
@@ -1053,33 +1052,37 @@ static void d_observed_flight_place_calm_power_of_hip(const real *constants, con
 }
 
 /* First variation of height_of_foot. */
-static void d_observed_flight_place_calm_height_of_foot(const real *constants, const real *series,
+static void d_observed_flight_calm_height_of_foot(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
-    const flight_place_calm_constants *d = (const void *)d_constants;
-    const flight_place_calm_series *t = (const void *)d_series;
-    real own_cos_of_angle[TERMS], own_sum_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
-        own_sin_of_angle_times_angle[TERMS], own_product_2[TERMS], own_sum_2[TERMS],
-        own_share_times_length[TERMS];
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
+    const flight_calm_constants *d = (const void *)d_constants;
+    const flight_calm_series *t = (const void *)d_series;
+    real own_cos_of_angle[TERMS], own_product_plus_product_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
+        own_sin_of_angle_times_angle[TERMS], own_product_times_sin_of_angle_times_angle[TERMS],
+        own_product_plus_product[TERMS], own_product_2[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_sum_2[k] = d->share * s->length[k] + c->share * t->length[k];
+        own_product_plus_product[k] = d->body_mass_over_body_mass_plus_foot_mass * s->length[k]
+            + c->body_mass_over_body_mass_plus_foot_mass * t->length[k];
         sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
-        own_sum_times_cos_of_angle[k] = product(own_sum_2, own_cos_of_angle, k);
-        own_share_times_length[k] = c->share * s->length[k];
+        own_product_plus_product_times_cos_of_angle[k] = product(own_product_plus_product, own_cos_of_angle,
+            k);
+        own_product_2[k] = c->body_mass_over_body_mass_plus_foot_mass * s->length[k];
         own_sin_of_angle_times_angle[k] = product(own_sin_of_angle, t->angle, k);
-        own_product_2[k] = product(own_share_times_length, own_sin_of_angle_times_angle, k);
-        dg[k] = t->com_y[k] - own_sum_times_cos_of_angle[k] + own_product_2[k];
+        own_product_times_sin_of_angle_times_angle[k] = product(own_product_2, own_sin_of_angle_times_angle,
+            k);
+        dg[k] = t->com_y[k] - own_product_plus_product_times_cos_of_angle[k]
+            + own_product_times_sin_of_angle_times_angle[k];
     }
 }
 
 /* First variation of square_of_torque. */
-static void d_observed_flight_place_calm_square_of_torque(const real *constants, const real *series,
+static void d_observed_flight_calm_square_of_torque(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
-    const flight_place_calm_constants *d = (const void *)d_constants;
-    const flight_place_calm_series *t = (const void *)d_series;
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
+    const flight_calm_constants *d = (const void *)d_constants;
+    const flight_calm_series *t = (const void *)d_series;
     real own_length_times_length[TERMS], own_rate_times_d_square[TERMS], own_d_rate[TERMS],
         own_swing_torque_times_d_swing_torque[TERMS], own_d_square[TERMS], own_d_swing_torque[TERMS];
     for (int k = 0; k < order; ++k) {
@@ -1088,40 +1091,41 @@ static void d_observed_flight_place_calm_square_of_torque(const real *constants,
         own_rate_times_d_square[k] = product(s->rate, own_d_square, k);
         own_d_rate[k] = (t->momentum[k] - own_rate_times_d_square[k] - product_so_far(own_d_rate, s->square,
             k)) / s->square[0];
-        own_d_swing_torque[k] = with_constant(k, -(d->kp * s->angle[k]) - c->kp * t->angle[k]
-            - d->kd * s->rate[k] - c->kd * own_d_rate[k], d->external_torque
-            - (-(d->kp * c->touchdown_angle) - c->kp * d->touchdown_angle));
+        own_d_swing_torque[k] = with_constant(k, -(d->share_times_kp * s->angle[k])
+            - c->share_times_kp * t->angle[k] - d->share_times_kd * s->rate[k]
+            - c->share_times_kd * own_d_rate[k], d->external_torque - (-(d->share_times_kp * c->first)
+            - c->share_times_kp * d->first));
         own_swing_torque_times_d_swing_torque[k] = product(s->swing_torque, own_d_swing_torque, k);
         dg[k] = 2.0 * own_swing_torque_times_d_swing_torque[k];
     }
 }
 
 /* falls: The body reaches the ground. */
-static void guard_flight_place_calm_falls(const real *constants, const real *series, int order, real *g) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
-    real own_cos_of_angle[TERMS], own_product_2[TERMS], own_sin_of_angle[TERMS],
-        own_by_1_minus_share_times_length[TERMS];
+static void guard_flight_calm_falls(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
+    real own_cos_of_angle[TERMS], own_sum_2_times_length_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
+        own_sum_2_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
+        own_sum_2_times_length[k] = c->sum_2 * s->length[k];
         sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
-        own_product_2[k] = product(own_by_1_minus_share_times_length, own_cos_of_angle, k);
-        g[k] = s->com_y[k] + own_product_2[k];
+        own_sum_2_times_length_times_cos_of_angle[k] = product(own_sum_2_times_length, own_cos_of_angle, k);
+        g[k] = s->com_y[k] + own_sum_2_times_length_times_cos_of_angle[k];
     }
 }
 
 /* collapses: The leg is shorter than leg.min_length. */
-static void guard_flight_place_calm_collapses(const real *constants, const real *series, int order, real *g) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
+static void guard_flight_calm_collapses(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, s->length[k], -c->least_length);
     }
 }
 
 /* apex: A stride closes and place begins. An external force can cause further apices in place. */
-static void guard_flight_place_calm_apex(const real *constants, const real *series, int order, real *g) {
-    const flight_place_calm_series *s = (const void *)series;
+static void guard_flight_calm_apex(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = (double)(k + 1) * s->com_y[k + 1];
@@ -1129,23 +1133,42 @@ static void guard_flight_place_calm_apex(const real *constants, const real *seri
 }
 
 /* touchdown: The foot reaches the ground. */
-static void guard_flight_place_calm_touchdown(const real *constants, const real *series, int order, real *g) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
-    real own_cos_of_angle[TERMS], own_share_times_length_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
-        own_share_times_length[TERMS];
+static void guard_flight_calm_touchdown(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
+    real own_cos_of_angle[TERMS], own_product_2_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
+        own_product_2[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
+        own_product_2[k] = c->body_mass_over_body_mass_plus_foot_mass * s->length[k];
         sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
-        own_share_times_length_times_cos_of_angle[k] = product(own_share_times_length, own_cos_of_angle, k);
-        g[k] = s->com_y[k] - own_share_times_length_times_cos_of_angle[k];
+        own_product_2_times_cos_of_angle[k] = product(own_product_2, own_cos_of_angle, k);
+        g[k] = s->com_y[k] - own_product_2_times_cos_of_angle[k];
+    }
+}
+
+/* clamp: The clamp of (12) holds the retracting torque at 0. */
+static void guard_flight_calm_clamp(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = with_constant(k, -(c->kp * s->angle[k]) - c->kd * s->rate[k],
+            c->kp * c->liftoff_factor_times_liftoff_angle);
+    }
+}
+
+/* release: The clamp of (12) releases the retracting torque. */
+static void guard_flight_calm_release(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = with_constant(k, c->kp * s->angle[k] + c->kd * s->rate[k],
+            -(c->kp * c->liftoff_factor_times_liftoff_angle));
     }
 }
 
 /* power_of_hip: Power of the total hip torque. */
-static void guard_flight_place_calm_power_of_hip(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_place_calm_series *s = (const void *)series;
+static void guard_flight_calm_power_of_hip(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = (double)(k + 1) * s->work[k + 1];
@@ -1153,24 +1176,23 @@ static void guard_flight_place_calm_power_of_hip(const real *constants, const re
 }
 
 /* height_of_foot: Height of the foot above the ground vertically below. */
-static void guard_flight_place_calm_height_of_foot(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
-    real own_cos_of_angle[TERMS], own_share_times_length_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
-        own_share_times_length[TERMS];
+static void guard_flight_calm_height_of_foot(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
+    real own_cos_of_angle[TERMS], own_product_2_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
+        own_product_2[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
+        own_product_2[k] = c->body_mass_over_body_mass_plus_foot_mass * s->length[k];
         sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
-        own_share_times_length_times_cos_of_angle[k] = product(own_share_times_length, own_cos_of_angle, k);
-        g[k] = s->com_y[k] - own_share_times_length_times_cos_of_angle[k];
+        own_product_2_times_cos_of_angle[k] = product(own_product_2, own_cos_of_angle, k);
+        g[k] = s->com_y[k] - own_product_2_times_cos_of_angle[k];
     }
 }
 
 /* square_of_torque: Square of the total hip torque. */
-static void guard_flight_place_calm_square_of_torque(const real *constants, const real *series, int order,
+static void guard_flight_calm_square_of_torque(const real *constants, const real *series, int order,
     real *g) {
-    const flight_place_calm_series *s = (const void *)series;
+    const flight_calm_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = product(s->swing_torque, s->swing_torque, k);
@@ -1178,13 +1200,13 @@ static void guard_flight_place_calm_square_of_torque(const real *constants, cons
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_place_calm(const real *constants, const real *series, const real *power, int order,
+static void bounds_flight_calm(const real *constants, const real *series, const real *power, int order,
     uint64_t watched, interval *bounds) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->angle, power, order);
     const interval span_1 = interval_of_series(s->com_y, power, 3);
-    const interval span_2 = interval_at(c->by_1_minus_share, c->by_1_minus_share);
+    const interval span_2 = interval_at(c->sum_2, c->sum_2);
     const interval span_3 = interval_of_series(s->length, power, order);
     const interval span_4 = interval_product(span_2, span_3);
     const interval span_5 = interval_of_turn(s->angle[0], span_0, false);
@@ -1194,7 +1216,8 @@ static void bounds_flight_place_calm(const real *constants, const real *series, 
     const interval span_8 = interval_at(c->least_length, c->least_length);
     const interval span_9 = interval_difference(span_3, span_8);
     bounds[1] = span_9;
-    const interval span_10 = interval_at(c->share, c->share);
+    const interval span_10 = interval_at(c->body_mass_over_body_mass_plus_foot_mass,
+        c->body_mass_over_body_mass_plus_foot_mass);
     const interval span_11 = interval_product(span_10, span_3);
     const interval span_12 = interval_product(span_11, span_5);
     const interval span_13 = interval_difference(span_1, span_12);
@@ -1203,669 +1226,40 @@ static void bounds_flight_place_calm(const real *constants, const real *series, 
         const interval span_14 = interval_of_rate(s->com_y, power, 2);
         bounds[2] = span_14;
     }
-    if (watched >> 5 & 1) {
-        bounds[5] = span_13;
+    if (watched >> 4 & 1) {
+        const interval span_14 = interval_at(c->kp, c->kp);
+        const interval span_15 = interval_at(c->liftoff_factor_times_liftoff_angle,
+            c->liftoff_factor_times_liftoff_angle);
+        const interval span_16 = interval_difference(span_0, span_15);
+        const interval span_17 = interval_product(span_14, span_16);
+        const interval span_18 = interval_at(-span_17.high, -span_17.low);
+        const interval span_19 = interval_at(c->kd, c->kd);
+        const interval span_20 = interval_of_series(s->rate, power, order);
+        const interval span_21 = interval_product(span_19, span_20);
+        const interval span_22 = interval_difference(span_18, span_21);
+        bounds[4] = span_22;
     }
-    if (watched >> 6 & 1) {
+    if (watched >> 5 & 1) {
+        const interval span_14 = interval_at(c->kp, c->kp);
+        const interval span_15 = interval_at(c->liftoff_factor_times_liftoff_angle,
+            c->liftoff_factor_times_liftoff_angle);
+        const interval span_16 = interval_difference(span_0, span_15);
+        const interval span_17 = interval_product(span_14, span_16);
+        const interval span_18 = interval_at(-span_17.high, -span_17.low);
+        const interval span_19 = interval_at(c->kd, c->kd);
+        const interval span_20 = interval_of_series(s->rate, power, order);
+        const interval span_21 = interval_product(span_19, span_20);
+        const interval span_22 = interval_difference(span_18, span_21);
+        const interval span_23 = interval_at(-span_22.high, -span_22.low);
+        bounds[5] = span_23;
+    }
+    if (watched >> 7 & 1) {
+        bounds[7] = span_13;
+    }
+    if (watched >> 8 & 1) {
         const interval span_14 = interval_of_series(s->swing_torque, power, order);
         const interval span_15 = interval_product(span_14, span_14);
-        bounds[6] = span_15;
-    }
-}
-
-/* ---- flight_rest_calm */
-
-/* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
-typedef struct {
-    real length[TERMS], angle[TERMS], length_rate[TERMS], com_y[TERMS], damper_loss[TERMS], work[TERMS],
-        time[TERMS], com_x[TERMS], com_vy[TERMS], momentum[TERMS], square[TERMS], rate[TERMS],
-        rate_times_rate[TERMS], length_times_rate_times_rate[TERMS], length_rate_times_length_rate[TERMS];
-} flight_rest_calm_series;
-
-typedef struct {
-    pair square, rate, rate_times_rate, length_times_rate_times_rate, length_rate_times_length_rate;
-} flight_rest_calm_sums;
-
-typedef struct {
-    real inverse_square;
-} flight_rest_calm_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_flight_rest_calm_sums(const flight_rest_calm_series *s, int i, int j,
-    flight_rest_calm_sums *sum) {
-    add_products(&sum->square, s->length + i - 1, s->length[j]);
-    add_both_products(&sum->rate, s->rate, s->square, i, j);
-    add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
-    add_both_products(&sum->length_times_rate_times_rate, s->length, s->rate_times_rate, i, j);
-    add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_flight_rest_calm_sums(const flight_rest_calm_series *s, int i, flight_rest_calm_sums *sum) {
-    sum->square = middle_of_square(s->length, i);
-    sum->rate = middle_of_product(s->rate, s->square, i);
-    sum->rate_times_rate = middle_of_square(s->rate, i);
-    sum->length_times_rate_times_rate = middle_of_product(s->length, s->rate_times_rate, i);
-    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_flight_rest_calm(const flight_rest_calm_constants *c, const flight_rest_calm_factors *by,
-    int k, const flight_rest_calm_sums *sum, int odd, flight_rest_calm_series *s) {
-    s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
-    s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
-    /* square = length * length */
-    s->square[k] = square_of(k, part_of(sum->square, odd), s->length);
-    /* rate = momentum / square */
-    s->rate[k] = quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square,
-        by->inverse_square);
-    /* rate_times_rate = rate * rate */
-    s->rate_times_rate[k] = square_of(k, part_of(sum->rate_times_rate, odd), s->rate);
-    /* length_times_rate_times_rate = length * rate_times_rate */
-    s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
-        s->length, s->rate_times_rate);
-    /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
-        s->length_rate);
-    s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
-    s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
-        - c->mobility * c->stiffness * s->length[k] - c->mobility * c->damping * s->length_rate[k],
-        c->mobility * (c->stiffness * c->free_length)));
-    s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
-    s->work[k + 1] = series_reciprocal[k + 1] * (c->external_torque * s->rate[k]);
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_rest_calm(const real *constants, int order, real *series) {
-    const flight_rest_calm_constants copy = *(const flight_rest_calm_constants *)(const void *)constants,
-        *c = &copy;
-    flight_rest_calm_series *s = (void *)series;
-    static const flight_rest_calm_sums none;
-    flight_rest_calm_sums sum = none;
-    s->time[1] = broadcast(1.0);
-    s->com_x[1] = c->com_vx;
-    s->com_vy[1] = c->minus_gravity;
-    s->momentum[1] = c->mobility_times_external_torque;
-    s->square[0] = s->length[0] * s->length[0];
-    const flight_rest_calm_factors factors = {1.0 / s->square[0]}, *by = &factors;
-    step_flight_rest_calm(c, by, 0, &sum, 0, s);
-    begin_flight_rest_calm_sums(s, 0, &sum);
-    step_flight_rest_calm(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_flight_rest_calm_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_flight_rest_calm_sums(s, i, j, &sum);
-        }
-        step_flight_rest_calm(c, by, k, &sum, 0, s);
-        add_flight_rest_calm_sums(s, 1, k, &sum);
-        step_flight_rest_calm(c, by, k + 1, &sum, 1, s);
-    }
-}
-
-/* First variation of the series. */
-static void vary_flight_rest_calm(const real *constants, const real *series, const real *d_constants,
-    int order, real *varied) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    const flight_rest_calm_constants *d = (const void *)d_constants;
-    flight_rest_calm_series *t = (void *)varied;
-    real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
-        length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
-        length_times_d_rate_times_rate[TERMS], length_rate_times_length_rate_2[TERMS], d_square[TERMS],
-        d_rate_times_rate[TERMS];
-    for (int k = 0; k < order; ++k) {
-        t->length[k + 1] = t->length_rate[k] * series_reciprocal[k + 1];
-        t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
-        length_times_length[k] = product(s->length, t->length, k);
-        d_square[k] = 2.0 * length_times_length[k];
-        rate_times_d_square[k] = product(s->rate, d_square, k);
-        d_rate[k] = (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square,
-            k)) / s->square[0];
-        length_times_rate_times_rate_2[k] = product(t->length, s->rate_times_rate, k);
-        rate_times_d_rate[k] = product(s->rate, d_rate, k);
-        d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
-        length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
-        length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
-        t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
-        t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
-            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
-            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
-            - c->mobility * c->stiffness * t->length[k] - c->mobility * c->damping * t->length_rate[k],
-            d->mobility * (c->stiffness * c->free_length) + c->mobility * (d->stiffness * c->free_length
-            + c->stiffness * d->free_length)));
-        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] * (d->external_torque * s->rate[k]
-            + c->external_torque * d_rate[k]);
-        t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
-        t->com_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->com_vx));
-        t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
-        t->momentum[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->mobility_times_external_torque));
-    }
-}
-
-/* First variation of power_of_hip. */
-static void d_observed_flight_rest_calm_power_of_hip(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_rest_calm_series *t = (const void *)d_series;
-    (void)constants, (void)series, (void)d_constants;
-    for (int k = 0; k < order; ++k) {
-        dg[k] = (double)(k + 1) * t->work[k + 1];
-    }
-}
-
-/* First variation of height_of_foot. */
-static void d_observed_flight_rest_calm_height_of_foot(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    const flight_rest_calm_constants *d = (const void *)d_constants;
-    const flight_rest_calm_series *t = (const void *)d_series;
-    real own_cos_of_angle[TERMS], own_sum_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
-        own_sin_of_angle_times_angle[TERMS], own_product_2[TERMS], own_sum_2[TERMS],
-        own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_sum_2[k] = d->share * s->length[k] + c->share * t->length[k];
-        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
-        own_sum_times_cos_of_angle[k] = product(own_sum_2, own_cos_of_angle, k);
-        own_share_times_length[k] = c->share * s->length[k];
-        own_sin_of_angle_times_angle[k] = product(own_sin_of_angle, t->angle, k);
-        own_product_2[k] = product(own_share_times_length, own_sin_of_angle_times_angle, k);
-        dg[k] = t->com_y[k] - own_sum_times_cos_of_angle[k] + own_product_2[k];
-    }
-}
-
-/* First variation of square_of_torque. */
-static void d_observed_flight_rest_calm_square_of_torque(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_rest_calm_constants *d = (const void *)d_constants;
-    (void)constants, (void)series, (void)d_series;
-    for (int k = 0; k < order; ++k) {
-        dg[k] = constant_of(k, d->square_of_torque);
-    }
-}
-
-/* falls: The body reaches the ground. */
-static void guard_flight_rest_calm_falls(const real *constants, const real *series, int order, real *g) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    real own_cos_of_angle[TERMS], own_product_2[TERMS], own_sin_of_angle[TERMS],
-        own_by_1_minus_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
-        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
-        own_product_2[k] = product(own_by_1_minus_share_times_length, own_cos_of_angle, k);
-        g[k] = s->com_y[k] + own_product_2[k];
-    }
-}
-
-/* collapses: The leg is shorter than leg.min_length. */
-static void guard_flight_rest_calm_collapses(const real *constants, const real *series, int order, real *g) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, s->length[k], -c->least_length);
-    }
-}
-
-/* apex: A stride closes and place begins. An external force can cause further apices in place. */
-static void guard_flight_rest_calm_apex(const real *constants, const real *series, int order, real *g) {
-    const flight_rest_calm_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->com_y[k + 1];
-    }
-}
-
-/* touchdown: The foot reaches the ground. */
-static void guard_flight_rest_calm_touchdown(const real *constants, const real *series, int order, real *g) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    real own_cos_of_angle[TERMS], own_share_times_length_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
-        own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
-        own_share_times_length_times_cos_of_angle[k] = product(own_share_times_length, own_cos_of_angle, k);
-        g[k] = s->com_y[k] - own_share_times_length_times_cos_of_angle[k];
-    }
-}
-
-/* release: The clamp of (12) releases the retracting torque. */
-static void guard_flight_rest_calm_release(const real *constants, const real *series, int order, real *g) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->kp * s->angle[k] + c->kd * s->rate[k],
-            -(c->kp * c->liftoff_factor_times_liftoff_angle));
-    }
-}
-
-/* power_of_hip: Power of the total hip torque. */
-static void guard_flight_rest_calm_power_of_hip(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_rest_calm_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->work[k + 1];
-    }
-}
-
-/* height_of_foot: Height of the foot above the ground vertically below. */
-static void guard_flight_rest_calm_height_of_foot(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    real own_cos_of_angle[TERMS], own_share_times_length_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
-        own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
-        own_share_times_length_times_cos_of_angle[k] = product(own_share_times_length, own_cos_of_angle, k);
-        g[k] = s->com_y[k] - own_share_times_length_times_cos_of_angle[k];
-    }
-}
-
-/* square_of_torque: Square of the total hip torque. */
-static void guard_flight_rest_calm_square_of_torque(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    (void)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = constant_of(k, c->square_of_torque);
-    }
-}
-
-/* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_rest_calm(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    const interval span_0 = interval_of_series(s->angle, power, order);
-    const interval span_1 = interval_of_series(s->com_y, power, 3);
-    const interval span_2 = interval_at(c->by_1_minus_share, c->by_1_minus_share);
-    const interval span_3 = interval_of_series(s->length, power, order);
-    const interval span_4 = interval_product(span_2, span_3);
-    const interval span_5 = interval_of_turn(s->angle[0], span_0, false);
-    const interval span_6 = interval_product(span_4, span_5);
-    const interval span_7 = interval_sum(span_1, span_6);
-    bounds[0] = span_7;
-    const interval span_8 = interval_at(c->least_length, c->least_length);
-    const interval span_9 = interval_difference(span_3, span_8);
-    bounds[1] = span_9;
-    const interval span_10 = interval_of_rate(s->com_y, power, 2);
-    bounds[2] = span_10;
-    const interval span_11 = interval_at(c->share, c->share);
-    const interval span_12 = interval_product(span_11, span_3);
-    const interval span_13 = interval_product(span_12, span_5);
-    const interval span_14 = interval_difference(span_1, span_13);
-    bounds[3] = span_14;
-    const interval span_15 = interval_at(c->kp, c->kp);
-    const interval span_16 = interval_at(c->liftoff_factor_times_liftoff_angle,
-        c->liftoff_factor_times_liftoff_angle);
-    const interval span_17 = interval_difference(span_0, span_16);
-    const interval span_18 = interval_product(span_15, span_17);
-    const interval span_19 = interval_at(-span_18.high, -span_18.low);
-    const interval span_20 = interval_at(c->kd, c->kd);
-    const interval span_21 = interval_of_series(s->rate, power, order);
-    const interval span_22 = interval_product(span_20, span_21);
-    const interval span_23 = interval_difference(span_19, span_22);
-    const interval span_24 = interval_at(-span_23.high, -span_23.low);
-    bounds[4] = span_24;
-    if (watched >> 6 & 1) {
-        bounds[6] = span_14;
-    }
-    if (watched >> 7 & 1) {
-        const interval span_25 = interval_at(c->square_of_torque, c->square_of_torque);
-        bounds[7] = span_25;
-    }
-}
-
-/* ---- flight_retract_calm */
-
-/* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
-typedef struct {
-    real length[TERMS], angle[TERMS], length_rate[TERMS], com_y[TERMS], momentum[TERMS], damper_loss[TERMS],
-        work[TERMS], time[TERMS], com_x[TERMS], com_vy[TERMS], square[TERMS], rate[TERMS],
-        rate_times_rate[TERMS], length_times_rate_times_rate[TERMS], swing_torque[TERMS],
-        length_rate_times_length_rate[TERMS], power_of_hip[TERMS];
-} flight_retract_calm_series;
-
-typedef struct {
-    pair square, rate, rate_times_rate, length_times_rate_times_rate, length_rate_times_length_rate,
-        power_of_hip;
-} flight_retract_calm_sums;
-
-typedef struct {
-    real inverse_square;
-} flight_retract_calm_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_flight_retract_calm_sums(const flight_retract_calm_series *s, int i, int j,
-    flight_retract_calm_sums *sum) {
-    add_products(&sum->square, s->length + i - 1, s->length[j]);
-    add_both_products(&sum->rate, s->rate, s->square, i, j);
-    add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
-    add_both_products(&sum->length_times_rate_times_rate, s->length, s->rate_times_rate, i, j);
-    add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_both_products(&sum->power_of_hip, s->swing_torque, s->rate, i, j);
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_flight_retract_calm_sums(const flight_retract_calm_series *s, int i,
-    flight_retract_calm_sums *sum) {
-    sum->square = middle_of_square(s->length, i);
-    sum->rate = middle_of_product(s->rate, s->square, i);
-    sum->rate_times_rate = middle_of_square(s->rate, i);
-    sum->length_times_rate_times_rate = middle_of_product(s->length, s->rate_times_rate, i);
-    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
-    sum->power_of_hip = middle_of_product(s->swing_torque, s->rate, i);
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_flight_retract_calm(const flight_retract_calm_constants *c,
-    const flight_retract_calm_factors *by, int k, const flight_retract_calm_sums *sum, int odd,
-    flight_retract_calm_series *s) {
-    s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
-    s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
-    /* square = length * length */
-    s->square[k] = square_of(k, part_of(sum->square, odd), s->length);
-    /* rate = momentum / square */
-    s->rate[k] = quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square,
-        by->inverse_square);
-    /* rate_times_rate = rate * rate */
-    s->rate_times_rate[k] = square_of(k, part_of(sum->rate_times_rate, odd), s->rate);
-    /* length_times_rate_times_rate = length * rate_times_rate */
-    s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
-        s->length, s->rate_times_rate);
-    /* swing_torque = c->external_torque + (-(c->kp * (angle - c->liftoff_factor_times_liftoff_angle)) -
-     * c->kd * rate) */
-    s->swing_torque[k] = with_constant(k, -(c->kp * s->angle[k]) - c->kd * s->rate[k], c->external_torque
-        + c->kp * c->liftoff_factor_times_liftoff_angle);
-    /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
-        s->length_rate);
-    /* power_of_hip = swing_torque * rate */
-    s->power_of_hip[k] = product_of(k, part_of(sum->power_of_hip, odd), s->swing_torque, s->rate);
-    s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
-    s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
-        - c->mobility * c->stiffness * s->length[k] - c->mobility * c->damping * s->length_rate[k],
-        c->mobility * (c->stiffness * c->free_length)));
-    s->momentum[k + 1] = series_reciprocal[k + 1] * (c->mobility * s->swing_torque[k]);
-    s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
-    s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_retract_calm(const real *constants, int order, real *series) {
-    const flight_retract_calm_constants copy = *(const flight_retract_calm_constants *)(const void
-        *)constants, *c = &copy;
-    flight_retract_calm_series *s = (void *)series;
-    static const flight_retract_calm_sums none;
-    flight_retract_calm_sums sum = none;
-    s->time[1] = broadcast(1.0);
-    s->com_x[1] = c->com_vx;
-    s->com_vy[1] = c->minus_gravity;
-    s->square[0] = s->length[0] * s->length[0];
-    const flight_retract_calm_factors factors = {1.0 / s->square[0]}, *by = &factors;
-    step_flight_retract_calm(c, by, 0, &sum, 0, s);
-    begin_flight_retract_calm_sums(s, 0, &sum);
-    step_flight_retract_calm(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_flight_retract_calm_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_flight_retract_calm_sums(s, i, j, &sum);
-        }
-        step_flight_retract_calm(c, by, k, &sum, 0, s);
-        add_flight_retract_calm_sums(s, 1, k, &sum);
-        step_flight_retract_calm(c, by, k + 1, &sum, 1, s);
-    }
-}
-
-/* First variation of the series. */
-static void vary_flight_retract_calm(const real *constants, const real *series, const real *d_constants,
-    int order, real *varied) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    const flight_retract_calm_constants *d = (const void *)d_constants;
-    flight_retract_calm_series *t = (void *)varied;
-    real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
-        length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
-        length_times_d_rate_times_rate[TERMS], length_rate_times_length_rate_2[TERMS],
-        d_swing_torque_times_rate[TERMS], swing_torque_times_d_rate[TERMS], d_square[TERMS],
-        d_rate_times_rate[TERMS], d_swing_torque[TERMS];
-    for (int k = 0; k < order; ++k) {
-        t->length[k + 1] = t->length_rate[k] * series_reciprocal[k + 1];
-        t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
-        length_times_length[k] = product(s->length, t->length, k);
-        d_square[k] = 2.0 * length_times_length[k];
-        rate_times_d_square[k] = product(s->rate, d_square, k);
-        d_rate[k] = (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square,
-            k)) / s->square[0];
-        length_times_rate_times_rate_2[k] = product(t->length, s->rate_times_rate, k);
-        rate_times_d_rate[k] = product(s->rate, d_rate, k);
-        d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
-        length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
-        d_swing_torque[k] = with_constant(k, -(d->kp * s->angle[k]) - c->kp * t->angle[k]
-            - d->kd * s->rate[k] - c->kd * d_rate[k], d->external_torque
-            - (-(d->kp * c->liftoff_factor_times_liftoff_angle)
-            - c->kp * d->liftoff_factor_times_liftoff_angle));
-        length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
-        d_swing_torque_times_rate[k] = product(d_swing_torque, s->rate, k);
-        swing_torque_times_d_rate[k] = product(s->swing_torque, d_rate, k);
-        t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
-        t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
-            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
-            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
-            - c->mobility * c->stiffness * t->length[k] - c->mobility * c->damping * t->length_rate[k],
-            d->mobility * (c->stiffness * c->free_length) + c->mobility * (d->stiffness * c->free_length
-            + c->stiffness * d->free_length)));
-        t->momentum[k + 1] = series_reciprocal[k + 1] * (d->mobility * s->swing_torque[k]
-            + c->mobility * d_swing_torque[k]);
-        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] * (d_swing_torque_times_rate[k]
-            + swing_torque_times_d_rate[k]);
-        t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
-        t->com_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->com_vx));
-        t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
-    }
-}
-
-/* First variation of power_of_hip. */
-static void d_observed_flight_retract_calm_power_of_hip(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_retract_calm_series *t = (const void *)d_series;
-    (void)constants, (void)series, (void)d_constants;
-    for (int k = 0; k < order; ++k) {
-        dg[k] = (double)(k + 1) * t->work[k + 1];
-    }
-}
-
-/* First variation of height_of_foot. */
-static void d_observed_flight_retract_calm_height_of_foot(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    const flight_retract_calm_constants *d = (const void *)d_constants;
-    const flight_retract_calm_series *t = (const void *)d_series;
-    real own_cos_of_angle[TERMS], own_sum_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
-        own_sin_of_angle_times_angle[TERMS], own_product_2[TERMS], own_sum_2[TERMS],
-        own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_sum_2[k] = d->share * s->length[k] + c->share * t->length[k];
-        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
-        own_sum_times_cos_of_angle[k] = product(own_sum_2, own_cos_of_angle, k);
-        own_share_times_length[k] = c->share * s->length[k];
-        own_sin_of_angle_times_angle[k] = product(own_sin_of_angle, t->angle, k);
-        own_product_2[k] = product(own_share_times_length, own_sin_of_angle_times_angle, k);
-        dg[k] = t->com_y[k] - own_sum_times_cos_of_angle[k] + own_product_2[k];
-    }
-}
-
-/* First variation of square_of_torque. */
-static void d_observed_flight_retract_calm_square_of_torque(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    const flight_retract_calm_constants *d = (const void *)d_constants;
-    const flight_retract_calm_series *t = (const void *)d_series;
-    real own_length_times_length[TERMS], own_rate_times_d_square[TERMS], own_d_rate[TERMS],
-        own_swing_torque_times_d_swing_torque[TERMS], own_d_square[TERMS], own_d_swing_torque[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_length_times_length[k] = product(s->length, t->length, k);
-        own_d_square[k] = 2.0 * own_length_times_length[k];
-        own_rate_times_d_square[k] = product(s->rate, own_d_square, k);
-        own_d_rate[k] = (t->momentum[k] - own_rate_times_d_square[k] - product_so_far(own_d_rate, s->square,
-            k)) / s->square[0];
-        own_d_swing_torque[k] = with_constant(k, -(d->kp * s->angle[k]) - c->kp * t->angle[k]
-            - d->kd * s->rate[k] - c->kd * own_d_rate[k], d->external_torque
-            - (-(d->kp * c->liftoff_factor_times_liftoff_angle)
-            - c->kp * d->liftoff_factor_times_liftoff_angle));
-        own_swing_torque_times_d_swing_torque[k] = product(s->swing_torque, own_d_swing_torque, k);
-        dg[k] = 2.0 * own_swing_torque_times_d_swing_torque[k];
-    }
-}
-
-/* falls: The body reaches the ground. */
-static void guard_flight_retract_calm_falls(const real *constants, const real *series, int order, real *g) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    real own_cos_of_angle[TERMS], own_product_2[TERMS], own_sin_of_angle[TERMS],
-        own_by_1_minus_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
-        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
-        own_product_2[k] = product(own_by_1_minus_share_times_length, own_cos_of_angle, k);
-        g[k] = s->com_y[k] + own_product_2[k];
-    }
-}
-
-/* collapses: The leg is shorter than leg.min_length. */
-static void guard_flight_retract_calm_collapses(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, s->length[k], -c->least_length);
-    }
-}
-
-/* apex: A stride closes and place begins. An external force can cause further apices in place. */
-static void guard_flight_retract_calm_apex(const real *constants, const real *series, int order, real *g) {
-    const flight_retract_calm_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->com_y[k + 1];
-    }
-}
-
-/* touchdown: The foot reaches the ground. */
-static void guard_flight_retract_calm_touchdown(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    real own_cos_of_angle[TERMS], own_share_times_length_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
-        own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
-        own_share_times_length_times_cos_of_angle[k] = product(own_share_times_length, own_cos_of_angle, k);
-        g[k] = s->com_y[k] - own_share_times_length_times_cos_of_angle[k];
-    }
-}
-
-/* clamp: The clamp of (12) holds the retracting torque at 0. */
-static void guard_flight_retract_calm_clamp(const real *constants, const real *series, int order, real *g) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, -(c->kp * s->angle[k]) - c->kd * s->rate[k],
-            c->kp * c->liftoff_factor_times_liftoff_angle);
-    }
-}
-
-/* power_of_hip: Power of the total hip torque. */
-static void guard_flight_retract_calm_power_of_hip(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_calm_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->work[k + 1];
-    }
-}
-
-/* height_of_foot: Height of the foot above the ground vertically below. */
-static void guard_flight_retract_calm_height_of_foot(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    real own_cos_of_angle[TERMS], own_share_times_length_times_cos_of_angle[TERMS], own_sin_of_angle[TERMS],
-        own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
-        own_share_times_length_times_cos_of_angle[k] = product(own_share_times_length, own_cos_of_angle, k);
-        g[k] = s->com_y[k] - own_share_times_length_times_cos_of_angle[k];
-    }
-}
-
-/* square_of_torque: Square of the total hip torque. */
-static void guard_flight_retract_calm_square_of_torque(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_calm_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = product(s->swing_torque, s->swing_torque, k);
-    }
-}
-
-/* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_retract_calm(const real *constants, const real *series, const real *power,
-    int order, uint64_t watched, interval *bounds) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    const interval span_0 = interval_of_series(s->angle, power, order);
-    const interval span_1 = interval_of_series(s->com_y, power, 3);
-    const interval span_2 = interval_at(c->by_1_minus_share, c->by_1_minus_share);
-    const interval span_3 = interval_of_series(s->length, power, order);
-    const interval span_4 = interval_product(span_2, span_3);
-    const interval span_5 = interval_of_turn(s->angle[0], span_0, false);
-    const interval span_6 = interval_product(span_4, span_5);
-    const interval span_7 = interval_sum(span_1, span_6);
-    bounds[0] = span_7;
-    const interval span_8 = interval_at(c->least_length, c->least_length);
-    const interval span_9 = interval_difference(span_3, span_8);
-    bounds[1] = span_9;
-    const interval span_10 = interval_of_rate(s->com_y, power, 2);
-    bounds[2] = span_10;
-    const interval span_11 = interval_at(c->share, c->share);
-    const interval span_12 = interval_product(span_11, span_3);
-    const interval span_13 = interval_product(span_12, span_5);
-    const interval span_14 = interval_difference(span_1, span_13);
-    bounds[3] = span_14;
-    if (watched >> 4 & 1) {
-        const interval span_15 = interval_at(c->kp, c->kp);
-        const interval span_16 = interval_at(c->liftoff_factor_times_liftoff_angle,
-            c->liftoff_factor_times_liftoff_angle);
-        const interval span_17 = interval_difference(span_0, span_16);
-        const interval span_18 = interval_product(span_15, span_17);
-        const interval span_19 = interval_at(-span_18.high, -span_18.low);
-        const interval span_20 = interval_at(c->kd, c->kd);
-        const interval span_21 = interval_of_series(s->rate, power, order);
-        const interval span_22 = interval_product(span_20, span_21);
-        const interval span_23 = interval_difference(span_19, span_22);
-        bounds[4] = span_23;
-    }
-    if (watched >> 6 & 1) {
-        bounds[6] = span_14;
-    }
-    if (watched >> 7 & 1) {
-        const interval span_15 = interval_of_series(s->swing_torque, power, order);
-        const interval span_16 = interval_product(span_15, span_15);
-        bounds[7] = span_16;
+        bounds[8] = span_15;
     }
 }
 
@@ -1887,7 +1281,7 @@ static void vary_fallen(const real *constants, const real *series, const real *d
     (void)constants, (void)series, (void)d_constants, (void)order, (void)varied;
 }
 
-/* ---- graze_place */
+/* ---- graze */
 
 /* The foot touches the ground without force, under the torque tau_eq between both hip laws. */
 typedef struct {
@@ -1897,20 +1291,20 @@ typedef struct {
         axial_times_y_[TERMS], axial_times_y__plus_off_over_x_[TERMS], product_2[TERMS],
         length_rate_times_length_rate[TERMS], product_3[TERMS], x__times_vy[TERMS], y__times_vx[TERMS],
         angle_rate[TERMS], product_3_times_angle_rate[TERMS];
-} graze_place_series;
+} graze_series;
 
 typedef struct {
     pair x__times_x_, y__times_y_, length, axial, axial_times_x_, axial_times_y_,
         axial_times_y__plus_off_over_x_, product_2, length_rate_times_length_rate, product_3, y__times_vx,
         angle_rate, product_3_times_angle_rate;
-} graze_place_sums;
+} graze_sums;
 
 typedef struct {
     real inverse_length, inverse_x_, inverse_square;
-} graze_place_factors;
+} graze_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_graze_place_sums(const graze_place_series *s, int i, int j, graze_place_sums *sum) {
+KERNEL void add_graze_sums(const graze_series *s, int i, int j, graze_sums *sum) {
     add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
     add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
     add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
@@ -1927,7 +1321,7 @@ KERNEL void add_graze_place_sums(const graze_place_series *s, int i, int j, graz
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_graze_place_sums(const graze_place_series *s, int i, graze_place_sums *sum) {
+KERNEL void begin_graze_sums(const graze_series *s, int i, graze_sums *sum) {
     sum->x__times_x_ = next_middle_of_square(s->x_, i);
     sum->y__times_y_ = next_middle_of_square(s->y_, i);
     sum->length = next_middle_of_square(s->length, i);
@@ -1944,8 +1338,8 @@ KERNEL void begin_graze_place_sums(const graze_place_series *s, int i, graze_pla
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_graze_place(const graze_place_constants *c, const graze_place_factors *by, int k,
-    const graze_place_sums *sum, int odd, graze_place_series *s) {
+KERNEL void step_graze(const graze_constants *c, const graze_factors *by, int k, const graze_sums *sum,
+    int odd, graze_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
     s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     s->foot_x[k + 1] = s->foot_vx[k] * series_reciprocal[k + 1];
@@ -2001,42 +1395,41 @@ KERNEL void step_graze_place(const graze_place_constants *c, const graze_place_f
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_graze_place(const real *constants, int order, real *series) {
-    const graze_place_constants copy = *(const graze_place_constants *)(const void *)constants, *c = &copy;
-    graze_place_series *s = (void *)series;
-    static const graze_place_sums none;
-    graze_place_sums sum = none;
+static void expand_graze(const real *constants, int order, real *series) {
+    const graze_constants copy = *(const graze_constants *)(const void *)constants, *c = &copy;
+    graze_series *s = (void *)series;
+    static const graze_sums none;
+    graze_sums sum = none;
     s->time[1] = broadcast(1.0);
     s->vy[1] = c->minus_off_over_body_mass_minus_gravity;
-    s->placing[1] = broadcast(1.0);
+    s->placing[1] = c->is_placing;
     s->seen_angle[0] = real_atan2(-s->x_[0], s->y_[0]);
     s->x__times_x_[0] = s->x_[0] * s->x_[0];
     s->y__times_y_[0] = s->y_[0] * s->y_[0];
     s->square[0] = s->x__times_x_[0] + s->y__times_y_[0];
     s->length[0] = real_sqrt(s->square[0]);
-    const graze_place_factors factors = {1.0 / s->length[0], 1.0 / s->x_[0], 1.0 / s->square[0]},
-        *by = &factors;
-    step_graze_place(c, by, 0, &sum, 0, s);
-    begin_graze_place_sums(s, 0, &sum);
-    step_graze_place(c, by, 1, &sum, 1, s);
+    const graze_factors factors = {1.0 / s->length[0], 1.0 / s->x_[0], 1.0 / s->square[0]}, *by = &factors;
+    step_graze(c, by, 0, &sum, 0, s);
+    begin_graze_sums(s, 0, &sum);
+    step_graze(c, by, 1, &sum, 1, s);
     for (int k = 2; k < order; k += 2) {
-        begin_graze_place_sums(s, k / 2, &sum);
+        begin_graze_sums(s, k / 2, &sum);
         for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_graze_place_sums(s, i, j, &sum);
+            add_graze_sums(s, i, j, &sum);
         }
-        step_graze_place(c, by, k, &sum, 0, s);
-        add_graze_place_sums(s, 1, k, &sum);
-        step_graze_place(c, by, k + 1, &sum, 1, s);
+        step_graze(c, by, k, &sum, 0, s);
+        add_graze_sums(s, 1, k, &sum);
+        step_graze(c, by, k + 1, &sum, 1, s);
     }
 }
 
 /* First variation of the series. */
-static void vary_graze_place(const real *constants, const real *series, const real *d_constants, int order,
+static void vary_graze(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    const graze_place_constants *c = (const void *)constants;
-    const graze_place_series *s = (const void *)series;
-    const graze_place_constants *d = (const void *)d_constants;
-    graze_place_series *t = (void *)varied;
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
+    const graze_constants *d = (const void *)d_constants;
+    graze_series *t = (void *)varied;
     real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
         axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
         d_axial_times_y_[TERMS], axial_times_y__2[TERMS], product_4[TERMS],
@@ -2103,15 +1496,15 @@ static void vary_graze_place(const real *constants, const real *series, const re
             - product_3_times_d_angle_rate[k]);
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_off_over_body_mass_minus_gravity));
-        t->placing[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
+        t->placing[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->is_placing));
         t->seen_angle[k + 1] = series_reciprocal[k + 1] * (d_angle_rate[k]);
     }
 }
 
 /* First variation of power_of_hip. */
-static void d_observed_graze_place_power_of_hip(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const graze_place_series *t = (const void *)d_series;
+static void d_observed_graze_power_of_hip(const real *constants, const real *series, const real *d_constants,
+    const real *d_series, int order, real *dg) {
+    const graze_series *t = (const void *)d_series;
     (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
         dg[k] = (double)(k + 1) * t->work[k + 1];
@@ -2119,12 +1512,12 @@ static void d_observed_graze_place_power_of_hip(const real *constants, const rea
 }
 
 /* First variation of square_of_torque. */
-static void d_observed_graze_place_square_of_torque(const real *constants, const real *series,
+static void d_observed_graze_square_of_torque(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    const graze_place_constants *c = (const void *)constants;
-    const graze_place_series *s = (const void *)series;
-    const graze_place_constants *d = (const void *)d_constants;
-    const graze_place_series *t = (const void *)d_series;
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
+    const graze_constants *d = (const void *)d_constants;
+    const graze_series *t = (const void *)d_series;
     real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
         own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
         own_axial_times_y__2[TERMS], own_product_4[TERMS], own_d_axial_times_y__plus_off_over_x_[TERMS],
@@ -2161,8 +1554,8 @@ static void d_observed_graze_place_square_of_torque(const real *constants, const
 }
 
 /* falls: The body reaches the ground. */
-static void guard_graze_place_falls(const real *constants, const real *series, int order, real *g) {
-    const graze_place_series *s = (const void *)series;
+static void guard_graze_falls(const real *constants, const real *series, int order, real *g) {
+    const graze_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->y_[k];
@@ -2170,398 +1563,37 @@ static void guard_graze_place_falls(const real *constants, const real *series, i
 }
 
 /* collapses: The leg is shorter than leg.min_length. */
-static void guard_graze_place_collapses(const real *constants, const real *series, int order, real *g) {
-    const graze_place_constants *c = (const void *)constants;
-    const graze_place_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, s->length[k], -c->least_length);
-    }
-}
-
-/* mid_stance: Drive ends where the leg is upright, once per stance. */
-static void guard_graze_place_mid_stance(const real *constants, const real *series, int order, real *g) {
-    const graze_place_constants *c = (const void *)constants;
-    const graze_place_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, s->seen_angle[k], c->winding);
-    }
-}
-
-/* graze_to_contact: The stance law presses the foot on the ground again. */
-static void guard_graze_place_graze_to_contact(const real *constants, const real *series, int order,
-    real *g) {
-    const graze_place_constants *c = (const void *)constants;
-    const graze_place_series *s = (const void *)series;
-    real own_turning[TERMS], own_turning_times_x_[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_turning[k] = (constant_of(k, c->stance_torque) - product_so_far(own_turning, s->square,
-            k)) / s->square[0];
-        own_turning_times_x_[k] = product(own_turning, s->x_, k);
-        g[k] = with_constant(k, -s->axial_times_y_[k] - own_turning_times_x_[k], -c->off);
-    }
-}
-
-/* graze_to_flight: The flight law lifts the foot. */
-static void guard_graze_place_graze_to_flight(const real *constants, const real *series, int order, real *g) {
-    const graze_place_constants *c = (const void *)constants;
-    const graze_place_series *s = (const void *)series;
-    real own_swing_torque_over_square[TERMS], own_swing_torque_over_square_times_x_[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_swing_torque_over_square[k] = (with_constant(k, -(c->kp * s->seen_angle[k])
-            - c->kd * s->angle_rate[k], c->external_torque - c->kp * (c->winding - c->touchdown_angle))
-            - product_so_far(own_swing_torque_over_square, s->square, k)) / s->square[0];
-        own_swing_torque_over_square_times_x_[k] = product(own_swing_torque_over_square, s->x_, k);
-        g[k] = with_constant(k, s->axial_times_y_[k] + own_swing_torque_over_square_times_x_[k], c->off);
-    }
-}
-
-/* power_of_hip: Power of the total hip torque. */
-static void guard_graze_place_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    const graze_place_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->work[k + 1];
-    }
-}
-
-/* square_of_torque: Square of the total hip torque. */
-static void guard_graze_place_square_of_torque(const real *constants, const real *series, int order,
-    real *g) {
-    const graze_place_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = product(s->product_3, s->product_3, k);
-    }
-}
-
-/* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_graze_place(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
-    const graze_place_constants *c = (const void *)constants;
-    const graze_place_series *s = (const void *)series;
-    const interval span_0 = interval_of_series(s->y_, power, 3);
-    bounds[0] = span_0;
-    const interval span_1 = interval_of_series(s->length, power, order);
-    const interval span_2 = interval_at(c->least_length, c->least_length);
-    const interval span_3 = interval_difference(span_1, span_2);
-    bounds[1] = span_3;
-    bounds[3] = unbounded();
-    bounds[4] = unbounded();
-    if (watched >> 2 & 1) {
-        const interval span_4 = interval_of_series(s->seen_angle, power, order);
-        const interval span_5 = interval_at(c->winding, c->winding);
-        const interval span_6 = interval_sum(span_4, span_5);
-        bounds[2] = span_6;
-    }
-    if (watched >> 6 & 1) {
-        const interval span_4 = interval_of_series(s->product_3, power, order);
-        const interval span_5 = interval_product(span_4, span_4);
-        bounds[6] = span_5;
-    }
-}
-
-/* ---- graze_rest */
-
-/* The foot touches the ground without force, under the torque tau_eq between both hip laws. */
-typedef struct {
-    real x_[TERMS], y_[TERMS], vx[TERMS], foot_x[TERMS], foot_vx[TERMS], damper_loss[TERMS], work[TERMS],
-        time[TERMS], vy[TERMS], seen_angle[TERMS], x__times_x_[TERMS], y__times_y_[TERMS], square[TERMS],
-        length[TERMS], length_rate[TERMS], axial[TERMS], axial_times_x_[TERMS], axial_times_y_[TERMS],
-        axial_times_y__plus_off_over_x_[TERMS], product_2[TERMS], length_rate_times_length_rate[TERMS],
-        product_3[TERMS], x__times_vy[TERMS], y__times_vx[TERMS], angle_rate[TERMS],
-        product_3_times_angle_rate[TERMS];
-} graze_rest_series;
-
-typedef struct {
-    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, axial_times_y_,
-        axial_times_y__plus_off_over_x_, product_2, length_rate_times_length_rate, product_3, y__times_vx,
-        angle_rate, product_3_times_angle_rate;
-} graze_rest_sums;
-
-typedef struct {
-    real inverse_length, inverse_x_, inverse_square;
-} graze_rest_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_graze_rest_sums(const graze_rest_series *s, int i, int j, graze_rest_sums *sum) {
-    add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
-    add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
-    add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_both_products(&sum->axial, s->axial, s->length, i, j);
-    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
-    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
-    add_both_products(&sum->axial_times_y__plus_off_over_x_, s->axial_times_y__plus_off_over_x_, s->x_, i, j);
-    add_both_products(&sum->product_2, s->axial_times_y__plus_off_over_x_, s->y_, i, j);
-    add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_both_products(&sum->product_3, s->axial_times_y__plus_off_over_x_, s->square, i, j);
-    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
-    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
-    add_both_products(&sum->product_3_times_angle_rate, s->product_3, s->angle_rate, i, j);
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_graze_rest_sums(const graze_rest_series *s, int i, graze_rest_sums *sum) {
-    sum->x__times_x_ = next_middle_of_square(s->x_, i);
-    sum->y__times_y_ = next_middle_of_square(s->y_, i);
-    sum->length = next_middle_of_square(s->length, i);
-    sum->axial = middle_of_product(s->axial, s->length, i);
-    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
-    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
-    sum->axial_times_y__plus_off_over_x_ = middle_of_product(s->axial_times_y__plus_off_over_x_, s->x_, i);
-    sum->product_2 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->y_, i);
-    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
-    sum->product_3 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->square, i);
-    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
-    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
-    sum->product_3_times_angle_rate = middle_of_product(s->product_3, s->angle_rate, i);
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_graze_rest(const graze_rest_constants *c, const graze_rest_factors *by, int k,
-    const graze_rest_sums *sum, int odd, graze_rest_series *s) {
-    s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
-    s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
-    s->foot_x[k + 1] = s->foot_vx[k] * series_reciprocal[k + 1];
-    /* x__times_x_ = x_ * x_ */
-    s->x__times_x_[k + 1] = square_of(k + 1, part_of(sum->x__times_x_, odd), s->x_);
-    /* y__times_y_ = y_ * y_ */
-    s->y__times_y_[k + 1] = square_of(k + 1, part_of(sum->y__times_y_, odd), s->y_);
-    /* square = x__times_x_ + y__times_y_ */
-    s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
-    /* length = real_sqrt(square) */
-    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
-        by->inverse_length);
-    /* length_rate = real_rate(length) */
-    s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
-    /* axial = (c->stiffness * (c->free_length - length) - c->damping * length_rate) / length */
-    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, -(c->stiffness * s->length[k])
-        - c->damping * s->length_rate[k], c->stiffness * c->free_length), s->axial, s->length,
-        by->inverse_length);
-    /* axial_times_x_ = axial * x_ */
-    s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
-    /* axial_times_y_ = axial * y_ */
-    s->axial_times_y_[k] = product_of(k, part_of(sum->axial_times_y_, odd), s->axial, s->y_);
-    /* axial_times_y__plus_off_over_x_ = (axial_times_y_ + c->off) / x_ */
-    s->axial_times_y__plus_off_over_x_[k] = quotient_of(k, part_of(sum->axial_times_y__plus_off_over_x_, odd),
-        with_constant(k, s->axial_times_y_[k], c->off), s->axial_times_y__plus_off_over_x_, s->x_,
-        by->inverse_x_);
-    /* product_2 = axial_times_y__plus_off_over_x_ * y_ */
-    s->product_2[k] = product_of(k, part_of(sum->product_2, odd), s->axial_times_y__plus_off_over_x_, s->y_);
-    /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
-        s->length_rate);
-    /* product_3 = axial_times_y__plus_off_over_x_ * square */
-    s->product_3[k] = product_of(k, part_of(sum->product_3, odd), s->axial_times_y__plus_off_over_x_,
-        s->square);
-    /* x__times_vy = x_ * vy */
-    s->x__times_vy[k] = drift_times(k, s->vy[0], s->vy[1], s->x_);
-    /* y__times_vx = y_ * vx */
-    s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
-    /* angle_rate = (x__times_vy - y__times_vx) / square */
-    s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-        s->angle_rate, s->square, by->inverse_square);
-    /* product_3_times_angle_rate = product_3 * angle_rate */
-    s->product_3_times_angle_rate[k] = product_of(k, part_of(sum->product_3_times_angle_rate, odd),
-        s->product_3, s->angle_rate);
-    s->vx[k + 1] = series_reciprocal[k + 1] * ((c->inverse_body_mass
-        + c->inverse_foot_mass) * s->axial_times_x_[k] + (c->inverse_body_mass
-        + c->inverse_foot_mass) * s->product_2[k]);
-    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (-(c->inverse_foot_mass * s->axial_times_x_[k])
-        - c->inverse_foot_mass * s->product_2[k]);
-    s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
-    s->work[k + 1] = series_reciprocal[k + 1] * (-s->product_3_times_angle_rate[k]);
-    s->seen_angle[k + 1] = series_reciprocal[k + 1] * (s->angle_rate[k]);
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_graze_rest(const real *constants, int order, real *series) {
-    const graze_rest_constants copy = *(const graze_rest_constants *)(const void *)constants, *c = &copy;
-    graze_rest_series *s = (void *)series;
-    static const graze_rest_sums none;
-    graze_rest_sums sum = none;
-    s->time[1] = broadcast(1.0);
-    s->vy[1] = c->minus_off_over_body_mass_minus_gravity;
-    s->seen_angle[0] = real_atan2(-s->x_[0], s->y_[0]);
-    s->x__times_x_[0] = s->x_[0] * s->x_[0];
-    s->y__times_y_[0] = s->y_[0] * s->y_[0];
-    s->square[0] = s->x__times_x_[0] + s->y__times_y_[0];
-    s->length[0] = real_sqrt(s->square[0]);
-    const graze_rest_factors factors = {1.0 / s->length[0], 1.0 / s->x_[0], 1.0 / s->square[0]},
-        *by = &factors;
-    step_graze_rest(c, by, 0, &sum, 0, s);
-    begin_graze_rest_sums(s, 0, &sum);
-    step_graze_rest(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_graze_rest_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_graze_rest_sums(s, i, j, &sum);
-        }
-        step_graze_rest(c, by, k, &sum, 0, s);
-        add_graze_rest_sums(s, 1, k, &sum);
-        step_graze_rest(c, by, k + 1, &sum, 1, s);
-    }
-}
-
-/* First variation of the series. */
-static void vary_graze_rest(const real *constants, const real *series, const real *d_constants, int order,
-    real *varied) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
-    const graze_rest_constants *d = (const void *)d_constants;
-    graze_rest_series *t = (void *)varied;
-    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
-        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
-        d_axial_times_y_[TERMS], axial_times_y__2[TERMS], product_4[TERMS],
-        d_axial_times_y__plus_off_over_x_[TERMS], product_5[TERMS], product_6[TERMS],
-        length_rate_times_d_length_rate[TERMS], product_7[TERMS], product_8[TERMS],
-        d_product_3_times_angle_rate[TERMS], x__times_vy_2[TERMS], x__times_vy_3[TERMS], y__times_vx_2[TERMS],
-        y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS], d_angle_rate[TERMS],
-        product_3_times_d_angle_rate[TERMS], d_square[TERMS], d_product_3[TERMS];
-    t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
-    x__times_x__2[0] = product(s->x_, t->x_, 0);
-    y__times_y__2[0] = product(s->y_, t->y_, 0);
-    d_square[0] = 2.0 * x__times_x__2[0] + 2.0 * y__times_y__2[0];
-    d_length[0] = (0.5 * d_square[0]) / s->length[0];
-    for (int k = 0; k < order; ++k) {
-        t->x_[k + 1] = t->vx[k] * series_reciprocal[k + 1];
-        t->y_[k + 1] = t->vy[k] * series_reciprocal[k + 1];
-        t->foot_x[k + 1] = t->foot_vx[k] * series_reciprocal[k + 1];
-        x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
-        y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
-        d_square[k + 1] = 2.0 * x__times_x__2[k + 1] + 2.0 * y__times_y__2[k + 1];
-        d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
-        d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
-        axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
-            d->stiffness * c->free_length + c->stiffness * d->free_length) - product_so_far(d_axial,
-            s->length, k)) / s->length[0];
-        d_axial_times_x_[k] = product(d_axial, s->x_, k);
-        axial_times_x__2[k] = product(s->axial, t->x_, k);
-        d_axial_times_y_[k] = product(d_axial, s->y_, k);
-        axial_times_y__2[k] = product(s->axial, t->y_, k);
-        product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
-        d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k]
-            - product_4[k], d->off) - product_so_far(d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
-        product_5[k] = product(d_axial_times_y__plus_off_over_x_, s->y_, k);
-        product_6[k] = product(s->axial_times_y__plus_off_over_x_, t->y_, k);
-        length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
-        product_7[k] = product(d_axial_times_y__plus_off_over_x_, s->square, k);
-        product_8[k] = product(s->axial_times_y__plus_off_over_x_, d_square, k);
-        d_product_3[k] = product_7[k] + product_8[k];
-        d_product_3_times_angle_rate[k] = product(d_product_3, s->angle_rate, k);
-        x__times_vy_2[k] = drift_times(k, s->vy[0], s->vy[1], t->x_);
-        x__times_vy_3[k] = product(s->x_, t->vy, k);
-        y__times_vx_2[k] = product(t->y_, s->vx, k);
-        y__times_vx_3[k] = product(s->y_, t->vx, k);
-        angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
-            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
-        product_3_times_d_angle_rate[k] = product(s->product_3, d_angle_rate, k);
-        t->vx[k + 1] = series_reciprocal[k + 1] * ((d->inverse_body_mass
-            + d->inverse_foot_mass) * s->axial_times_x_[k] + (d->inverse_body_mass
-            + d->inverse_foot_mass) * s->product_2[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * axial_times_x__2[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * product_5[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * product_6[k]);
-        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (-(d->inverse_foot_mass * s->axial_times_x_[k])
-            - d->inverse_foot_mass * s->product_2[k] - c->inverse_foot_mass * d_axial_times_x_[k]
-            - c->inverse_foot_mass * axial_times_x__2[k] - c->inverse_foot_mass * product_5[k]
-            - c->inverse_foot_mass * product_6[k]);
-        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k]
-            - product_3_times_d_angle_rate[k]);
-        t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
-        t->vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_off_over_body_mass_minus_gravity));
-        t->seen_angle[k + 1] = series_reciprocal[k + 1] * (d_angle_rate[k]);
-    }
-}
-
-/* First variation of power_of_hip. */
-static void d_observed_graze_rest_power_of_hip(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const graze_rest_series *t = (const void *)d_series;
-    (void)constants, (void)series, (void)d_constants;
-    for (int k = 0; k < order; ++k) {
-        dg[k] = (double)(k + 1) * t->work[k + 1];
-    }
-}
-
-/* First variation of square_of_torque. */
-static void d_observed_graze_rest_square_of_torque(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
-    const graze_rest_constants *d = (const void *)d_constants;
-    const graze_rest_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
-        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
-        own_axial_times_y__2[TERMS], own_product_4[TERMS], own_d_axial_times_y__plus_off_over_x_[TERMS],
-        own_product_7[TERMS], own_product_8[TERMS], own_product_3_times_d_product_3[TERMS],
-        own_d_square[TERMS], own_d_product_3[TERMS];
-    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
-    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
-    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
-    own_d_length[0] = (0.5 * own_d_square[0]) / s->length[0];
-    for (int k = 0; k < order; ++k) {
-        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
-        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
-        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
-        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
-            + 1)) / s->length[0];
-        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
-        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
-            - own_axial_times_d_length[k], d->stiffness * c->free_length + c->stiffness * d->free_length)
-            - product_so_far(own_d_axial, s->length, k)) / s->length[0];
-        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
-        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
-        own_product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
-        own_d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, own_d_axial_times_y_[k]
-            + own_axial_times_y__2[k] - own_product_4[k], d->off)
-            - product_so_far(own_d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
-        own_product_7[k] = product(own_d_axial_times_y__plus_off_over_x_, s->square, k);
-        own_product_8[k] = product(s->axial_times_y__plus_off_over_x_, own_d_square, k);
-        own_d_product_3[k] = own_product_7[k] + own_product_8[k];
-        own_product_3_times_d_product_3[k] = product(s->product_3, own_d_product_3, k);
-        dg[k] = 2.0 * own_product_3_times_d_product_3[k];
-    }
-}
-
-/* falls: The body reaches the ground. */
-static void guard_graze_rest_falls(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = s->y_[k];
-    }
-}
-
-/* collapses: The leg is shorter than leg.min_length. */
-static void guard_graze_rest_collapses(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
+static void guard_graze_collapses(const real *constants, const real *series, int order, real *g) {
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, s->length[k], -c->least_length);
     }
 }
 
 /* apex_in_graze: Place begins. No stride closes, because the foot is on the ground. */
-static void guard_graze_rest_apex_in_graze(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
+static void guard_graze_apex_in_graze(const real *constants, const real *series, int order, real *g) {
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = c->share * s->vy[k];
     }
 }
 
+/* clamp: The clamp of (12) holds the retracting torque at 0. */
+static void guard_graze_clamp(const real *constants, const real *series, int order, real *g) {
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = with_constant(k, -(c->kp * s->seen_angle[k]) - c->kd * s->angle_rate[k],
+            -(c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle)));
+    }
+}
+
 /* release: The clamp of (12) releases the retracting torque. */
-static void guard_graze_rest_release(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
+static void guard_graze_release(const real *constants, const real *series, int order, real *g) {
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, c->kp * s->seen_angle[k] + c->kd * s->angle_rate[k], c->kp * (c->winding
             - c->liftoff_factor_times_liftoff_angle));
@@ -2569,18 +1601,18 @@ static void guard_graze_rest_release(const real *constants, const real *series, 
 }
 
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
-static void guard_graze_rest_mid_stance(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
+static void guard_graze_mid_stance(const real *constants, const real *series, int order, real *g) {
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, s->seen_angle[k], c->winding);
     }
 }
 
 /* graze_to_contact: The stance law presses the foot on the ground again. */
-static void guard_graze_rest_graze_to_contact(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
+static void guard_graze_graze_to_contact(const real *constants, const real *series, int order, real *g) {
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
     real own_turning[TERMS], own_turning_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
         own_turning[k] = (constant_of(k, c->stance_torque) - product_so_far(own_turning, s->square,
@@ -2591,429 +1623,23 @@ static void guard_graze_rest_graze_to_contact(const real *constants, const real 
 }
 
 /* graze_to_flight: The flight law lifts the foot. */
-static void guard_graze_rest_graze_to_flight(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
-    real own_external_torque_over_square[TERMS], own_external_torque_over_square_times_x_[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_external_torque_over_square[k] = (constant_of(k, c->external_torque)
-            - product_so_far(own_external_torque_over_square, s->square, k)) / s->square[0];
-        own_external_torque_over_square_times_x_[k] = product(own_external_torque_over_square, s->x_, k);
-        g[k] = with_constant(k, s->axial_times_y_[k] + own_external_torque_over_square_times_x_[k], c->off);
-    }
-}
-
-/* power_of_hip: Power of the total hip torque. */
-static void guard_graze_rest_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->work[k + 1];
-    }
-}
-
-/* square_of_torque: Square of the total hip torque. */
-static void guard_graze_rest_square_of_torque(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = product(s->product_3, s->product_3, k);
-    }
-}
-
-/* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_graze_rest(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
-    const interval span_0 = interval_of_series(s->y_, power, 3);
-    bounds[0] = span_0;
-    const interval span_1 = interval_of_series(s->length, power, order);
-    const interval span_2 = interval_at(c->least_length, c->least_length);
-    const interval span_3 = interval_difference(span_1, span_2);
-    bounds[1] = span_3;
-    const interval span_4 = interval_at(c->share, c->share);
-    const interval span_5 = interval_of_series(s->vy, power, 2);
-    const interval span_6 = interval_product(span_4, span_5);
-    bounds[2] = span_6;
-    const interval span_7 = interval_at(c->kp, c->kp);
-    const interval span_8 = interval_of_series(s->seen_angle, power, order);
-    const interval span_9 = interval_at(c->winding, c->winding);
-    const interval span_10 = interval_sum(span_8, span_9);
-    const interval span_11 = interval_at(c->liftoff_factor_times_liftoff_angle,
-        c->liftoff_factor_times_liftoff_angle);
-    const interval span_12 = interval_difference(span_10, span_11);
-    const interval span_13 = interval_product(span_7, span_12);
-    const interval span_14 = interval_at(-span_13.high, -span_13.low);
-    const interval span_15 = interval_at(c->kd, c->kd);
-    const interval span_16 = interval_of_series(s->angle_rate, power, order);
-    const interval span_17 = interval_product(span_15, span_16);
-    const interval span_18 = interval_difference(span_14, span_17);
-    const interval span_19 = interval_at(-span_18.high, -span_18.low);
-    bounds[3] = span_19;
-    bounds[5] = unbounded();
-    bounds[6] = unbounded();
-    if (watched >> 4 & 1) {
-        bounds[4] = span_10;
-    }
-    if (watched >> 8 & 1) {
-        const interval span_20 = interval_of_series(s->product_3, power, order);
-        const interval span_21 = interval_product(span_20, span_20);
-        bounds[8] = span_21;
-    }
-}
-
-/* ---- graze_retract */
-
-/* The foot touches the ground without force, under the torque tau_eq between both hip laws. */
-typedef struct {
-    real x_[TERMS], y_[TERMS], vx[TERMS], foot_x[TERMS], foot_vx[TERMS], damper_loss[TERMS], work[TERMS],
-        time[TERMS], vy[TERMS], seen_angle[TERMS], x__times_x_[TERMS], y__times_y_[TERMS], square[TERMS],
-        length[TERMS], length_rate[TERMS], axial[TERMS], axial_times_x_[TERMS], axial_times_y_[TERMS],
-        axial_times_y__plus_off_over_x_[TERMS], product_2[TERMS], length_rate_times_length_rate[TERMS],
-        product_3[TERMS], x__times_vy[TERMS], y__times_vx[TERMS], angle_rate[TERMS],
-        product_3_times_angle_rate[TERMS];
-} graze_retract_series;
-
-typedef struct {
-    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, axial_times_y_,
-        axial_times_y__plus_off_over_x_, product_2, length_rate_times_length_rate, product_3, y__times_vx,
-        angle_rate, product_3_times_angle_rate;
-} graze_retract_sums;
-
-typedef struct {
-    real inverse_length, inverse_x_, inverse_square;
-} graze_retract_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_graze_retract_sums(const graze_retract_series *s, int i, int j, graze_retract_sums *sum) {
-    add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
-    add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
-    add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_both_products(&sum->axial, s->axial, s->length, i, j);
-    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
-    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
-    add_both_products(&sum->axial_times_y__plus_off_over_x_, s->axial_times_y__plus_off_over_x_, s->x_, i, j);
-    add_both_products(&sum->product_2, s->axial_times_y__plus_off_over_x_, s->y_, i, j);
-    add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_both_products(&sum->product_3, s->axial_times_y__plus_off_over_x_, s->square, i, j);
-    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
-    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
-    add_both_products(&sum->product_3_times_angle_rate, s->product_3, s->angle_rate, i, j);
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_graze_retract_sums(const graze_retract_series *s, int i, graze_retract_sums *sum) {
-    sum->x__times_x_ = next_middle_of_square(s->x_, i);
-    sum->y__times_y_ = next_middle_of_square(s->y_, i);
-    sum->length = next_middle_of_square(s->length, i);
-    sum->axial = middle_of_product(s->axial, s->length, i);
-    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
-    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
-    sum->axial_times_y__plus_off_over_x_ = middle_of_product(s->axial_times_y__plus_off_over_x_, s->x_, i);
-    sum->product_2 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->y_, i);
-    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
-    sum->product_3 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->square, i);
-    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
-    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
-    sum->product_3_times_angle_rate = middle_of_product(s->product_3, s->angle_rate, i);
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_graze_retract(const graze_retract_constants *c, const graze_retract_factors *by, int k,
-    const graze_retract_sums *sum, int odd, graze_retract_series *s) {
-    s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
-    s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
-    s->foot_x[k + 1] = s->foot_vx[k] * series_reciprocal[k + 1];
-    /* x__times_x_ = x_ * x_ */
-    s->x__times_x_[k + 1] = square_of(k + 1, part_of(sum->x__times_x_, odd), s->x_);
-    /* y__times_y_ = y_ * y_ */
-    s->y__times_y_[k + 1] = square_of(k + 1, part_of(sum->y__times_y_, odd), s->y_);
-    /* square = x__times_x_ + y__times_y_ */
-    s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
-    /* length = real_sqrt(square) */
-    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
-        by->inverse_length);
-    /* length_rate = real_rate(length) */
-    s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
-    /* axial = (c->stiffness * (c->free_length - length) - c->damping * length_rate) / length */
-    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, -(c->stiffness * s->length[k])
-        - c->damping * s->length_rate[k], c->stiffness * c->free_length), s->axial, s->length,
-        by->inverse_length);
-    /* axial_times_x_ = axial * x_ */
-    s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
-    /* axial_times_y_ = axial * y_ */
-    s->axial_times_y_[k] = product_of(k, part_of(sum->axial_times_y_, odd), s->axial, s->y_);
-    /* axial_times_y__plus_off_over_x_ = (axial_times_y_ + c->off) / x_ */
-    s->axial_times_y__plus_off_over_x_[k] = quotient_of(k, part_of(sum->axial_times_y__plus_off_over_x_, odd),
-        with_constant(k, s->axial_times_y_[k], c->off), s->axial_times_y__plus_off_over_x_, s->x_,
-        by->inverse_x_);
-    /* product_2 = axial_times_y__plus_off_over_x_ * y_ */
-    s->product_2[k] = product_of(k, part_of(sum->product_2, odd), s->axial_times_y__plus_off_over_x_, s->y_);
-    /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
-        s->length_rate);
-    /* product_3 = axial_times_y__plus_off_over_x_ * square */
-    s->product_3[k] = product_of(k, part_of(sum->product_3, odd), s->axial_times_y__plus_off_over_x_,
-        s->square);
-    /* x__times_vy = x_ * vy */
-    s->x__times_vy[k] = drift_times(k, s->vy[0], s->vy[1], s->x_);
-    /* y__times_vx = y_ * vx */
-    s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
-    /* angle_rate = (x__times_vy - y__times_vx) / square */
-    s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-        s->angle_rate, s->square, by->inverse_square);
-    /* product_3_times_angle_rate = product_3 * angle_rate */
-    s->product_3_times_angle_rate[k] = product_of(k, part_of(sum->product_3_times_angle_rate, odd),
-        s->product_3, s->angle_rate);
-    s->vx[k + 1] = series_reciprocal[k + 1] * ((c->inverse_body_mass
-        + c->inverse_foot_mass) * s->axial_times_x_[k] + (c->inverse_body_mass
-        + c->inverse_foot_mass) * s->product_2[k]);
-    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (-(c->inverse_foot_mass * s->axial_times_x_[k])
-        - c->inverse_foot_mass * s->product_2[k]);
-    s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
-    s->work[k + 1] = series_reciprocal[k + 1] * (-s->product_3_times_angle_rate[k]);
-    s->seen_angle[k + 1] = series_reciprocal[k + 1] * (s->angle_rate[k]);
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_graze_retract(const real *constants, int order, real *series) {
-    const graze_retract_constants copy = *(const graze_retract_constants *)(const void *)constants,
-        *c = &copy;
-    graze_retract_series *s = (void *)series;
-    static const graze_retract_sums none;
-    graze_retract_sums sum = none;
-    s->time[1] = broadcast(1.0);
-    s->vy[1] = c->minus_off_over_body_mass_minus_gravity;
-    s->seen_angle[0] = real_atan2(-s->x_[0], s->y_[0]);
-    s->x__times_x_[0] = s->x_[0] * s->x_[0];
-    s->y__times_y_[0] = s->y_[0] * s->y_[0];
-    s->square[0] = s->x__times_x_[0] + s->y__times_y_[0];
-    s->length[0] = real_sqrt(s->square[0]);
-    const graze_retract_factors factors = {1.0 / s->length[0], 1.0 / s->x_[0], 1.0 / s->square[0]},
-        *by = &factors;
-    step_graze_retract(c, by, 0, &sum, 0, s);
-    begin_graze_retract_sums(s, 0, &sum);
-    step_graze_retract(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_graze_retract_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_graze_retract_sums(s, i, j, &sum);
-        }
-        step_graze_retract(c, by, k, &sum, 0, s);
-        add_graze_retract_sums(s, 1, k, &sum);
-        step_graze_retract(c, by, k + 1, &sum, 1, s);
-    }
-}
-
-/* First variation of the series. */
-static void vary_graze_retract(const real *constants, const real *series, const real *d_constants, int order,
-    real *varied) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    const graze_retract_constants *d = (const void *)d_constants;
-    graze_retract_series *t = (void *)varied;
-    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
-        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
-        d_axial_times_y_[TERMS], axial_times_y__2[TERMS], product_4[TERMS],
-        d_axial_times_y__plus_off_over_x_[TERMS], product_5[TERMS], product_6[TERMS],
-        length_rate_times_d_length_rate[TERMS], product_7[TERMS], product_8[TERMS],
-        d_product_3_times_angle_rate[TERMS], x__times_vy_2[TERMS], x__times_vy_3[TERMS], y__times_vx_2[TERMS],
-        y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS], d_angle_rate[TERMS],
-        product_3_times_d_angle_rate[TERMS], d_square[TERMS], d_product_3[TERMS];
-    t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
-    x__times_x__2[0] = product(s->x_, t->x_, 0);
-    y__times_y__2[0] = product(s->y_, t->y_, 0);
-    d_square[0] = 2.0 * x__times_x__2[0] + 2.0 * y__times_y__2[0];
-    d_length[0] = (0.5 * d_square[0]) / s->length[0];
-    for (int k = 0; k < order; ++k) {
-        t->x_[k + 1] = t->vx[k] * series_reciprocal[k + 1];
-        t->y_[k + 1] = t->vy[k] * series_reciprocal[k + 1];
-        t->foot_x[k + 1] = t->foot_vx[k] * series_reciprocal[k + 1];
-        x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
-        y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
-        d_square[k + 1] = 2.0 * x__times_x__2[k + 1] + 2.0 * y__times_y__2[k + 1];
-        d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
-        d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
-        axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
-            d->stiffness * c->free_length + c->stiffness * d->free_length) - product_so_far(d_axial,
-            s->length, k)) / s->length[0];
-        d_axial_times_x_[k] = product(d_axial, s->x_, k);
-        axial_times_x__2[k] = product(s->axial, t->x_, k);
-        d_axial_times_y_[k] = product(d_axial, s->y_, k);
-        axial_times_y__2[k] = product(s->axial, t->y_, k);
-        product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
-        d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k]
-            - product_4[k], d->off) - product_so_far(d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
-        product_5[k] = product(d_axial_times_y__plus_off_over_x_, s->y_, k);
-        product_6[k] = product(s->axial_times_y__plus_off_over_x_, t->y_, k);
-        length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
-        product_7[k] = product(d_axial_times_y__plus_off_over_x_, s->square, k);
-        product_8[k] = product(s->axial_times_y__plus_off_over_x_, d_square, k);
-        d_product_3[k] = product_7[k] + product_8[k];
-        d_product_3_times_angle_rate[k] = product(d_product_3, s->angle_rate, k);
-        x__times_vy_2[k] = drift_times(k, s->vy[0], s->vy[1], t->x_);
-        x__times_vy_3[k] = product(s->x_, t->vy, k);
-        y__times_vx_2[k] = product(t->y_, s->vx, k);
-        y__times_vx_3[k] = product(s->y_, t->vx, k);
-        angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
-            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
-        product_3_times_d_angle_rate[k] = product(s->product_3, d_angle_rate, k);
-        t->vx[k + 1] = series_reciprocal[k + 1] * ((d->inverse_body_mass
-            + d->inverse_foot_mass) * s->axial_times_x_[k] + (d->inverse_body_mass
-            + d->inverse_foot_mass) * s->product_2[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * axial_times_x__2[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * product_5[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * product_6[k]);
-        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (-(d->inverse_foot_mass * s->axial_times_x_[k])
-            - d->inverse_foot_mass * s->product_2[k] - c->inverse_foot_mass * d_axial_times_x_[k]
-            - c->inverse_foot_mass * axial_times_x__2[k] - c->inverse_foot_mass * product_5[k]
-            - c->inverse_foot_mass * product_6[k]);
-        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k]
-            - product_3_times_d_angle_rate[k]);
-        t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
-        t->vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_off_over_body_mass_minus_gravity));
-        t->seen_angle[k + 1] = series_reciprocal[k + 1] * (d_angle_rate[k]);
-    }
-}
-
-/* First variation of power_of_hip. */
-static void d_observed_graze_retract_power_of_hip(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const graze_retract_series *t = (const void *)d_series;
-    (void)constants, (void)series, (void)d_constants;
-    for (int k = 0; k < order; ++k) {
-        dg[k] = (double)(k + 1) * t->work[k + 1];
-    }
-}
-
-/* First variation of square_of_torque. */
-static void d_observed_graze_retract_square_of_torque(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    const graze_retract_constants *d = (const void *)d_constants;
-    const graze_retract_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
-        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
-        own_axial_times_y__2[TERMS], own_product_4[TERMS], own_d_axial_times_y__plus_off_over_x_[TERMS],
-        own_product_7[TERMS], own_product_8[TERMS], own_product_3_times_d_product_3[TERMS],
-        own_d_square[TERMS], own_d_product_3[TERMS];
-    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
-    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
-    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
-    own_d_length[0] = (0.5 * own_d_square[0]) / s->length[0];
-    for (int k = 0; k < order; ++k) {
-        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
-        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
-        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
-        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
-            + 1)) / s->length[0];
-        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
-        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
-            - own_axial_times_d_length[k], d->stiffness * c->free_length + c->stiffness * d->free_length)
-            - product_so_far(own_d_axial, s->length, k)) / s->length[0];
-        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
-        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
-        own_product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
-        own_d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, own_d_axial_times_y_[k]
-            + own_axial_times_y__2[k] - own_product_4[k], d->off)
-            - product_so_far(own_d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
-        own_product_7[k] = product(own_d_axial_times_y__plus_off_over_x_, s->square, k);
-        own_product_8[k] = product(s->axial_times_y__plus_off_over_x_, own_d_square, k);
-        own_d_product_3[k] = own_product_7[k] + own_product_8[k];
-        own_product_3_times_d_product_3[k] = product(s->product_3, own_d_product_3, k);
-        dg[k] = 2.0 * own_product_3_times_d_product_3[k];
-    }
-}
-
-/* falls: The body reaches the ground. */
-static void guard_graze_retract_falls(const real *constants, const real *series, int order, real *g) {
-    const graze_retract_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = s->y_[k];
-    }
-}
-
-/* collapses: The leg is shorter than leg.min_length. */
-static void guard_graze_retract_collapses(const real *constants, const real *series, int order, real *g) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, s->length[k], -c->least_length);
-    }
-}
-
-/* apex_in_graze: Place begins. No stride closes, because the foot is on the ground. */
-static void guard_graze_retract_apex_in_graze(const real *constants, const real *series, int order, real *g) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = c->share * s->vy[k];
-    }
-}
-
-/* clamp: The clamp of (12) holds the retracting torque at 0. */
-static void guard_graze_retract_clamp(const real *constants, const real *series, int order, real *g) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, -(c->kp * s->seen_angle[k]) - c->kd * s->angle_rate[k],
-            -(c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle)));
-    }
-}
-
-/* mid_stance: Drive ends where the leg is upright, once per stance. */
-static void guard_graze_retract_mid_stance(const real *constants, const real *series, int order, real *g) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, s->seen_angle[k], c->winding);
-    }
-}
-
-/* graze_to_contact: The stance law presses the foot on the ground again. */
-static void guard_graze_retract_graze_to_contact(const real *constants, const real *series, int order,
-    real *g) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    real own_turning[TERMS], own_turning_times_x_[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_turning[k] = (constant_of(k, c->stance_torque) - product_so_far(own_turning, s->square,
-            k)) / s->square[0];
-        own_turning_times_x_[k] = product(own_turning, s->x_, k);
-        g[k] = with_constant(k, -s->axial_times_y_[k] - own_turning_times_x_[k], -c->off);
-    }
-}
-
-/* graze_to_flight: The flight law lifts the foot. */
-static void guard_graze_retract_graze_to_flight(const real *constants, const real *series, int order,
-    real *g) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
+static void guard_graze_graze_to_flight(const real *constants, const real *series, int order, real *g) {
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
     real own_swing_torque_over_square[TERMS], own_swing_torque_over_square_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_swing_torque_over_square[k] = (with_constant(k, -(c->kp * s->seen_angle[k])
-            - c->kd * s->angle_rate[k], c->external_torque - c->kp * (c->winding
-            - c->liftoff_factor_times_liftoff_angle)) - product_so_far(own_swing_torque_over_square,
-            s->square, k)) / s->square[0];
+        own_swing_torque_over_square[k] = (with_constant(k, -(c->by_1_or_by_0_times_kp * s->seen_angle[k])
+            - c->by_1_or_by_0_times_kd * s->angle_rate[k], c->external_torque
+            - c->by_1_or_by_0_times_kp * (c->winding - c->first))
+            - product_so_far(own_swing_torque_over_square, s->square, k)) / s->square[0];
         own_swing_torque_over_square_times_x_[k] = product(own_swing_torque_over_square, s->x_, k);
         g[k] = with_constant(k, s->axial_times_y_[k] + own_swing_torque_over_square_times_x_[k], c->off);
     }
 }
 
 /* power_of_hip: Power of the total hip torque. */
-static void guard_graze_retract_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    const graze_retract_series *s = (const void *)series;
+static void guard_graze_power_of_hip(const real *constants, const real *series, int order, real *g) {
+    const graze_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = (double)(k + 1) * s->work[k + 1];
@@ -3021,9 +1647,8 @@ static void guard_graze_retract_power_of_hip(const real *constants, const real *
 }
 
 /* square_of_torque: Square of the total hip torque. */
-static void guard_graze_retract_square_of_torque(const real *constants, const real *series, int order,
-    real *g) {
-    const graze_retract_series *s = (const void *)series;
+static void guard_graze_square_of_torque(const real *constants, const real *series, int order, real *g) {
+    const graze_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = product(s->product_3, s->product_3, k);
@@ -3031,48 +1656,67 @@ static void guard_graze_retract_square_of_torque(const real *constants, const re
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_graze_retract(const real *constants, const real *series, const real *power, int order,
+static void bounds_graze(const real *constants, const real *series, const real *power, int order,
     uint64_t watched, interval *bounds) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 3);
     bounds[0] = span_0;
     const interval span_1 = interval_of_series(s->length, power, order);
     const interval span_2 = interval_at(c->least_length, c->least_length);
     const interval span_3 = interval_difference(span_1, span_2);
     bounds[1] = span_3;
-    const interval span_4 = interval_at(c->share, c->share);
-    const interval span_5 = interval_of_series(s->vy, power, 2);
-    const interval span_6 = interval_product(span_4, span_5);
-    bounds[2] = span_6;
-    bounds[5] = unbounded();
     bounds[6] = unbounded();
+    bounds[7] = unbounded();
+    if (watched >> 2 & 1) {
+        const interval span_4 = interval_at(c->share, c->share);
+        const interval span_5 = interval_of_series(s->vy, power, 2);
+        const interval span_6 = interval_product(span_4, span_5);
+        bounds[2] = span_6;
+    }
     if (watched >> 3 & 1) {
-        const interval span_7 = interval_at(c->kp, c->kp);
-        const interval span_8 = interval_of_series(s->seen_angle, power, order);
-        const interval span_9 = interval_at(c->winding, c->winding);
-        const interval span_10 = interval_sum(span_8, span_9);
-        const interval span_11 = interval_at(c->liftoff_factor_times_liftoff_angle,
+        const interval span_4 = interval_at(c->kp, c->kp);
+        const interval span_5 = interval_of_series(s->seen_angle, power, order);
+        const interval span_6 = interval_at(c->winding, c->winding);
+        const interval span_7 = interval_sum(span_5, span_6);
+        const interval span_8 = interval_at(c->liftoff_factor_times_liftoff_angle,
             c->liftoff_factor_times_liftoff_angle);
-        const interval span_12 = interval_difference(span_10, span_11);
-        const interval span_13 = interval_product(span_7, span_12);
-        const interval span_14 = interval_at(-span_13.high, -span_13.low);
-        const interval span_15 = interval_at(c->kd, c->kd);
-        const interval span_16 = interval_of_series(s->angle_rate, power, order);
-        const interval span_17 = interval_product(span_15, span_16);
-        const interval span_18 = interval_difference(span_14, span_17);
-        bounds[3] = span_18;
+        const interval span_9 = interval_difference(span_7, span_8);
+        const interval span_10 = interval_product(span_4, span_9);
+        const interval span_11 = interval_at(-span_10.high, -span_10.low);
+        const interval span_12 = interval_at(c->kd, c->kd);
+        const interval span_13 = interval_of_series(s->angle_rate, power, order);
+        const interval span_14 = interval_product(span_12, span_13);
+        const interval span_15 = interval_difference(span_11, span_14);
+        bounds[3] = span_15;
     }
     if (watched >> 4 & 1) {
-        const interval span_7 = interval_of_series(s->seen_angle, power, order);
-        const interval span_8 = interval_at(c->winding, c->winding);
-        const interval span_9 = interval_sum(span_7, span_8);
-        bounds[4] = span_9;
+        const interval span_4 = interval_at(c->kp, c->kp);
+        const interval span_5 = interval_of_series(s->seen_angle, power, order);
+        const interval span_6 = interval_at(c->winding, c->winding);
+        const interval span_7 = interval_sum(span_5, span_6);
+        const interval span_8 = interval_at(c->liftoff_factor_times_liftoff_angle,
+            c->liftoff_factor_times_liftoff_angle);
+        const interval span_9 = interval_difference(span_7, span_8);
+        const interval span_10 = interval_product(span_4, span_9);
+        const interval span_11 = interval_at(-span_10.high, -span_10.low);
+        const interval span_12 = interval_at(c->kd, c->kd);
+        const interval span_13 = interval_of_series(s->angle_rate, power, order);
+        const interval span_14 = interval_product(span_12, span_13);
+        const interval span_15 = interval_difference(span_11, span_14);
+        const interval span_16 = interval_at(-span_15.high, -span_15.low);
+        bounds[4] = span_16;
     }
-    if (watched >> 8 & 1) {
-        const interval span_7 = interval_of_series(s->product_3, power, order);
-        const interval span_8 = interval_product(span_7, span_7);
-        bounds[8] = span_8;
+    if (watched >> 5 & 1) {
+        const interval span_4 = interval_of_series(s->seen_angle, power, order);
+        const interval span_5 = interval_at(c->winding, c->winding);
+        const interval span_6 = interval_sum(span_4, span_5);
+        bounds[5] = span_6;
+    }
+    if (watched >> 9 & 1) {
+        const interval span_4 = interval_of_series(s->product_3, power, order);
+        const interval span_5 = interval_product(span_4, span_4);
+        bounds[9] = span_5;
     }
 }
 
@@ -3089,7 +1733,7 @@ static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_
 static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_slip_constant_power_of_hip,
     d_observed_slip_constant_force_on_foot, d_observed_slip_constant_slip_velocity,
     d_observed_slip_constant_square_of_torque};
-static const int moving_slip_constant[] = {57, 58, 59, 60, 61, 62, 65, 68, 78, 0},
+static const int moving_slip_constant[] = {57, 58, 59, 60, 61, 62, 65, 68, 79, 0},
     degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99}, judged_slip_constant[] = {2, 3, 5,
     6, 7, 8, 10}, divided_slip_constant[] = {-1, -1, -1, -1, -1, -1, -1}, divisors_slip_constant[] = {14, 13},
     integrals_slip_constant[] = {8, -1, -1, -1}, factors_slip_constant[] = {27, -1, -1, -1, -1, -1, -1, -1};
@@ -3099,75 +1743,32 @@ static const tdmf_polynomial polynomials_stick[] = {guard_stick_falls, guard_sti
     guard_stick_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_power_of_hip,
     d_observed_stick_force_on_foot, d_observed_stick_square_of_torque};
-static const int moving_stick[] = {57, 58, 59, 60, 65, 78, 0, 61}, degrees_stick[] = {99, 99, 99, 99, 99, 99,
+static const int moving_stick[] = {57, 58, 59, 60, 65, 79, 0, 61}, degrees_stick[] = {99, 99, 99, 99, 99, 99,
     1, 1, 99}, judged_stick[] = {2, 3, 4, 5, 8}, divided_stick[] = {-1, -1, -1, -1, -1},
     divisors_stick[] = {12, 11}, integrals_stick[] = {5, -1, -1}, factors_stick[] = {23, -1, -1, -1, -1, -1};
-static const tdmf_polynomial polynomials_flight_place_calm[] = {guard_flight_place_calm_falls,
-    guard_flight_place_calm_collapses, guard_flight_place_calm_apex, guard_flight_place_calm_touchdown,
-    guard_flight_place_calm_power_of_hip, guard_flight_place_calm_height_of_foot,
-    guard_flight_place_calm_square_of_torque};
-static const tdmf_vary_polynomial vary_observed_flight_place_calm[] =
-    {d_observed_flight_place_calm_power_of_hip, d_observed_flight_place_calm_height_of_foot,
-    d_observed_flight_place_calm_square_of_torque};
-static const int moving_flight_place_calm[] = {46, 47, 50, 53, 56, 65, 78, 0, 52, 55, 73},
-    degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1, 1, 1}, judged_flight_place_calm[] = {1, 2,
-    4, 5, 6}, divided_flight_place_calm[] = {-1, -1, 0, -1, -1}, divisors_flight_place_calm[] = {11},
-    integrals_flight_place_calm[] = {6, -1, -1}, factors_flight_place_calm[] = {15, 12, -1, -1, -1, -1};
-static const tdmf_polynomial polynomials_flight_rest_calm[] = {guard_flight_rest_calm_falls,
-    guard_flight_rest_calm_collapses, guard_flight_rest_calm_apex, guard_flight_rest_calm_touchdown,
-    guard_flight_rest_calm_release, guard_flight_rest_calm_power_of_hip,
-    guard_flight_rest_calm_height_of_foot, guard_flight_rest_calm_square_of_torque};
-static const tdmf_vary_polynomial vary_observed_flight_rest_calm[] =
-    {d_observed_flight_rest_calm_power_of_hip, d_observed_flight_rest_calm_height_of_foot,
-    d_observed_flight_rest_calm_square_of_torque};
-static const int moving_flight_rest_calm[] = {46, 47, 50, 53, 65, 78, 0, 52, 55, 56},
-    degrees_flight_rest_calm[] = {99, 99, 99, 2, 99, 99, 1, 1, 1, 1}, judged_flight_rest_calm[] = {1, 2, 4,
-    5}, divided_flight_rest_calm[] = {-1, -1, -1, -1}, divisors_flight_rest_calm[] = {10},
-    integrals_flight_rest_calm[] = {5, -1, -1}, factors_flight_rest_calm[] = {11, -1, -1, -1, -1, -1};
-static const tdmf_polynomial polynomials_flight_retract_calm[] = {guard_flight_retract_calm_falls,
-    guard_flight_retract_calm_collapses, guard_flight_retract_calm_apex, guard_flight_retract_calm_touchdown,
-    guard_flight_retract_calm_clamp, guard_flight_retract_calm_power_of_hip,
-    guard_flight_retract_calm_height_of_foot, guard_flight_retract_calm_square_of_torque};
-static const tdmf_vary_polynomial vary_observed_flight_retract_calm[] =
-    {d_observed_flight_retract_calm_power_of_hip, d_observed_flight_retract_calm_height_of_foot,
-    d_observed_flight_retract_calm_square_of_torque};
-static const int moving_flight_retract_calm[] = {46, 47, 50, 53, 56, 65, 78, 0, 52, 55},
-    degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1, 1}, judged_flight_retract_calm[] = {1,
-    2, 4, 5, 6}, divided_flight_retract_calm[] = {-1, -1, 0, -1, -1}, divisors_flight_retract_calm[] = {10},
-    integrals_flight_retract_calm[] = {6, -1, -1}, factors_flight_retract_calm[] = {14, 11, -1, -1, -1, -1};
+static const tdmf_polynomial polynomials_flight_calm[] = {guard_flight_calm_falls,
+    guard_flight_calm_collapses, guard_flight_calm_apex, guard_flight_calm_touchdown, guard_flight_calm_clamp,
+    guard_flight_calm_release, guard_flight_calm_power_of_hip, guard_flight_calm_height_of_foot,
+    guard_flight_calm_square_of_torque};
+static const tdmf_vary_polynomial vary_observed_flight_calm[] = {d_observed_flight_calm_power_of_hip,
+    d_observed_flight_calm_height_of_foot, d_observed_flight_calm_square_of_torque};
+static const int moving_flight_calm[] = {46, 47, 50, 53, 56, 65, 79, 0, 52, 55, 74},
+    degrees_flight_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1, 1, 1}, judged_flight_calm[] = {1, 2, 4, 5, 6},
+    divided_flight_calm[] = {-1, -1, 0, -1, -1}, divisors_flight_calm[] = {11}, integrals_flight_calm[] = {6,
+    -1, -1}, factors_flight_calm[] = {15, 12, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_fallen[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0}, degrees_fallen[] = {0}, judged_fallen[] = {0}, divided_fallen[] = {0},
     divisors_fallen[] = {0}, integrals_fallen[] = {0}, factors_fallen[] = {0};
-static const tdmf_polynomial polynomials_graze_place[] = {guard_graze_place_falls,
-    guard_graze_place_collapses, guard_graze_place_mid_stance, guard_graze_place_graze_to_contact,
-    guard_graze_place_graze_to_flight, guard_graze_place_power_of_hip, guard_graze_place_square_of_torque};
-static const tdmf_vary_polynomial vary_observed_graze_place[] = {d_observed_graze_place_power_of_hip,
-    d_observed_graze_place_square_of_torque};
-static const int moving_graze_place[] = {57, 58, 59, 61, 62, 65, 78, 0, 60, 73}, degrees_graze_place[] = {99,
-    2, 99, 99, 99, 99, 99, 1, 1, 1, 99}, judged_graze_place[] = {2, 4, 5, 6, 10}, divided_graze_place[] = {-1,
-    -1, -1, -1, -1}, divisors_graze_place[] = {14, 0, 13}, integrals_graze_place[] = {6, -1},
-    factors_graze_place[] = {22, 25, -1, -1};
-static const tdmf_polynomial polynomials_graze_rest[] = {guard_graze_rest_falls, guard_graze_rest_collapses,
-    guard_graze_rest_apex_in_graze, guard_graze_rest_release, guard_graze_rest_mid_stance,
-    guard_graze_rest_graze_to_contact, guard_graze_rest_graze_to_flight, guard_graze_rest_power_of_hip,
-    guard_graze_rest_square_of_torque};
-static const tdmf_vary_polynomial vary_observed_graze_rest[] = {d_observed_graze_rest_power_of_hip,
-    d_observed_graze_rest_square_of_torque};
-static const int moving_graze_rest[] = {57, 58, 59, 61, 62, 65, 78, 0, 60}, degrees_graze_rest[] = {99, 2, 99,
-    99, 99, 99, 99, 1, 1, 99}, judged_graze_rest[] = {2, 4, 5, 6, 9}, divided_graze_rest[] = {-1, -1, -1, -1,
-    -1}, divisors_graze_rest[] = {13, 0, 12}, integrals_graze_rest[] = {6, -1}, factors_graze_rest[] = {21,
-    24, -1, -1};
-static const tdmf_polynomial polynomials_graze_retract[] = {guard_graze_retract_falls,
-    guard_graze_retract_collapses, guard_graze_retract_apex_in_graze, guard_graze_retract_clamp,
-    guard_graze_retract_mid_stance, guard_graze_retract_graze_to_contact, guard_graze_retract_graze_to_flight,
-    guard_graze_retract_power_of_hip, guard_graze_retract_square_of_torque};
-static const tdmf_vary_polynomial vary_observed_graze_retract[] = {d_observed_graze_retract_power_of_hip,
-    d_observed_graze_retract_square_of_torque};
-static const int moving_graze_retract[] = {57, 58, 59, 61, 62, 65, 78, 0, 60}, degrees_graze_retract[] = {99,
-    2, 99, 99, 99, 99, 99, 1, 1, 99}, judged_graze_retract[] = {2, 4, 5, 6, 9}, divided_graze_retract[] = {-1,
-    -1, -1, -1, -1}, divisors_graze_retract[] = {13, 0, 12}, integrals_graze_retract[] = {6, -1},
-    factors_graze_retract[] = {21, 24, -1, -1};
+static const tdmf_polynomial polynomials_graze[] = {guard_graze_falls, guard_graze_collapses,
+    guard_graze_apex_in_graze, guard_graze_clamp, guard_graze_release, guard_graze_mid_stance,
+    guard_graze_graze_to_contact, guard_graze_graze_to_flight, guard_graze_power_of_hip,
+    guard_graze_square_of_torque};
+static const tdmf_vary_polynomial vary_observed_graze[] = {d_observed_graze_power_of_hip,
+    d_observed_graze_square_of_torque};
+static const int moving_graze[] = {57, 58, 59, 61, 62, 65, 79, 0, 60, 74}, degrees_graze[] = {99, 2, 99, 99,
+    99, 99, 99, 1, 1, 1, 99}, judged_graze[] = {2, 4, 5, 6, 10}, divided_graze[] = {-1, -1, -1, -1, -1},
+    divisors_graze[] = {14, 0, 13}, integrals_graze[] = {6, -1}, factors_graze[] = {22, 25, -1, -1};
 
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
     {.moving_count = 1, .extra_count = 0, .series_count = 1, .constant_count = 0, .judged_count = 0,
@@ -3187,50 +1788,22 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
         .divided = divided_stick, .divisors = divisors_stick, .integrals = integrals_stick,
         .factors = factors_stick, .polynomials = polynomials_stick, .vary_observed = vary_observed_stick,
         .expand = expand_stick, .vary = vary_stick, .bounds = bounds_stick},
-    {.moving_count = 11, .extra_count = 0, .series_count = 18, .constant_count = 13, .judged_count = 5,
-        .divisor_count = 1, .moving = moving_flight_place_calm, .degrees = degrees_flight_place_calm,
-        .judged = judged_flight_place_calm, .divided = divided_flight_place_calm,
-        .divisors = divisors_flight_place_calm, .integrals = integrals_flight_place_calm,
-        .factors = factors_flight_place_calm, .polynomials = polynomials_flight_place_calm,
-        .vary_observed = vary_observed_flight_place_calm, .expand = expand_flight_place_calm,
-        .vary = vary_flight_place_calm, .bounds = bounds_flight_place_calm},
-    {.moving_count = 10, .extra_count = 0, .series_count = 15, .constant_count = 15, .judged_count = 4,
-        .divisor_count = 1, .moving = moving_flight_rest_calm, .degrees = degrees_flight_rest_calm,
-        .judged = judged_flight_rest_calm, .divided = divided_flight_rest_calm,
-        .divisors = divisors_flight_rest_calm, .integrals = integrals_flight_rest_calm,
-        .factors = factors_flight_rest_calm, .polynomials = polynomials_flight_rest_calm,
-        .vary_observed = vary_observed_flight_rest_calm, .expand = expand_flight_rest_calm,
-        .vary = vary_flight_rest_calm, .bounds = bounds_flight_rest_calm},
-    {.moving_count = 10, .extra_count = 0, .series_count = 17, .constant_count = 13, .judged_count = 5,
-        .divisor_count = 1, .moving = moving_flight_retract_calm, .degrees = degrees_flight_retract_calm,
-        .judged = judged_flight_retract_calm, .divided = divided_flight_retract_calm,
-        .divisors = divisors_flight_retract_calm, .integrals = integrals_flight_retract_calm,
-        .factors = factors_flight_retract_calm, .polynomials = polynomials_flight_retract_calm,
-        .vary_observed = vary_observed_flight_retract_calm, .expand = expand_flight_retract_calm,
-        .vary = vary_flight_retract_calm, .bounds = bounds_flight_retract_calm},
+    {.moving_count = 11, .extra_count = 0, .series_count = 18, .constant_count = 17, .judged_count = 5,
+        .divisor_count = 1, .moving = moving_flight_calm, .degrees = degrees_flight_calm,
+        .judged = judged_flight_calm, .divided = divided_flight_calm, .divisors = divisors_flight_calm,
+        .integrals = integrals_flight_calm, .factors = factors_flight_calm,
+        .polynomials = polynomials_flight_calm, .vary_observed = vary_observed_flight_calm,
+        .expand = expand_flight_calm, .vary = vary_flight_calm, .bounds = bounds_flight_calm},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_fallen, .degrees = degrees_fallen, .judged = judged_fallen,
         .divided = divided_fallen, .divisors = divisors_fallen, .integrals = integrals_fallen,
         .factors = factors_fallen, .polynomials = polynomials_fallen, .vary_observed = vary_observed_fallen,
         .expand = expand_fallen, .vary = vary_fallen, .bounds = NULL},
-    {.moving_count = 10, .extra_count = 1, .series_count = 27, .constant_count = 14, .judged_count = 5,
-        .divisor_count = 3, .moving = moving_graze_place, .degrees = degrees_graze_place,
-        .judged = judged_graze_place, .divided = divided_graze_place, .divisors = divisors_graze_place,
-        .integrals = integrals_graze_place, .factors = factors_graze_place,
-        .polynomials = polynomials_graze_place, .vary_observed = vary_observed_graze_place,
-        .expand = expand_graze_place, .vary = vary_graze_place, .bounds = bounds_graze_place},
-    {.moving_count = 9, .extra_count = 1, .series_count = 26, .constant_count = 15, .judged_count = 5,
-        .divisor_count = 3, .moving = moving_graze_rest, .degrees = degrees_graze_rest,
-        .judged = judged_graze_rest, .divided = divided_graze_rest, .divisors = divisors_graze_rest,
-        .integrals = integrals_graze_rest, .factors = factors_graze_rest,
-        .polynomials = polynomials_graze_rest, .vary_observed = vary_observed_graze_rest,
-        .expand = expand_graze_rest, .vary = vary_graze_rest, .bounds = bounds_graze_rest},
-    {.moving_count = 9, .extra_count = 1, .series_count = 26, .constant_count = 15, .judged_count = 5,
-        .divisor_count = 3, .moving = moving_graze_retract, .degrees = degrees_graze_retract,
-        .judged = judged_graze_retract, .divided = divided_graze_retract, .divisors = divisors_graze_retract,
-        .integrals = integrals_graze_retract, .factors = factors_graze_retract,
-        .polynomials = polynomials_graze_retract, .vary_observed = vary_observed_graze_retract,
-        .expand = expand_graze_retract, .vary = vary_graze_retract, .bounds = bounds_graze_retract},
+    {.moving_count = 10, .extra_count = 1, .series_count = 27, .constant_count = 19, .judged_count = 5,
+        .divisor_count = 3, .moving = moving_graze, .degrees = degrees_graze, .judged = judged_graze,
+        .divided = divided_graze, .divisors = divisors_graze, .integrals = integrals_graze,
+        .factors = factors_graze, .polynomials = polynomials_graze, .vary_observed = vary_observed_graze,
+        .expand = expand_graze, .vary = vary_graze, .bounds = bounds_graze},
 };
 
 #ifdef TDMF_LANES

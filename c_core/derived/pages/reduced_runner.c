@@ -75,6 +75,7 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
     y->com_vx = seen_vx_plus_share_times_vx;
     y->com_vy = x->seen_vy + share * vy;
     y->momentum = -product_2;
+    y->swing = 2.0;
     y->placing = 0.0;
     return next[1]; /* flight */
 }
@@ -166,6 +167,7 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     y->com_vx = sum_4;
     y->com_vy = dx->seen_vy + (d_share * vy + share * d_vy);
     y->momentum = -product_plus_product;
+    y->swing = 0.0;
     y->placing = 0.0;
 }
 
@@ -336,16 +338,18 @@ static void vary_leave_start_of_run(const real *parameters, const real *states, 
     y->mode_began = dx->time;
 }
 
-/* Constants of flight_place. */
-static void open_flight_place(const real *parameters, const real *states, real *constants) {
+/* Constants of flight. */
+static void open_flight(const real *parameters, const real *states, real *constants) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    flight_place_constants *c = (void *)constants;
+    flight_constants *c = (void *)constants;
     const real total = p->body_mass + p->foot_mass;
     const real external_fx_over_total = x->external_fx / total;
     const real external_fy_over_total_minus_gravity = x->external_fy / total - p->gravity;
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
+    const real is_placing_times_rate = is_placing * rate;
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
     const real share = p->body_mass / total;
@@ -355,7 +359,8 @@ static void open_flight_place(const real *parameters, const real *states, real *
     c->external_fy = x->external_fy;
     c->external_fx_over_total = external_fx_over_total;
     c->external_fy_over_total_minus_gravity = external_fy_over_total_minus_gravity;
-    c->rate = rate;
+    c->is_placing = is_placing;
+    c->is_placing_times_rate = is_placing_times_rate;
     c->slope = x->slope;
     c->cos_of_slope = cos_of_slope;
     c->height = x->height;
@@ -364,24 +369,26 @@ static void open_flight_place(const real *parameters, const real *states, real *
     c->share_times_length = share_times_length;
 }
 
-/* First variation of open_flight_place. */
-static void vary_open_flight_place(const real *parameters, const real *states, const real *d_parameters,
+/* First variation of open_flight. */
+static void vary_open_flight(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
-    flight_place_constants *c = (void *)constants;
+    flight_constants *c = (void *)constants;
     const real total = p->body_mass + p->foot_mass;
     const real external_fx_over_total = x->external_fx / total;
     const real d_total = dp->body_mass + dp->foot_mass;
     const real d_external_fx_over_total = (dx->external_fx - external_fx_over_total * d_total) / total;
     const real d_external_fy_over_total_minus_gravity = (dx->external_fy
         - x->external_fy / total * d_total) / total - dp->gravity;
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
     const real d_rate = (dx->momentum - rate * d_square) / square;
+    const real d_is_placing_times_rate = is_placing * d_rate;
     const real sin_of_slope = real_sin(x->slope);
     const real d_cos_of_slope = -(sin_of_slope * dx->slope);
     const real cos_of_slope = real_cos(x->slope);
@@ -395,7 +402,8 @@ static void vary_open_flight_place(const real *parameters, const real *states, c
     c->external_fy = dx->external_fy;
     c->external_fx_over_total = d_external_fx_over_total;
     c->external_fy_over_total_minus_gravity = d_external_fy_over_total_minus_gravity;
-    c->rate = d_rate;
+    c->is_placing = 0.0;
+    c->is_placing_times_rate = d_is_placing_times_rate;
     c->slope = dx->slope;
     c->cos_of_slope = d_cos_of_slope;
     c->height = dx->height;
@@ -405,7 +413,7 @@ static void vary_open_flight_place(const real *parameters, const real *states, c
 }
 
 /* falls: The body reaches the ground. */
-static int react_flight_place_falls(const real *parameters, const real *states, const tdmf_table *tables,
+static int react_flight_falls(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
@@ -429,8 +437,8 @@ static int react_flight_place_falls(const real *parameters, const real *states, 
 }
 
 /* First variation of falls. */
-static void vary_react_flight_place_falls(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
+static void vary_react_flight_falls(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -466,9 +474,12 @@ static void vary_react_flight_place_falls(const real *parameters, const real *st
 }
 
 /* Whether falls is watched. */
-static real watches_flight_place_falls(const real *parameters, const real *states) {
+static real watches_flight_falls(const real *parameters, const real *states) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
+    if (x->swing < 2.0) {
+        return 0.0;
+    }
     if (real_abs(p->retraction_rate) > 0.0 || real_cos(x->angle - x->slope) < 0.01) {
         return 1.0;
     }
@@ -476,8 +487,8 @@ static real watches_flight_place_falls(const real *parameters, const real *state
 }
 
 /* First variation of the guard of falls. */
-static real vary_guard_flight_place_falls(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
+static real vary_guard_flight_falls(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -497,8 +508,271 @@ static real vary_guard_flight_place_falls(const real *parameters, const real *st
     return d_above;
 }
 
+/* apex: A stride closes, and the leg is placed anew. */
+static int react_flight_apex(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
+    const reduced_runner_parameters *p = (const void *)parameters;
+    const reduced_runner_states *x = (const void *)states;
+    reduced_runner_states *y = (void *)after;
+    (void)tables;
+    const real cos_of_slope = real_cos(x->slope);
+    const real com_y_minus_height = x->com_y - x->height;
+    const real sin_of_slope = real_sin(x->slope);
+    const real level = cos_of_slope * com_y_minus_height - sin_of_slope * x->com_x;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real length = p->free_length + x->extension;
+    const real angle = p->touchdown_angle + p->more_angle;
+    const real above = level - share * length * real_cos(angle - x->slope);
+    const real count_plus_by_1_or_count = select(x->is_open > 0.0, x->count + 1.0, x->count);
+    const real word_so_far_or_word_code = select(x->is_open > 0.0, x->word_so_far, x->word_code);
+    const real period = x->time - x->apex_time;
+    const real period_or_period = select(x->is_open > 0.0, period, x->period);
+    const real distance = x->com_x - x->x_then;
+    const real distance_or_distance = select(x->is_open > 0.0, distance, x->distance);
+    const real com_y_minus_y_then_or_rise_of_stride = select(x->is_open > 0.0, x->com_y - x->y_then,
+        x->rise_of_stride);
+    const real hip = x->work - x->work_then;
+    const real leg = x->leg_work - x->leg_work_then;
+    const real work = hip + leg;
+    const real work_or_work_of_stride = select(x->is_open > 0.0, work, x->work_of_stride);
+    const real hip_or_hip_work = select(x->is_open > 0.0, hip, x->hip_work);
+    const real leg_or_leg_work_of_stride = select(x->is_open > 0.0, leg, x->leg_work_of_stride);
+    const real sum_or_positive_work = select(x->is_open > 0.0, x->positive_work_so_far
+        - x->positive_work_then, x->positive_work);
+    const real distance_over_period_or_speed = select(x->is_open > 0.0, distance / period, x->speed);
+    const real weight = body_mass_plus_foot_mass * p->gravity;
+    const real select_2 = select(x->is_open > 0.0, work / (weight * distance), x->cost_of_transport);
+    const real touchdowns_so_far_or_touchdowns = select(x->is_open > 0.0, x->touchdowns_so_far,
+        x->touchdowns);
+    const real stance_so_far_or_stance_time = select(x->is_open > 0.0, x->stance_so_far, x->stance_time);
+    const real select_3 = select(x->is_open > 0.0, x->stance_so_far / period, x->duty_factor);
+    const real slip_so_far_or_slip_distance = select(x->is_open > 0.0, x->slip_so_far, x->slip_distance);
+    const real peak_force_so_far_or_peak_force = select(x->is_open > 0.0, x->peak_force_so_far,
+        x->peak_force);
+    const real vertical_so_far_or_peak_vertical_force = select(x->is_open > 0.0, x->vertical_so_far,
+        x->peak_vertical_force);
+    const real height_of_section = com_y_minus_height - x->com_x * (sin_of_slope / cos_of_slope);
+    const real square = length * length;
+    const real retraction_rate_times_square = p->retraction_rate * square;
+    const real rate = -(retraction_rate_times_square / square);
+    y->is_open = 1.0;
+    y->work_then = x->work;
+    y->leg_work_then = x->leg_work;
+    y->positive_work_then = x->positive_work_so_far;
+    y->peak_force_so_far = 0.0;
+    y->vertical_so_far = 0.0;
+    y->touchdowns_so_far = 0.0;
+    y->slip_so_far = 0.0;
+    y->stance_so_far = 0.0;
+    y->word_so_far = 0.0;
+    y->last_letter = 0.0;
+    y->bar_is_due = 0.0;
+    y->x_then = x->com_x;
+    y->y_then = x->com_y;
+    y->count = count_plus_by_1_or_count;
+    y->word_code = word_so_far_or_word_code;
+    y->period = period_or_period;
+    y->distance = distance_or_distance;
+    y->rise_of_stride = com_y_minus_y_then_or_rise_of_stride;
+    y->work_of_stride = work_or_work_of_stride;
+    y->hip_work = hip_or_hip_work;
+    y->leg_work_of_stride = leg_or_leg_work_of_stride;
+    y->positive_work = sum_or_positive_work;
+    y->speed = distance_over_period_or_speed;
+    y->cost_of_transport = select_2;
+    y->touchdowns = touchdowns_so_far_or_touchdowns;
+    y->stance_time = stance_so_far_or_stance_time;
+    y->duty_factor = select_3;
+    y->slip_distance = slip_so_far_or_slip_distance;
+    y->peak_force = peak_force_so_far_or_peak_force;
+    y->peak_vertical_force = vertical_so_far_or_peak_vertical_force;
+    y->apex_time = x->time;
+    y->apex_com_height = height_of_section;
+    y->apex_com_speed = x->com_vx;
+    y->apex_length = length;
+    y->apex_angle = angle;
+    y->apex_length_rate = 0.0;
+    y->apex_angle_rate = rate;
+    y->length = length;
+    y->angle = angle;
+    y->length_rate = 0.0;
+    y->swing = 2.0;
+    y->placing = 0.0;
+    if (above <= 0.0) {
+        const real sine = real_sin(angle);
+        const real cosine = real_cos(angle);
+        const real y_2 = cosine * length;
+        const real ratio = retraction_rate_times_square / length;
+        const real vx = cosine * ratio;
+        const real vy = sine * ratio;
+        y->seen_x = x->com_x + share * (sine * length);
+        y->seen_y = x->com_y - share * y_2;
+        y->seen_vx = x->com_vx - share * vx;
+        y->seen_vy = x->com_vy - share * vy;
+        y->angle_rate = rate;
+        return next[0]; /* no_start */
+    }
+    const real moment = -retraction_rate_times_square;
+    y->momentum = moment;
+    return next[1]; /* flight */
+}
+
+/* First variation of apex. */
+static void vary_react_flight_apex(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, const tdmf_table *tables, int seed, real *after) {
+    const reduced_runner_parameters *p = (const void *)parameters;
+    const reduced_runner_states *x = (const void *)states;
+    const reduced_runner_parameters *dp = (const void *)d_parameters;
+    const reduced_runner_states *dx = (const void *)d_states;
+    reduced_runner_states *y = (void *)after;
+    (void)tables, (void)seed;
+    const real cos_of_slope = real_cos(x->slope);
+    const real sin_of_slope = real_sin(x->slope);
+    const real level = cos_of_slope * (x->com_y - x->height) - sin_of_slope * x->com_x;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real length = p->free_length + x->extension;
+    const real angle = p->touchdown_angle + p->more_angle;
+    const real above = level - share * length * real_cos(angle - x->slope);
+    const real word_so_far_or_word_code = select(x->is_open > 0.0, dx->word_so_far, dx->word_code);
+    const real d_period = dx->time - dx->apex_time;
+    const real d_period_or_period = select(x->is_open > 0.0, d_period, dx->period);
+    const real d_distance = dx->com_x - dx->x_then;
+    const real d_distance_or_distance = select(x->is_open > 0.0, d_distance, dx->distance);
+    const real com_y_minus_y_then_or_rise_of_stride = select(x->is_open > 0.0, dx->com_y - dx->y_then,
+        dx->rise_of_stride);
+    const real d_hip = dx->work - dx->work_then;
+    const real d_leg = dx->leg_work - dx->leg_work_then;
+    const real d_work = d_hip + d_leg;
+    const real d_work_or_work_of_stride = select(x->is_open > 0.0, d_work, dx->work_of_stride);
+    const real d_hip_or_hip_work = select(x->is_open > 0.0, d_hip, dx->hip_work);
+    const real d_leg_or_leg_work_of_stride = select(x->is_open > 0.0, d_leg, dx->leg_work_of_stride);
+    const real sum_or_positive_work = select(x->is_open > 0.0, dx->positive_work_so_far
+        - dx->positive_work_then, dx->positive_work);
+    const real distance = x->com_x - x->x_then;
+    const real period = x->time - x->apex_time;
+    const real sum_over_period_or_speed = select(x->is_open > 0.0, (d_distance
+        - distance / period * d_period) / period, dx->speed);
+    const real weight = body_mass_plus_foot_mass * p->gravity;
+    const real weight_times_distance = weight * distance;
+    const real body_mass_plus_foot_mass_2 = dp->body_mass + dp->foot_mass;
+    const real hip = x->work - x->work_then;
+    const real leg = x->leg_work - x->leg_work_then;
+    const real work = hip + leg;
+    const real d_weight = p->gravity * body_mass_plus_foot_mass_2 + body_mass_plus_foot_mass * dp->gravity;
+    const real ratio_or_cost_of_transport = select(x->is_open > 0.0, (d_work
+        - work / weight_times_distance * (d_weight * distance + weight * d_distance)) / weight_times_distance,
+        dx->cost_of_transport);
+    const real touchdowns_so_far_or_touchdowns = select(x->is_open > 0.0, dx->touchdowns_so_far,
+        dx->touchdowns);
+    const real stance_so_far_or_stance_time = select(x->is_open > 0.0, dx->stance_so_far, dx->stance_time);
+    const real select_2 = select(x->is_open > 0.0, (dx->stance_so_far
+        - x->stance_so_far / period * d_period) / period, dx->duty_factor);
+    const real slip_so_far_or_slip_distance = select(x->is_open > 0.0, dx->slip_so_far, dx->slip_distance);
+    const real peak_force_so_far_or_peak_force = select(x->is_open > 0.0, dx->peak_force_so_far,
+        dx->peak_force);
+    const real vertical_so_far_or_peak_vertical_force = select(x->is_open > 0.0, dx->vertical_so_far,
+        dx->peak_vertical_force);
+    const real sin_of_slope_over_cos_of_slope = sin_of_slope / cos_of_slope;
+    const real d_height_of_section = dx->com_y - dx->height - (dx->com_x * sin_of_slope_over_cos_of_slope
+        + x->com_x * ((cos_of_slope * dx->slope
+        + sin_of_slope_over_cos_of_slope * (sin_of_slope * dx->slope)) / cos_of_slope));
+    const real d_length = dp->free_length + dx->extension;
+    const real d_angle = dp->touchdown_angle + dp->more_angle;
+    const real square = length * length;
+    const real d_square = 2.0 * (length * d_length);
+    const real sum_2 = dp->retraction_rate * square + p->retraction_rate * d_square;
+    const real retraction_rate_times_square = p->retraction_rate * square;
+    const real d_rate = -((sum_2 - retraction_rate_times_square / square * d_square) / square);
+    y->is_open = 0.0;
+    y->work_then = dx->work;
+    y->leg_work_then = dx->leg_work;
+    y->positive_work_then = dx->positive_work_so_far;
+    y->peak_force_so_far = 0.0;
+    y->vertical_so_far = 0.0;
+    y->touchdowns_so_far = 0.0;
+    y->slip_so_far = 0.0;
+    y->stance_so_far = 0.0;
+    y->word_so_far = 0.0;
+    y->last_letter = 0.0;
+    y->bar_is_due = 0.0;
+    y->x_then = dx->com_x;
+    y->y_then = dx->com_y;
+    y->count = dx->count;
+    y->word_code = word_so_far_or_word_code;
+    y->period = d_period_or_period;
+    y->distance = d_distance_or_distance;
+    y->rise_of_stride = com_y_minus_y_then_or_rise_of_stride;
+    y->work_of_stride = d_work_or_work_of_stride;
+    y->hip_work = d_hip_or_hip_work;
+    y->leg_work_of_stride = d_leg_or_leg_work_of_stride;
+    y->positive_work = sum_or_positive_work;
+    y->speed = sum_over_period_or_speed;
+    y->cost_of_transport = ratio_or_cost_of_transport;
+    y->touchdowns = touchdowns_so_far_or_touchdowns;
+    y->stance_time = stance_so_far_or_stance_time;
+    y->duty_factor = select_2;
+    y->slip_distance = slip_so_far_or_slip_distance;
+    y->peak_force = peak_force_so_far_or_peak_force;
+    y->peak_vertical_force = vertical_so_far_or_peak_vertical_force;
+    y->apex_time = dx->time;
+    y->apex_com_height = d_height_of_section;
+    y->apex_com_speed = dx->com_vx;
+    y->apex_length = d_length;
+    y->apex_angle = d_angle;
+    y->apex_length_rate = 0.0;
+    y->apex_angle_rate = d_rate;
+    y->length = d_length;
+    y->angle = d_angle;
+    y->length_rate = 0.0;
+    y->swing = 0.0;
+    y->placing = 0.0;
+    if (above <= 0.0) {
+        const real d_share = (dp->body_mass - share * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
+        const real sine = real_sin(angle);
+        const real cosine = real_cos(angle);
+        const real d_sine = cosine * d_angle;
+        const real y_2 = cosine * length;
+        const real sine_times_d_angle = sine * d_angle;
+        const real d_y = cosine * d_length - sine_times_d_angle * length;
+        const real ratio = retraction_rate_times_square / length;
+        const real vx = cosine * ratio;
+        const real ratio_2 = (sum_2 - ratio * d_length) / length;
+        const real d_vx = cosine * ratio_2 - sine_times_d_angle * ratio;
+        const real vy = sine * ratio;
+        const real d_vy = d_sine * ratio + sine * ratio_2;
+        y->seen_x = dx->com_x + (d_share * (sine * length) + share * (d_sine * length + sine * d_length));
+        y->seen_y = dx->com_y - (d_share * y_2 + share * d_y);
+        y->seen_vx = dx->com_vx - (d_share * vx + share * d_vx);
+        y->seen_vy = dx->com_vy - (d_share * vy + share * d_vy);
+        y->angle_rate = d_rate;
+        return;
+    }
+    const real d_moment = -sum_2;
+    y->momentum = d_moment;
+}
+
+/* Whether apex is watched. */
+static real watches_flight_apex(const real *parameters, const real *states) {
+    const reduced_runner_states *x = (const void *)states;
+    (void)parameters;
+    if (x->swing < 2.0) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
+/* First variation of the guard of apex. */
+static real vary_guard_flight_apex(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
+    const reduced_runner_states *dx = (const void *)d_states;
+    (void)parameters, (void)states, (void)d_parameters;
+    return dx->com_vy;
+}
+
 /* touchdown: The foot reaches the ground. */
-static int react_flight_place_touchdown(const real *parameters, const real *states, const tdmf_table *tables,
+static int react_flight_touchdown(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
@@ -584,8 +858,8 @@ static int react_flight_place_touchdown(const real *parameters, const real *stat
 }
 
 /* First variation of touchdown. */
-static void vary_react_flight_place_touchdown(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
+static void vary_react_flight_touchdown(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -718,9 +992,19 @@ static void vary_react_flight_place_touchdown(const real *parameters, const real
     }
 }
 
+/* Whether touchdown is watched. */
+static real watches_flight_touchdown(const real *parameters, const real *states) {
+    const reduced_runner_states *x = (const void *)states;
+    (void)parameters;
+    if (x->swing > 1.0) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
 /* First variation of the guard of touchdown. */
-static real vary_guard_flight_place_touchdown(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
+static real vary_guard_flight_touchdown(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const reduced_runner_parameters *dp = (const void *)d_parameters;
@@ -738,8 +1022,8 @@ static real vary_guard_flight_place_touchdown(const real *parameters, const real
     return d_above;
 }
 
-/* Outputs in flight_place. */
-static void outputs_flight_place(const real *parameters, const real *states, real *outputs) {
+/* Outputs in flight. */
+static void outputs_flight(const real *parameters, const real *states, real *outputs) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     const real pending = select(real_abs(p->ground_height - x->height)
@@ -772,6 +1056,7 @@ static void outputs_flight_place(const real *parameters, const real *states, rea
         + p->foot_mass * com_y_minus_share_times_y);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
+    const real phase_of_hip = select(x->swing < 2.0, 3.0, 4.0);
     outputs[OUTPUT_pending] = pending;
     outputs[OUTPUT_torque] = 0.0;
     outputs[OUTPUT_normal_force] = 0.0;
@@ -792,12 +1077,12 @@ static void outputs_flight_place(const real *parameters, const real *states, rea
     outputs[OUTPUT_elastic_energy] = elastic_energy;
     outputs[OUTPUT_energy] = energy;
     outputs[OUTPUT_kind_of_contact] = 1.0;
-    outputs[OUTPUT_phase_of_hip] = 4.0;
+    outputs[OUTPUT_phase_of_hip] = phase_of_hip;
     outputs[OUTPUT_has_fallen] = 0.0;
 }
 
-/* First variation of outputs_flight_place. */
-static void vary_outputs_flight_place(const real *parameters, const real *states, const real *d_parameters,
+/* First variation of outputs_flight. */
+static void vary_outputs_flight(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *outputs) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
@@ -882,7 +1167,7 @@ static void vary_outputs_flight_place(const real *parameters, const real *states
 }
 
 /* from world, in flight. */
-static void from_world_flight_place(const real *parameters, const real *states, real *after) {
+static void from_world_flight(const real *parameters, const real *states, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     reduced_runner_states *y = (void *)after;
@@ -902,8 +1187,8 @@ static void from_world_flight_place(const real *parameters, const real *states, 
     y->momentum = moment;
 }
 
-/* First variation of from_world_flight_place. */
-static void vary_from_world_flight_place(const real *parameters, const real *states, const real *d_parameters,
+/* First variation of from_world_flight. */
+static void vary_from_world_flight(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
@@ -938,7 +1223,7 @@ static void vary_from_world_flight_place(const real *parameters, const real *sta
 }
 
 /* to world, in flight. */
-static void to_world_flight_place(const real *parameters, const real *states, real *after) {
+static void to_world_flight(const real *parameters, const real *states, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     reduced_runner_states *y = (void *)after;
@@ -958,8 +1243,8 @@ static void to_world_flight_place(const real *parameters, const real *states, re
     y->angle_rate = rate;
 }
 
-/* First variation of to_world_flight_place. */
-static void vary_to_world_flight_place(const real *parameters, const real *states, const real *d_parameters,
+/* First variation of to_world_flight. */
+static void vary_to_world_flight(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
@@ -1425,6 +1710,7 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     y->thrusting = 0.0;
     y->leg_work = x->leg_work + work;
     y->liftoff_angle = angle;
+    y->swing = 1.0;
     y->placing = 0.0;
     return next[2]; /* flight */
 }
@@ -1502,6 +1788,7 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     y->thrusting = 0.0;
     y->leg_work = dx->leg_work + d_work;
     y->liftoff_angle = d_angle;
+    y->swing = 0.0;
     y->placing = 0.0;
 }
 
@@ -2527,349 +2814,6 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     y->mode_began = dx->time;
 }
 
-/* Constants of flight_retract. */
-static void open_flight_retract(const real *parameters, const real *states, real *constants) {
-    const reduced_runner_parameters *p = (const void *)parameters;
-    const reduced_runner_states *x = (const void *)states;
-    flight_retract_constants *c = (void *)constants;
-    const real total = p->body_mass + p->foot_mass;
-    const real external_fx_over_total = x->external_fx / total;
-    const real external_fy_over_total_minus_gravity = x->external_fy / total - p->gravity;
-    c->external_fx = x->external_fx;
-    c->external_fy = x->external_fy;
-    c->external_fx_over_total = external_fx_over_total;
-    c->external_fy_over_total_minus_gravity = external_fy_over_total_minus_gravity;
-}
-
-/* First variation of open_flight_retract. */
-static void vary_open_flight_retract(const real *parameters, const real *states, const real *d_parameters,
-    const real *d_states, real *constants) {
-    const reduced_runner_parameters *p = (const void *)parameters;
-    const reduced_runner_states *x = (const void *)states;
-    const reduced_runner_parameters *dp = (const void *)d_parameters;
-    const reduced_runner_states *dx = (const void *)d_states;
-    flight_retract_constants *c = (void *)constants;
-    const real total = p->body_mass + p->foot_mass;
-    const real external_fx_over_total = x->external_fx / total;
-    const real d_total = dp->body_mass + dp->foot_mass;
-    const real d_external_fx_over_total = (dx->external_fx - external_fx_over_total * d_total) / total;
-    const real d_external_fy_over_total_minus_gravity = (dx->external_fy
-        - x->external_fy / total * d_total) / total - dp->gravity;
-    c->external_fx = dx->external_fx;
-    c->external_fy = dx->external_fy;
-    c->external_fx_over_total = d_external_fx_over_total;
-    c->external_fy_over_total_minus_gravity = d_external_fy_over_total_minus_gravity;
-}
-
-/* apex: A stride closes, and the leg is placed anew. */
-static int react_flight_retract_apex(const real *parameters, const real *states, const tdmf_table *tables,
-    real *after, const int *next) {
-    const reduced_runner_parameters *p = (const void *)parameters;
-    const reduced_runner_states *x = (const void *)states;
-    reduced_runner_states *y = (void *)after;
-    (void)tables;
-    const real cos_of_slope = real_cos(x->slope);
-    const real com_y_minus_height = x->com_y - x->height;
-    const real sin_of_slope = real_sin(x->slope);
-    const real level = cos_of_slope * com_y_minus_height - sin_of_slope * x->com_x;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real length = p->free_length + x->extension;
-    const real angle = p->touchdown_angle + p->more_angle;
-    const real above = level - share * length * real_cos(angle - x->slope);
-    const real count_plus_by_1_or_count = select(x->is_open > 0.0, x->count + 1.0, x->count);
-    const real word_so_far_or_word_code = select(x->is_open > 0.0, x->word_so_far, x->word_code);
-    const real period = x->time - x->apex_time;
-    const real period_or_period = select(x->is_open > 0.0, period, x->period);
-    const real distance = x->com_x - x->x_then;
-    const real distance_or_distance = select(x->is_open > 0.0, distance, x->distance);
-    const real com_y_minus_y_then_or_rise_of_stride = select(x->is_open > 0.0, x->com_y - x->y_then,
-        x->rise_of_stride);
-    const real hip = x->work - x->work_then;
-    const real leg = x->leg_work - x->leg_work_then;
-    const real work = hip + leg;
-    const real work_or_work_of_stride = select(x->is_open > 0.0, work, x->work_of_stride);
-    const real hip_or_hip_work = select(x->is_open > 0.0, hip, x->hip_work);
-    const real leg_or_leg_work_of_stride = select(x->is_open > 0.0, leg, x->leg_work_of_stride);
-    const real sum_or_positive_work = select(x->is_open > 0.0, x->positive_work_so_far
-        - x->positive_work_then, x->positive_work);
-    const real distance_over_period_or_speed = select(x->is_open > 0.0, distance / period, x->speed);
-    const real weight = body_mass_plus_foot_mass * p->gravity;
-    const real select_2 = select(x->is_open > 0.0, work / (weight * distance), x->cost_of_transport);
-    const real touchdowns_so_far_or_touchdowns = select(x->is_open > 0.0, x->touchdowns_so_far,
-        x->touchdowns);
-    const real stance_so_far_or_stance_time = select(x->is_open > 0.0, x->stance_so_far, x->stance_time);
-    const real select_3 = select(x->is_open > 0.0, x->stance_so_far / period, x->duty_factor);
-    const real slip_so_far_or_slip_distance = select(x->is_open > 0.0, x->slip_so_far, x->slip_distance);
-    const real peak_force_so_far_or_peak_force = select(x->is_open > 0.0, x->peak_force_so_far,
-        x->peak_force);
-    const real vertical_so_far_or_peak_vertical_force = select(x->is_open > 0.0, x->vertical_so_far,
-        x->peak_vertical_force);
-    const real height_of_section = com_y_minus_height - x->com_x * (sin_of_slope / cos_of_slope);
-    const real square = length * length;
-    const real retraction_rate_times_square = p->retraction_rate * square;
-    const real rate = -(retraction_rate_times_square / square);
-    y->is_open = 1.0;
-    y->work_then = x->work;
-    y->leg_work_then = x->leg_work;
-    y->positive_work_then = x->positive_work_so_far;
-    y->peak_force_so_far = 0.0;
-    y->vertical_so_far = 0.0;
-    y->touchdowns_so_far = 0.0;
-    y->slip_so_far = 0.0;
-    y->stance_so_far = 0.0;
-    y->word_so_far = 0.0;
-    y->last_letter = 0.0;
-    y->bar_is_due = 0.0;
-    y->x_then = x->com_x;
-    y->y_then = x->com_y;
-    y->count = count_plus_by_1_or_count;
-    y->word_code = word_so_far_or_word_code;
-    y->period = period_or_period;
-    y->distance = distance_or_distance;
-    y->rise_of_stride = com_y_minus_y_then_or_rise_of_stride;
-    y->work_of_stride = work_or_work_of_stride;
-    y->hip_work = hip_or_hip_work;
-    y->leg_work_of_stride = leg_or_leg_work_of_stride;
-    y->positive_work = sum_or_positive_work;
-    y->speed = distance_over_period_or_speed;
-    y->cost_of_transport = select_2;
-    y->touchdowns = touchdowns_so_far_or_touchdowns;
-    y->stance_time = stance_so_far_or_stance_time;
-    y->duty_factor = select_3;
-    y->slip_distance = slip_so_far_or_slip_distance;
-    y->peak_force = peak_force_so_far_or_peak_force;
-    y->peak_vertical_force = vertical_so_far_or_peak_vertical_force;
-    y->apex_time = x->time;
-    y->apex_com_height = height_of_section;
-    y->apex_com_speed = x->com_vx;
-    y->apex_length = length;
-    y->apex_angle = angle;
-    y->apex_length_rate = 0.0;
-    y->apex_angle_rate = rate;
-    y->length = length;
-    y->angle = angle;
-    y->length_rate = 0.0;
-    y->placing = 0.0;
-    if (above <= 0.0) {
-        const real sine = real_sin(angle);
-        const real cosine = real_cos(angle);
-        const real y_2 = cosine * length;
-        const real ratio = retraction_rate_times_square / length;
-        const real vx = cosine * ratio;
-        const real vy = sine * ratio;
-        y->seen_x = x->com_x + share * (sine * length);
-        y->seen_y = x->com_y - share * y_2;
-        y->seen_vx = x->com_vx - share * vx;
-        y->seen_vy = x->com_vy - share * vy;
-        y->angle_rate = rate;
-        return next[0]; /* no_start */
-    }
-    const real moment = -retraction_rate_times_square;
-    y->momentum = moment;
-    return next[1]; /* flight */
-}
-
-/* First variation of apex. */
-static void vary_react_flight_retract_apex(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    const reduced_runner_parameters *p = (const void *)parameters;
-    const reduced_runner_states *x = (const void *)states;
-    const reduced_runner_parameters *dp = (const void *)d_parameters;
-    const reduced_runner_states *dx = (const void *)d_states;
-    reduced_runner_states *y = (void *)after;
-    (void)tables, (void)seed;
-    const real cos_of_slope = real_cos(x->slope);
-    const real sin_of_slope = real_sin(x->slope);
-    const real level = cos_of_slope * (x->com_y - x->height) - sin_of_slope * x->com_x;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real length = p->free_length + x->extension;
-    const real angle = p->touchdown_angle + p->more_angle;
-    const real above = level - share * length * real_cos(angle - x->slope);
-    const real word_so_far_or_word_code = select(x->is_open > 0.0, dx->word_so_far, dx->word_code);
-    const real d_period = dx->time - dx->apex_time;
-    const real d_period_or_period = select(x->is_open > 0.0, d_period, dx->period);
-    const real d_distance = dx->com_x - dx->x_then;
-    const real d_distance_or_distance = select(x->is_open > 0.0, d_distance, dx->distance);
-    const real com_y_minus_y_then_or_rise_of_stride = select(x->is_open > 0.0, dx->com_y - dx->y_then,
-        dx->rise_of_stride);
-    const real d_hip = dx->work - dx->work_then;
-    const real d_leg = dx->leg_work - dx->leg_work_then;
-    const real d_work = d_hip + d_leg;
-    const real d_work_or_work_of_stride = select(x->is_open > 0.0, d_work, dx->work_of_stride);
-    const real d_hip_or_hip_work = select(x->is_open > 0.0, d_hip, dx->hip_work);
-    const real d_leg_or_leg_work_of_stride = select(x->is_open > 0.0, d_leg, dx->leg_work_of_stride);
-    const real sum_or_positive_work = select(x->is_open > 0.0, dx->positive_work_so_far
-        - dx->positive_work_then, dx->positive_work);
-    const real distance = x->com_x - x->x_then;
-    const real period = x->time - x->apex_time;
-    const real sum_over_period_or_speed = select(x->is_open > 0.0, (d_distance
-        - distance / period * d_period) / period, dx->speed);
-    const real weight = body_mass_plus_foot_mass * p->gravity;
-    const real weight_times_distance = weight * distance;
-    const real body_mass_plus_foot_mass_2 = dp->body_mass + dp->foot_mass;
-    const real hip = x->work - x->work_then;
-    const real leg = x->leg_work - x->leg_work_then;
-    const real work = hip + leg;
-    const real d_weight = p->gravity * body_mass_plus_foot_mass_2 + body_mass_plus_foot_mass * dp->gravity;
-    const real ratio_or_cost_of_transport = select(x->is_open > 0.0, (d_work
-        - work / weight_times_distance * (d_weight * distance + weight * d_distance)) / weight_times_distance,
-        dx->cost_of_transport);
-    const real touchdowns_so_far_or_touchdowns = select(x->is_open > 0.0, dx->touchdowns_so_far,
-        dx->touchdowns);
-    const real stance_so_far_or_stance_time = select(x->is_open > 0.0, dx->stance_so_far, dx->stance_time);
-    const real select_2 = select(x->is_open > 0.0, (dx->stance_so_far
-        - x->stance_so_far / period * d_period) / period, dx->duty_factor);
-    const real slip_so_far_or_slip_distance = select(x->is_open > 0.0, dx->slip_so_far, dx->slip_distance);
-    const real peak_force_so_far_or_peak_force = select(x->is_open > 0.0, dx->peak_force_so_far,
-        dx->peak_force);
-    const real vertical_so_far_or_peak_vertical_force = select(x->is_open > 0.0, dx->vertical_so_far,
-        dx->peak_vertical_force);
-    const real sin_of_slope_over_cos_of_slope = sin_of_slope / cos_of_slope;
-    const real d_height_of_section = dx->com_y - dx->height - (dx->com_x * sin_of_slope_over_cos_of_slope
-        + x->com_x * ((cos_of_slope * dx->slope
-        + sin_of_slope_over_cos_of_slope * (sin_of_slope * dx->slope)) / cos_of_slope));
-    const real d_length = dp->free_length + dx->extension;
-    const real d_angle = dp->touchdown_angle + dp->more_angle;
-    const real square = length * length;
-    const real d_square = 2.0 * (length * d_length);
-    const real sum_2 = dp->retraction_rate * square + p->retraction_rate * d_square;
-    const real retraction_rate_times_square = p->retraction_rate * square;
-    const real d_rate = -((sum_2 - retraction_rate_times_square / square * d_square) / square);
-    y->is_open = 0.0;
-    y->work_then = dx->work;
-    y->leg_work_then = dx->leg_work;
-    y->positive_work_then = dx->positive_work_so_far;
-    y->peak_force_so_far = 0.0;
-    y->vertical_so_far = 0.0;
-    y->touchdowns_so_far = 0.0;
-    y->slip_so_far = 0.0;
-    y->stance_so_far = 0.0;
-    y->word_so_far = 0.0;
-    y->last_letter = 0.0;
-    y->bar_is_due = 0.0;
-    y->x_then = dx->com_x;
-    y->y_then = dx->com_y;
-    y->count = dx->count;
-    y->word_code = word_so_far_or_word_code;
-    y->period = d_period_or_period;
-    y->distance = d_distance_or_distance;
-    y->rise_of_stride = com_y_minus_y_then_or_rise_of_stride;
-    y->work_of_stride = d_work_or_work_of_stride;
-    y->hip_work = d_hip_or_hip_work;
-    y->leg_work_of_stride = d_leg_or_leg_work_of_stride;
-    y->positive_work = sum_or_positive_work;
-    y->speed = sum_over_period_or_speed;
-    y->cost_of_transport = ratio_or_cost_of_transport;
-    y->touchdowns = touchdowns_so_far_or_touchdowns;
-    y->stance_time = stance_so_far_or_stance_time;
-    y->duty_factor = select_2;
-    y->slip_distance = slip_so_far_or_slip_distance;
-    y->peak_force = peak_force_so_far_or_peak_force;
-    y->peak_vertical_force = vertical_so_far_or_peak_vertical_force;
-    y->apex_time = dx->time;
-    y->apex_com_height = d_height_of_section;
-    y->apex_com_speed = dx->com_vx;
-    y->apex_length = d_length;
-    y->apex_angle = d_angle;
-    y->apex_length_rate = 0.0;
-    y->apex_angle_rate = d_rate;
-    y->length = d_length;
-    y->angle = d_angle;
-    y->length_rate = 0.0;
-    y->placing = 0.0;
-    if (above <= 0.0) {
-        const real d_share = (dp->body_mass - share * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
-        const real sine = real_sin(angle);
-        const real cosine = real_cos(angle);
-        const real d_sine = cosine * d_angle;
-        const real y_2 = cosine * length;
-        const real sine_times_d_angle = sine * d_angle;
-        const real d_y = cosine * d_length - sine_times_d_angle * length;
-        const real ratio = retraction_rate_times_square / length;
-        const real vx = cosine * ratio;
-        const real ratio_2 = (sum_2 - ratio * d_length) / length;
-        const real d_vx = cosine * ratio_2 - sine_times_d_angle * ratio;
-        const real vy = sine * ratio;
-        const real d_vy = d_sine * ratio + sine * ratio_2;
-        y->seen_x = dx->com_x + (d_share * (sine * length) + share * (d_sine * length + sine * d_length));
-        y->seen_y = dx->com_y - (d_share * y_2 + share * d_y);
-        y->seen_vx = dx->com_vx - (d_share * vx + share * d_vx);
-        y->seen_vy = dx->com_vy - (d_share * vy + share * d_vy);
-        y->angle_rate = d_rate;
-        return;
-    }
-    const real d_moment = -sum_2;
-    y->momentum = d_moment;
-}
-
-/* First variation of the guard of apex. */
-static real vary_guard_flight_retract_apex(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
-    const reduced_runner_states *dx = (const void *)d_states;
-    (void)parameters, (void)states, (void)d_parameters;
-    return dx->com_vy;
-}
-
-/* Outputs in flight_retract. */
-static void outputs_flight_retract(const real *parameters, const real *states, real *outputs) {
-    const reduced_runner_parameters *p = (const void *)parameters;
-    const reduced_runner_states *x = (const void *)states;
-    const real pending = select(real_abs(p->ground_height - x->height)
-        + real_abs(p->free_length * (p->ground_slope - x->slope)) > 0.0, 1.0, 0.0);
-    const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
-        0.0) * x->thrusting;
-    const real shorter = rest_length - x->length;
-    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sin_of_angle = real_sin(x->angle);
-    const real length_times_sin_of_angle = x->length * sin_of_angle;
-    const real body_x = x->com_x + share * length_times_sin_of_angle - length_times_sin_of_angle;
-    const real cos_of_angle = real_cos(x->angle);
-    const real y_2 = x->length * cos_of_angle;
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
-    const real turn = x->momentum / x->length;
-    const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy = 0.5 * (of_body
-        + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
-        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
-    const real potential_energy = p->gravity * (p->body_mass * body_y
-        + p->foot_mass * com_y_minus_share_times_y);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = pending;
-    outputs[OUTPUT_torque] = 0.0;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = body_x;
-    outputs[OUTPUT_body_y] = body_y;
-    outputs[OUTPUT_body_vx] = body_vx;
-    outputs[OUTPUT_body_vy] = body_vy;
-    outputs[OUTPUT_center_x] = x->com_x;
-    outputs[OUTPUT_center_y] = x->com_y;
-    outputs[OUTPUT_center_vx] = x->com_vx;
-    outputs[OUTPUT_center_vy] = x->com_vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 1.0;
-    outputs[OUTPUT_phase_of_hip] = 3.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
 /* Constants of slip_falling. */
 static void open_slip_falling(const real *parameters, const real *states, real *constants) {
     const reduced_runner_parameters *p = (const void *)parameters;
@@ -3474,9 +3418,10 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_states[77] = p->stiffness * p->free_length * p->free_length;
     of_states[78] = 1.0;
     of_states[79] = 1.0;
-    of_states[80] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[80] = 1.0;
     of_states[81] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[82] = p->stiffness * p->free_length * p->free_length;
+    of_states[82] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[83] = p->stiffness * p->free_length * p->free_length;
     of_events[EVENT_begins] = 1.0;
     of_events[EVENT_falls] = p->free_length;
     of_events[EVENT_collapses] = p->free_length;
@@ -3494,7 +3439,7 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
 
 static const tdmf_guard_kind guards_start_of_run[] = {
     {.event = EVENT_begins, .react = react_start_of_run_begins, .vary_react = vary_react_start_of_run_begins,
-        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_no_start, MODE_flight_place}},
+        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_no_start, MODE_flight}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_start_of_run[] = {
@@ -3506,16 +3451,19 @@ static const tdmf_guard_kind guards_no_start[] = {
 static const tdmf_watch_kind watches_no_start[] = {
     {.into = -1},
 };
-static const tdmf_guard_kind guards_flight_place[] = {
-    {.event = EVENT_falls, .is_counted = true, .react = react_flight_place_falls,
-        .vary_react = vary_react_flight_place_falls, .is_watched = watches_flight_place_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_falls, .next = {MODE_fallen}},
-    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_place_touchdown,
-        .vary_react = vary_react_flight_place_touchdown, .vary_guard = vary_guard_flight_place_touchdown,
-        .next = {MODE_slip_constant, MODE_stick}},
+static const tdmf_guard_kind guards_flight[] = {
+    {.event = EVENT_falls, .is_counted = true, .react = react_flight_falls,
+        .vary_react = vary_react_flight_falls, .is_watched = watches_flight_falls, .ends = true,
+        .vary_guard = vary_guard_flight_falls, .next = {MODE_fallen}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_apex,
+        .vary_react = vary_react_flight_apex, .is_watched = watches_flight_apex,
+        .vary_guard = vary_guard_flight_apex, .next = {MODE_no_start, MODE_flight}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_touchdown,
+        .vary_react = vary_react_flight_touchdown, .is_watched = watches_flight_touchdown,
+        .vary_guard = vary_guard_flight_touchdown, .next = {MODE_slip_constant, MODE_stick}},
     {.event = -1},
 };
-static const tdmf_watch_kind watches_flight_place[] = {
+static const tdmf_watch_kind watches_flight[] = {
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 6},
     {.into = -1},
 };
@@ -3541,7 +3489,7 @@ static const tdmf_guard_kind guards_slip_constant[] = {
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_constant}},
     {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
         .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
-        .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
+        .next = {MODE_no_stance, MODE_no_apex, MODE_flight}},
     {.event = EVENT_enters_layer, .react = react_slip_constant_enters_layer,
         .vary_react = vary_react_slip_constant_enters_layer, .is_watched = watches_slip_constant_enters_layer,
         .vary_guard = vary_guard_slip_constant_enters_layer, .next = {MODE_slip_falling}},
@@ -3572,7 +3520,7 @@ static const tdmf_guard_kind guards_stick[] = {
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_stick}},
     {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
         .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
-        .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
+        .next = {MODE_no_stance, MODE_no_apex, MODE_flight}},
     {.event = EVENT_slips_forward, .is_counted = true, .react = react_stick_slips_forward,
         .vary_react = vary_react_stick_slips_forward, .vary_guard = vary_guard_stick_slips_forward,
         .next = {MODE_slip_constant}},
@@ -3599,16 +3547,6 @@ static const tdmf_guard_kind guards_no_apex[] = {
 static const tdmf_watch_kind watches_no_apex[] = {
     {.into = -1},
 };
-static const tdmf_guard_kind guards_flight_retract[] = {
-    {.event = EVENT_apex, .is_counted = true, .react = react_flight_retract_apex,
-        .vary_react = vary_react_flight_retract_apex, .vary_guard = vary_guard_flight_retract_apex,
-        .next = {MODE_no_start, MODE_flight_place}},
-    {.event = -1},
-};
-static const tdmf_watch_kind watches_flight_retract[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 6},
-    {.into = -1},
-};
 static const tdmf_guard_kind guards_slip_falling[] = {
     {.event = EVENT_falls, .is_counted = true, .react = react_slip_constant_falls,
         .vary_react = vary_react_slip_constant_falls, .ends = true,
@@ -3625,7 +3563,7 @@ static const tdmf_guard_kind guards_slip_falling[] = {
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_falling}},
     {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
         .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
-        .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
+        .next = {MODE_no_stance, MODE_no_apex, MODE_flight}},
     {.event = EVENT_leaves_layer, .react = react_slip_constant_enters_layer,
         .vary_react = vary_react_slip_constant_enters_layer,
         .vary_guard = vary_guard_slip_falling_leaves_layer, .next = {MODE_slip_constant}},
@@ -3643,14 +3581,14 @@ static const tdmf_watch_kind watches_slip_falling[] = {
 static const tdmf_set set_extension[] = {set_extension_start_of_run, set_extension_start_of_run,
     set_extension_start_of_run, set_extension_start_of_run, set_extension_slip_constant,
     set_extension_slip_constant, set_extension_start_of_run, set_extension_start_of_run,
-    set_extension_start_of_run, set_extension_slip_constant};
+    set_extension_slip_constant};
 static const tdmf_set set_thrust[] = {set_thrust_start_of_run, set_thrust_start_of_run,
     set_thrust_start_of_run, set_thrust_start_of_run, set_thrust_slip_constant, set_thrust_slip_constant,
-    set_thrust_start_of_run, set_thrust_start_of_run, set_thrust_start_of_run, set_thrust_slip_constant};
+    set_thrust_start_of_run, set_thrust_start_of_run, set_thrust_slip_constant};
 static const tdmf_set set_more_thrust[] = {set_more_thrust_start_of_run, set_more_thrust_start_of_run,
     set_more_thrust_start_of_run, set_more_thrust_start_of_run, set_more_thrust_slip_constant,
     set_more_thrust_slip_constant, set_more_thrust_start_of_run, set_more_thrust_start_of_run,
-    set_more_thrust_start_of_run, set_more_thrust_slip_constant};
+    set_more_thrust_slip_constant};
 static const int coordinates_at_apex[] = {38, 39};
 
 static const tdmf_mode_kind modes[] = {
@@ -3664,13 +3602,12 @@ static const tdmf_mode_kind modes[] = {
         .usual_count = 0, .watches = watches_no_start, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_reduced_runner_motions[MODE_flight_place], .open = open_flight_place,
-        .vary_open = vary_open_flight_place, .guard_count = 2, .guards = guards_flight_place,
-        .watch_count = 1, .usual_count = 1, .watches = watches_flight_place, .outputs = outputs_flight_place,
-        .vary_outputs = vary_outputs_flight_place, .leave = leave_start_of_run,
-        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place,
-        .vary_from_world = vary_from_world_flight_place, .to_world = to_world_flight_place,
-        .vary_to_world = vary_to_world_flight_place},
+    {.motion = &tdmf_reduced_runner_motions[MODE_flight], .open = open_flight, .vary_open = vary_open_flight,
+        .guard_count = 3, .guards = guards_flight, .watch_count = 1, .usual_count = 1,
+        .watches = watches_flight, .outputs = outputs_flight, .vary_outputs = vary_outputs_flight,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight,
+        .vary_from_world = vary_from_world_flight, .to_world = to_world_flight,
+        .vary_to_world = vary_to_world_flight},
     {.motion = &tdmf_reduced_runner_motions[MODE_fallen], .ends = true, .open = open_start_of_run,
         .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_fallen, .watch_count = 0,
         .usual_count = 0, .watches = watches_fallen, .outputs = outputs_fallen,
@@ -3699,13 +3636,6 @@ static const tdmf_mode_kind modes[] = {
         .usual_count = 0, .watches = watches_no_apex, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_reduced_runner_motions[MODE_flight_retract], .open = open_flight_retract,
-        .vary_open = vary_open_flight_retract, .guard_count = 1, .guards = guards_flight_retract,
-        .watch_count = 1, .usual_count = 1, .watches = watches_flight_retract,
-        .outputs = outputs_flight_retract, .vary_outputs = vary_outputs_flight_place,
-        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
-        .from_world = from_world_flight_place, .vary_from_world = vary_from_world_flight_place,
-        .to_world = to_world_flight_place, .vary_to_world = vary_to_world_flight_place},
     {.motion = &tdmf_reduced_runner_motions[MODE_slip_falling], .open = open_slip_falling,
         .vary_open = vary_open_slip_falling, .guard_count = 7, .guards = guards_slip_falling,
         .watch_count = 3, .usual_count = 3, .watches = watches_slip_falling, .outputs = outputs_slip_falling,
@@ -3727,8 +3657,8 @@ static const tdmf_section_kind sections[] = {
     {.event = -1},
 };
 
-static const char *const mode_names[] = {"start_of_run", "no_start", "flight_place", "fallen",
-    "slip_constant", "stick", "no_stance", "no_apex", "flight_retract", "slip_falling"};
+static const char *const mode_names[] = {"start_of_run", "no_start", "flight", "fallen", "slip_constant",
+    "stick", "no_stance", "no_apex", "slip_falling"};
 static const char *const state_names[] = {"time", "events", "last_event", "is_open", "work_then",
     "leg_work_then", "positive_work_so_far", "positive_work_then", "peak_force_so_far", "vertical_so_far",
     "touchdowns_so_far", "slip_so_far", "slid_from", "stance_so_far", "word_so_far", "last_letter",
@@ -3740,7 +3670,8 @@ static const char *const state_names[] = {"time", "events", "last_event", "is_op
     "seen_x", "seen_y", "length", "angle", "seen_vx", "seen_vy", "length_rate", "angle_rate", "com_x",
     "com_y", "com_vx", "com_vy", "momentum", "x", "y", "vx", "vy", "foot_x", "foot_vx", "winding",
     "thrusting", "leg_work", "external_work", "damper_loss", "friction", "way", "friction_loss",
-    "impact_loss", "external_torque", "liftoff_angle", "driving", "placing", "touchdown_time", "work"};
+    "impact_loss", "external_torque", "liftoff_angle", "driving", "swing", "placing", "touchdown_time",
+    "work"};
 static const char *const parameter_names[] = {"ground_height", "ground_slope", "body_mass", "foot_mass",
     "stiffness", "damping", "free_length", "least_length", "gravity", "thrust", "more_thrust", "static_ratio",
     "stribeck_velocity", "drive_torque", "touchdown_angle", "retraction_rate", "more_angle", "more_torque"};
@@ -3758,7 +3689,7 @@ static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.4722627765193387,
     0.6417114468531165, 0.9999993776846997, -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05,
     1.1268102275039307e-06, 4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0};
 static const double parameter_defaults[] = {0.0, 0.0, 1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01, 0.0, 0.0, 1.0, 0.0,
     0.2, 0.6981317007977318, 0.0, 0.0, 0.0};
 static const double parameter_least[] = {-1000000000.0, -1.0, 1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09,
@@ -3779,9 +3710,9 @@ const tdmf_model_kind tdmf_reduced_runner_model = {
         TDMF_FOUR_LANES(tdmf_reduced_runner_motions_of_4),
         TDMF_EIGHT_LANES(tdmf_reduced_runner_motions_of_8)},
     .seeds = TDMF_FOR_SEEDS(tdmf_reduced_runner_seeds),
-    .mode_count = 10,
+    .mode_count = 9,
     .mode_names = mode_names,
-    .state_count = 83,
+    .state_count = 84,
     .state_names = state_names,
     .parameter_count = 18,
     .parameter_names = parameter_names,

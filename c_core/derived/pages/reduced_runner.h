@@ -4,8 +4,8 @@
 
 #include "driver.h"
 
-enum {MODE_start_of_run, MODE_no_start, MODE_flight_place, MODE_fallen, MODE_slip_constant, MODE_stick,
-    MODE_no_stance, MODE_no_apex, MODE_flight_retract, MODE_slip_falling, MODE_COUNT};
+enum {MODE_start_of_run, MODE_no_start, MODE_flight, MODE_fallen, MODE_slip_constant, MODE_stick,
+    MODE_no_stance, MODE_no_apex, MODE_slip_falling, MODE_COUNT};
 enum {EVENT_begins, EVENT_falls, EVENT_collapses, EVENT_apex, EVENT_touchdown, EVENT_greatest_compression,
     EVENT_mid_stance, EVENT_lift_off, EVENT_enters_layer, EVENT_leaves_layer, EVENT_slips_forward,
     EVENT_slips_backward, EVENT_comes_to_rest, EVENT_COUNT};
@@ -121,6 +121,7 @@ typedef struct {
     real external_torque; /* N.m: Torque added to the hip law */
     real liftoff_angle; /* rad: Leg angle when the foot last left the ground, theta_LO */
     real driving; /* 1: 1 from touchdown to mid-stance, else 0 */
+    real swing; /* 1: Law of the hip in flight: 0 rest, 1 retract, 2 place */
     real placing; /* s: In place, the time since it began; else 0 */
     real touchdown_time; /* s: Time of the last impact */
     real work; /* J: Work of the total hip torque since the start, W */
@@ -135,9 +136,10 @@ typedef struct {
 } no_start_constants;
 
 typedef struct {
-    real external_fx, external_fy, external_fx_over_total, external_fy_over_total_minus_gravity, rate, slope,
-        cos_of_slope, height, sin_of_slope, by_1_minus_share_times_length, share_times_length;
-} flight_place_constants;
+    real external_fx, external_fy, external_fx_over_total, external_fy_over_total_minus_gravity, is_placing,
+        is_placing_times_rate, slope, cos_of_slope, height, sin_of_slope, by_1_minus_share_times_length,
+        share_times_length;
+} flight_constants;
 
 typedef struct {
     real none;
@@ -163,10 +165,6 @@ typedef struct {
 typedef struct {
     real none;
 } no_apex_constants;
-
-typedef struct {
-    real external_fx, external_fy, external_fx_over_total, external_fy_over_total_minus_gravity;
-} flight_retract_constants;
 
 typedef struct {
     real inverse_body_mass, stiffness, rest_length, damping, stance_torque, cosine, sine, sum_2,

@@ -59,23 +59,23 @@ static void vary_no_start(const real *constants, const real *series, const real 
     (void)constants, (void)series, (void)d_constants, (void)order, (void)varied;
 }
 
-/* ---- flight_place */
+/* ---- flight */
 
 /* The centre of mass is ballistic. The leg turns after the apex. */
 typedef struct {
     real com_x[TERMS], com_y[TERMS], external_work[TERMS], time[TERMS], com_vx[TERMS], com_vy[TERMS],
-        angle[TERMS], placing[TERMS];
-} flight_place_series;
+        placing[TERMS], angle[TERMS];
+} flight_series;
 
 /* All coefficients. */
-static void expand_flight_place(const real *constants, int order, real *expanded) {
-    const flight_place_constants *c = (const void *)constants;
-    flight_place_series *s = (void *)expanded;
+static void expand_flight(const real *constants, int order, real *expanded) {
+    const flight_constants *c = (const void *)constants;
+    flight_series *s = (void *)expanded;
     s->time[1] = broadcast(1.0);
     s->com_vx[1] = c->external_fx_over_total;
     s->com_vy[1] = c->external_fy_over_total_minus_gravity;
-    s->angle[1] = c->rate;
-    s->placing[1] = broadcast(1.0);
+    s->placing[1] = c->is_placing;
+    s->angle[1] = c->is_placing_times_rate;
     for (int k = 0; k < order; ++k) {
         s->com_x[k + 1] = s->com_vx[k] * series_reciprocal[k + 1];
         s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
@@ -85,12 +85,12 @@ static void expand_flight_place(const real *constants, int order, real *expanded
 }
 
 /* First variation of the series. */
-static void vary_flight_place(const real *constants, const real *series, const real *d_constants, int order,
+static void vary_flight(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    const flight_place_constants *c = (const void *)constants;
-    const flight_place_series *s = (const void *)series;
-    const flight_place_constants *d = (const void *)d_constants;
-    flight_place_series *t = (void *)varied;
+    const flight_constants *c = (const void *)constants;
+    const flight_series *s = (const void *)series;
+    const flight_constants *d = (const void *)d_constants;
+    flight_series *t = (void *)varied;
     for (int k = 0; k < order; ++k) {
         t->com_x[k + 1] = t->com_vx[k] * series_reciprocal[k + 1];
         t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
@@ -100,14 +100,14 @@ static void vary_flight_place(const real *constants, const real *series, const r
         t->com_vx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_over_total));
         t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k,
             d->external_fy_over_total_minus_gravity));
-        t->angle[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->rate));
-        t->placing[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
+        t->placing[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->is_placing));
+        t->angle[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->is_placing_times_rate));
     }
 }
 
 /* First variation of power_of_hip. */
-static void d_observed_flight_place_power_of_hip(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
+static void d_observed_flight_power_of_hip(const real *constants, const real *series, const real *d_constants,
+    const real *d_series, int order, real *dg) {
     (void)constants, (void)series, (void)d_constants, (void)d_series;
     for (int k = 0; k < order; ++k) {
         dg[k] = broadcast(0.0);
@@ -115,9 +115,9 @@ static void d_observed_flight_place_power_of_hip(const real *constants, const re
 }
 
 /* falls: The body reaches the ground. */
-static void guard_flight_place_falls(const real *constants, const real *series, int order, real *g) {
-    const flight_place_constants *c = (const void *)constants;
-    const flight_place_series *s = (const void *)series;
+static void guard_flight_falls(const real *constants, const real *series, int order, real *g) {
+    const flight_constants *c = (const void *)constants;
+    const flight_series *s = (const void *)series;
     real own_cos_of_angle_minus_slope[TERMS], own_sin_of_angle_minus_slope[TERMS],
         own_angle_minus_slope[TERMS];
     for (int k = 0; k < order; ++k) {
@@ -130,10 +130,19 @@ static void guard_flight_place_falls(const real *constants, const real *series, 
     }
 }
 
+/* apex: A stride closes, and the leg is placed anew. */
+static void guard_flight_apex(const real *constants, const real *series, int order, real *g) {
+    const flight_series *s = (const void *)series;
+    (void)constants;
+    for (int k = 0; k < order; ++k) {
+        g[k] = (double)(k + 1) * s->com_y[k + 1];
+    }
+}
+
 /* touchdown: The foot reaches the ground. */
-static void guard_flight_place_touchdown(const real *constants, const real *series, int order, real *g) {
-    const flight_place_constants *c = (const void *)constants;
-    const flight_place_series *s = (const void *)series;
+static void guard_flight_touchdown(const real *constants, const real *series, int order, real *g) {
+    const flight_constants *c = (const void *)constants;
+    const flight_series *s = (const void *)series;
     real own_cos_of_angle_minus_slope[TERMS], own_sin_of_angle_minus_slope[TERMS],
         own_angle_minus_slope[TERMS];
     for (int k = 0; k < order; ++k) {
@@ -146,7 +155,7 @@ static void guard_flight_place_touchdown(const real *constants, const real *seri
 }
 
 /* power_of_hip: Power of the total hip torque. */
-static void guard_flight_place_power_of_hip(const real *constants, const real *series, int order, real *g) {
+static void guard_flight_power_of_hip(const real *constants, const real *series, int order, real *g) {
     (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = broadcast(0.0);
@@ -154,35 +163,51 @@ static void guard_flight_place_power_of_hip(const real *constants, const real *s
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_place(const real *constants, const real *series, const real *power, int order,
+static void bounds_flight(const real *constants, const real *series, const real *power, int order,
     uint64_t watched, interval *bounds) {
-    const flight_place_constants *c = (const void *)constants;
-    const flight_place_series *s = (const void *)series;
+    const flight_constants *c = (const void *)constants;
+    const flight_series *s = (const void *)series;
     (void)order;
-    const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
-    const interval span_1 = interval_of_series(s->com_y, power, 3);
-    const interval span_2 = interval_at(c->height, c->height);
-    const interval span_3 = interval_difference(span_1, span_2);
-    const interval span_4 = interval_product(span_0, span_3);
-    const interval span_5 = interval_at(c->sin_of_slope, c->sin_of_slope);
-    const interval span_6 = interval_of_series(s->com_x, power, 3);
-    const interval span_7 = interval_product(span_5, span_6);
-    const interval span_8 = interval_difference(span_4, span_7);
-    const interval span_9 = interval_at(c->share_times_length, c->share_times_length);
-    const interval span_10 = interval_at(broadcast(-1.0), broadcast(1.0));
-    const interval span_11 = interval_product(span_9, span_10);
-    const interval span_12 = interval_difference(span_8, span_11);
-    bounds[1] = span_12;
     if (watched >> 0 & 1) {
-        const interval span_13 = interval_at(c->by_1_minus_share_times_length,
+        const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
+        const interval span_1 = interval_of_series(s->com_y, power, 3);
+        const interval span_2 = interval_at(c->height, c->height);
+        const interval span_3 = interval_difference(span_1, span_2);
+        const interval span_4 = interval_product(span_0, span_3);
+        const interval span_5 = interval_at(c->sin_of_slope, c->sin_of_slope);
+        const interval span_6 = interval_of_series(s->com_x, power, 3);
+        const interval span_7 = interval_product(span_5, span_6);
+        const interval span_8 = interval_difference(span_4, span_7);
+        const interval span_9 = interval_at(c->by_1_minus_share_times_length,
             c->by_1_minus_share_times_length);
-        const interval span_14 = interval_product(span_13, span_10);
-        const interval span_15 = interval_sum(span_8, span_14);
-        bounds[0] = span_15;
+        const interval span_10 = interval_at(broadcast(-1.0), broadcast(1.0));
+        const interval span_11 = interval_product(span_9, span_10);
+        const interval span_12 = interval_sum(span_8, span_11);
+        bounds[0] = span_12;
+    }
+    if (watched >> 1 & 1) {
+        const interval span_0 = interval_of_rate(s->com_y, power, 2);
+        bounds[1] = span_0;
     }
     if (watched >> 2 & 1) {
-        const interval span_13 = interval_at(broadcast(0.0), broadcast(0.0));
-        bounds[2] = span_13;
+        const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
+        const interval span_1 = interval_of_series(s->com_y, power, 3);
+        const interval span_2 = interval_at(c->height, c->height);
+        const interval span_3 = interval_difference(span_1, span_2);
+        const interval span_4 = interval_product(span_0, span_3);
+        const interval span_5 = interval_at(c->sin_of_slope, c->sin_of_slope);
+        const interval span_6 = interval_of_series(s->com_x, power, 3);
+        const interval span_7 = interval_product(span_5, span_6);
+        const interval span_8 = interval_difference(span_4, span_7);
+        const interval span_9 = interval_at(c->share_times_length, c->share_times_length);
+        const interval span_10 = interval_at(broadcast(-1.0), broadcast(1.0));
+        const interval span_11 = interval_product(span_9, span_10);
+        const interval span_12 = interval_difference(span_8, span_11);
+        bounds[2] = span_12;
+    }
+    if (watched >> 3 & 1) {
+        const interval span_0 = interval_at(broadcast(0.0), broadcast(0.0));
+        bounds[3] = span_0;
     }
 }
 
@@ -1210,86 +1235,6 @@ static void vary_no_apex(const real *constants, const real *series, const real *
     (void)constants, (void)series, (void)d_constants, (void)order, (void)varied;
 }
 
-/* ---- flight_retract */
-
-/* The centre of mass is ballistic. The leg turns after the apex. */
-typedef struct {
-    real com_x[TERMS], com_y[TERMS], external_work[TERMS], time[TERMS], com_vx[TERMS], com_vy[TERMS];
-} flight_retract_series;
-
-/* All coefficients. */
-static void expand_flight_retract(const real *constants, int order, real *expanded) {
-    const flight_retract_constants *c = (const void *)constants;
-    flight_retract_series *s = (void *)expanded;
-    s->time[1] = broadcast(1.0);
-    s->com_vx[1] = c->external_fx_over_total;
-    s->com_vy[1] = c->external_fy_over_total_minus_gravity;
-    for (int k = 0; k < order; ++k) {
-        s->com_x[k + 1] = s->com_vx[k] * series_reciprocal[k + 1];
-        s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
-        s->external_work[k + 1] = series_reciprocal[k + 1] * (c->external_fx * s->com_vx[k]
-            + c->external_fy * s->com_vy[k]);
-    }
-}
-
-/* First variation of the series. */
-static void vary_flight_retract(const real *constants, const real *series, const real *d_constants, int order,
-    real *varied) {
-    const flight_retract_constants *c = (const void *)constants;
-    const flight_retract_series *s = (const void *)series;
-    const flight_retract_constants *d = (const void *)d_constants;
-    flight_retract_series *t = (void *)varied;
-    for (int k = 0; k < order; ++k) {
-        t->com_x[k + 1] = t->com_vx[k] * series_reciprocal[k + 1];
-        t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
-        t->external_work[k + 1] = series_reciprocal[k + 1] * (d->external_fx * s->com_vx[k]
-            + c->external_fx * t->com_vx[k] + d->external_fy * s->com_vy[k] + c->external_fy * t->com_vy[k]);
-        t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
-        t->com_vx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_over_total));
-        t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k,
-            d->external_fy_over_total_minus_gravity));
-    }
-}
-
-/* First variation of power_of_hip. */
-static void d_observed_flight_retract_power_of_hip(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    (void)constants, (void)series, (void)d_constants, (void)d_series;
-    for (int k = 0; k < order; ++k) {
-        dg[k] = broadcast(0.0);
-    }
-}
-
-/* apex: A stride closes, and the leg is placed anew. */
-static void guard_flight_retract_apex(const real *constants, const real *series, int order, real *g) {
-    const flight_retract_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->com_y[k + 1];
-    }
-}
-
-/* power_of_hip: Power of the total hip torque. */
-static void guard_flight_retract_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    (void)constants, (void)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = broadcast(0.0);
-    }
-}
-
-/* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_retract(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
-    const flight_retract_series *s = (const void *)series;
-    (void)constants, (void)order;
-    const interval span_0 = interval_of_rate(s->com_y, power, 2);
-    bounds[0] = span_0;
-    if (watched >> 1 & 1) {
-        const interval span_1 = interval_at(broadcast(0.0), broadcast(0.0));
-        bounds[1] = span_1;
-    }
-}
-
 /* ---- slip_falling */
 
 /* m_f vdot = p - s mu f_n, where p is the push of the leg and s the direction of slip. */
@@ -1819,12 +1764,12 @@ static const tdmf_polynomial polynomials_no_start[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_no_start[] = {NULL};
 static const int moving_no_start[] = {0}, degrees_no_start[] = {0}, judged_no_start[] = {0},
     divided_no_start[] = {0}, divisors_no_start[] = {0}, integrals_no_start[] = {0}, factors_no_start[] = {0};
-static const tdmf_polynomial polynomials_flight_place[] = {guard_flight_place_falls,
-    guard_flight_place_touchdown, guard_flight_place_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_flight_place[] = {d_observed_flight_place_power_of_hip};
-static const int moving_flight_place[] = {57, 58, 71, 0, 59, 60, 52, 80}, degrees_flight_place[] = {2, 2, 2,
-    1, 1, 1, 1, 1}, judged_flight_place[] = {0}, divided_flight_place[] = {0}, divisors_flight_place[] = {0},
-    integrals_flight_place[] = {-1}, factors_flight_place[] = {-1, -1};
+static const tdmf_polynomial polynomials_flight[] = {guard_flight_falls, guard_flight_apex,
+    guard_flight_touchdown, guard_flight_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight[] = {d_observed_flight_power_of_hip};
+static const int moving_flight[] = {57, 58, 71, 0, 59, 60, 81, 52}, degrees_flight[] = {2, 2, 2, 1, 1, 1, 1,
+    1}, judged_flight[] = {0}, divided_flight[] = {0}, divisors_flight[] = {0}, integrals_flight[] = {-1},
+    factors_flight[] = {-1, -1};
 static const tdmf_polynomial polynomials_fallen[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0}, degrees_fallen[] = {0}, judged_fallen[] = {0}, divided_fallen[] = {0},
@@ -1836,7 +1781,7 @@ static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_
     guard_slip_constant_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_slip_constant_power_of_hip,
     d_observed_slip_constant_vertical_force_on_foot, d_observed_slip_constant_force_on_foot};
-static const int moving_slip_constant[] = {62, 63, 64, 65, 66, 67, 71, 72, 75, 82, 0},
+static const int moving_slip_constant[] = {62, 63, 64, 65, 66, 67, 71, 72, 75, 83, 0},
     degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99}, judged_slip_constant[] = {2, 3,
     5, 6, 7, 8, 9, 11}, divided_slip_constant[] = {-1, -1, -1, -1, -1, -1, -1, -1},
     divisors_slip_constant[] = {15, 14}, integrals_slip_constant[] = {9, -1, -1},
@@ -1847,7 +1792,7 @@ static const tdmf_polynomial polynomials_stick[] = {guard_stick_falls, guard_sti
     guard_stick_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_power_of_hip,
     d_observed_stick_vertical_force_on_foot, d_observed_stick_force_on_foot};
-static const int moving_stick[] = {62, 63, 64, 65, 71, 72, 82, 0, 66}, degrees_stick[] = {99, 99, 99, 99, 99,
+static const int moving_stick[] = {62, 63, 64, 65, 71, 72, 83, 0, 66}, degrees_stick[] = {99, 99, 99, 99, 99,
     99, 99, 1, 1, 99}, judged_stick[] = {2, 3, 4, 5, 6, 9}, divided_stick[] = {-1, -1, -1, -1, -1, -1},
     divisors_stick[] = {13, 12}, integrals_stick[] = {6, -1, -1}, factors_stick[] = {24, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_no_stance[] = {NULL};
@@ -1859,12 +1804,6 @@ static const tdmf_polynomial polynomials_no_apex[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_no_apex[] = {NULL};
 static const int moving_no_apex[] = {0}, degrees_no_apex[] = {0}, judged_no_apex[] = {0},
     divided_no_apex[] = {0}, divisors_no_apex[] = {0}, integrals_no_apex[] = {0}, factors_no_apex[] = {0};
-static const tdmf_polynomial polynomials_flight_retract[] = {guard_flight_retract_apex,
-    guard_flight_retract_power_of_hip};
-static const tdmf_vary_polynomial vary_observed_flight_retract[] = {d_observed_flight_retract_power_of_hip};
-static const int moving_flight_retract[] = {57, 58, 71, 0, 59, 60}, degrees_flight_retract[] = {2, 2, 2, 1, 1,
-    1}, judged_flight_retract[] = {0}, divided_flight_retract[] = {0}, divisors_flight_retract[] = {0},
-    integrals_flight_retract[] = {-1}, factors_flight_retract[] = {-1, -1};
 static const tdmf_polynomial polynomials_slip_falling[] = {guard_slip_falling_falls,
     guard_slip_falling_collapses, guard_slip_falling_greatest_compression, guard_slip_falling_mid_stance,
     guard_slip_falling_lift_off, guard_slip_falling_leaves_layer, guard_slip_falling_comes_to_rest,
@@ -1872,7 +1811,7 @@ static const tdmf_polynomial polynomials_slip_falling[] = {guard_slip_falling_fa
     guard_slip_falling_force_on_foot};
 static const tdmf_vary_polynomial vary_observed_slip_falling[] = {d_observed_slip_falling_power_of_hip,
     d_observed_slip_falling_vertical_force_on_foot, d_observed_slip_falling_force_on_foot};
-static const int moving_slip_falling[] = {62, 63, 64, 65, 66, 67, 71, 72, 75, 82, 0},
+static const int moving_slip_falling[] = {62, 63, 64, 65, 66, 67, 71, 72, 75, 83, 0},
     degrees_slip_falling[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99}, judged_slip_falling[] = {2, 3,
     5, 6, 7, 8, 9, 11}, divided_slip_falling[] = {-1, -1, -1, -1, -1, -1, -1, -1},
     divisors_slip_falling[] = {15, 14}, integrals_slip_falling[] = {9, -1, -1}, factors_slip_falling[] = {32,
@@ -1891,12 +1830,11 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_reduced_runner_motions)[] = {
         .factors = factors_no_start, .polynomials = polynomials_no_start,
         .vary_observed = vary_observed_no_start, .expand = expand_no_start, .vary = vary_no_start,
         .bounds = NULL},
-    {.moving_count = 8, .extra_count = 0, .series_count = 8, .constant_count = 11, .judged_count = 0,
-        .divisor_count = 0, .moving = moving_flight_place, .degrees = degrees_flight_place,
-        .judged = judged_flight_place, .divided = divided_flight_place, .divisors = divisors_flight_place,
-        .integrals = integrals_flight_place, .factors = factors_flight_place,
-        .polynomials = polynomials_flight_place, .vary_observed = vary_observed_flight_place,
-        .expand = expand_flight_place, .vary = vary_flight_place, .bounds = bounds_flight_place},
+    {.moving_count = 8, .extra_count = 0, .series_count = 8, .constant_count = 12, .judged_count = 0,
+        .divisor_count = 0, .moving = moving_flight, .degrees = degrees_flight, .judged = judged_flight,
+        .divided = divided_flight, .divisors = divisors_flight, .integrals = integrals_flight,
+        .factors = factors_flight, .polynomials = polynomials_flight, .vary_observed = vary_observed_flight,
+        .expand = expand_flight, .vary = vary_flight, .bounds = bounds_flight},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_fallen, .degrees = degrees_fallen, .judged = judged_fallen,
         .divided = divided_fallen, .divisors = divisors_fallen, .integrals = integrals_fallen,
@@ -1925,13 +1863,6 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_reduced_runner_motions)[] = {
         .factors = factors_no_apex, .polynomials = polynomials_no_apex,
         .vary_observed = vary_observed_no_apex, .expand = expand_no_apex, .vary = vary_no_apex,
         .bounds = NULL},
-    {.moving_count = 6, .extra_count = 0, .series_count = 6, .constant_count = 4, .judged_count = 0,
-        .divisor_count = 0, .moving = moving_flight_retract, .degrees = degrees_flight_retract,
-        .judged = judged_flight_retract, .divided = divided_flight_retract,
-        .divisors = divisors_flight_retract, .integrals = integrals_flight_retract,
-        .factors = factors_flight_retract, .polynomials = polynomials_flight_retract,
-        .vary_observed = vary_observed_flight_retract, .expand = expand_flight_retract,
-        .vary = vary_flight_retract, .bounds = bounds_flight_retract},
     {.moving_count = 11, .extra_count = 1, .series_count = 33, .constant_count = 21, .judged_count = 8,
         .divisor_count = 2, .moving = moving_slip_falling, .degrees = degrees_slip_falling,
         .judged = judged_slip_falling, .divided = divided_slip_falling, .divisors = divisors_slip_falling,

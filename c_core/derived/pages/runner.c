@@ -329,16 +329,20 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
         y->apex_angle = x->angle;
         y->apex_length_rate = x->length_rate;
         y->apex_angle_rate = rate;
+        y->swing = 2.0;
         return next[2]; /* flight */
     }
     if (rise < 0.0) {
+        y->swing = 2.0;
         return next[2]; /* flight */
     }
     const real servo = -(p->kp * (x->angle - p->liftoff_factor * x->angle)) - p->kd * x->angle_rate;
     if (p->swing_clamp > 0.0 && servo <= 0.0) {
-        return next[3]; /* flight */
+        y->swing = 0.0;
+        return next[2]; /* flight */
     }
-    return next[4]; /* flight */
+    y->swing = 1.0;
+    return next[2]; /* flight */
 }
 
 /* First variation of begins. */
@@ -559,6 +563,7 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     y->com_vx = sum_4;
     y->com_vy = d_rise;
     y->momentum = d_moment;
+    y->swing = 0.0;
     if (real_abs(rise) <= slow) {
         const real sine_over_cosine = sine / cosine;
         const real d_height_of_section = sum_3 - d_set_height - (seen_x_minus_sum * sine_over_cosine
@@ -1194,13 +1199,14 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     y->placing = goes_on_times_placed_for;
     y->rises_again = goes_on;
     if (rise < 0.0 || goes_on > 0.0) {
-        const real target = p->touchdown_angle + p->more_angle
-            - p->retraction_rate * goes_on_times_placed_for;
-        const real servo = -(p->kp * (angle - target)) - p->kd * (angle_rate + p->retraction_rate);
+        const real first = p->touchdown_angle + p->more_angle;
+        const real servo = -(p->kp * (angle - (first - p->retraction_rate * goes_on_times_placed_for)))
+            - p->kd * (angle_rate + p->retraction_rate);
         const real swing_torque = x->external_torque + servo;
         const real turning = swing_torque / square;
         const real off = axial_times_y_ + turning * x->x_;
         const real normal = off + foot_mass_times_gravity_times_cosine;
+        y->swing = 2.0;
         if (normal < minus_hardly) {
             y->length = length;
             y->angle = angle;
@@ -1221,6 +1227,7 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     if (p->swing_clamp > 0.0 && retracting_torque <= 0.0) {
         const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
             + foot_mass_times_gravity_times_cosine;
+        y->swing = 0.0;
         if (flight_lifts < minus_hardly) {
             y->length = length;
             y->angle = angle;
@@ -1233,10 +1240,11 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
             y->thrusting = 0.0;
             y->leg_work = leg_work_plus_work;
             y->positive_leg_work = positive_leg_work_plus_work_or_begins;
-            return next[2]; /* flight */
+            return next[0]; /* flight */
         }
-        return next[3]; /* graze */
+        return next[1]; /* graze */
     }
+    y->swing = 1.0;
     if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
         + foot_mass_times_gravity_times_cosine < minus_hardly) {
         y->length = length;
@@ -1250,9 +1258,9 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         y->thrusting = 0.0;
         y->leg_work = leg_work_plus_work;
         y->positive_leg_work = positive_leg_work_plus_work_or_begins;
-        return next[4]; /* flight */
+        return next[0]; /* flight */
     }
-    return next[5]; /* graze */
+    return next[1]; /* graze */
 }
 
 /* First variation of lift_off. */
@@ -1329,12 +1337,13 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real d_goes_on = select(x->time <= x->touchdown_time, dx->was_placed, 0.0);
     const real sum_4 = d_goes_on * x->placed_for + goes_on * dx->placed_for;
     y->liftoff_angle = d_angle;
+    y->swing = 0.0;
     y->placing = sum_4;
     y->rises_again = d_goes_on;
     if (rise < 0.0 || goes_on > 0.0) {
-        const real target = p->touchdown_angle + p->more_angle
-            - p->retraction_rate * (goes_on * x->placed_for);
-        const real servo = -(p->kp * (angle - target)) - p->kd * (angle_rate + p->retraction_rate);
+        const real first = p->touchdown_angle + p->more_angle;
+        const real servo = -(p->kp * (angle - (first - p->retraction_rate * (goes_on * x->placed_for))))
+            - p->kd * (angle_rate + p->retraction_rate);
         const real swing_torque = x->external_torque + servo;
         const real turning = swing_torque / square;
         const real off = axial_times_y_ + turning * x->x_;
@@ -3087,25 +3096,32 @@ static void vary_world_rates_stick(const real *parameters, const real *states, c
         + x->y_ * sum_4) - angle_rate * sum_3) / square * d_square) / square;
 }
 
-/* Constants of flight_place_calm. */
-static void open_flight_place_calm(const real *parameters, const real *states, real *constants) {
+/* Constants of flight_calm. */
+static void open_flight_calm(const real *parameters, const real *states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
-    flight_place_calm_constants *c = (void *)constants;
+    flight_calm_constants *c = (void *)constants;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
-    const real touchdown_angle_plus_more_angle = p->touchdown_angle + p->more_angle;
+    const real share = select(x->swing > 0.0, 1.0, 0.0);
+    const real share_times_kp = share * p->kp;
+    const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
+    const real first = select(x->swing < 2.0, liftoff_factor_times_liftoff_angle, p->touchdown_angle
+        + p->more_angle);
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
+    const real turn = is_placing * p->retraction_rate;
+    const real share_times_kd = share * p->kd;
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
     const real minus_gravity = -p->gravity;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real body_mass_over_body_mass_plus_foot_mass = p->body_mass / (p->body_mass + p->foot_mass);
     const real set_slope = p->ground_slope + x->segment_slope;
     const real cos_of_set_slope = real_cos(set_slope);
     const real set_height = p->ground_height + x->segment_height;
     const real sin_of_set_slope = real_sin(set_slope);
     const real cos_of_slope = real_cos(x->slope);
     const real sin_of_slope = real_sin(x->slope);
-    const real by_1_minus_share = 1.0 - share;
+    const real sum_2 = 1.0 - body_mass_over_body_mass_plus_foot_mass;
     const real inverse_cos_of_slope = 1.0 / cos_of_slope;
     c->mobility = mobility;
     c->stiffness = p->stiffness;
@@ -3113,9 +3129,13 @@ static void open_flight_place_calm(const real *parameters, const real *states, r
     c->thrusting_times_longer_or_by_0 = thrusting_times_longer_or_by_0;
     c->damping = p->damping;
     c->kp = p->kp;
-    c->touchdown_angle_plus_more_angle = touchdown_angle_plus_more_angle;
-    c->retraction_rate = p->retraction_rate;
+    c->share_times_kp = share_times_kp;
+    c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
+    c->first = first;
+    c->is_placing = is_placing;
+    c->turn = turn;
     c->kd = p->kd;
+    c->share_times_kd = share_times_kd;
     c->extension_rate = x->extension_rate;
     c->stiffness_times_extension_rate = stiffness_times_extension_rate;
     c->external_fx_rate = x->external_fx_rate;
@@ -3125,7 +3145,7 @@ static void open_flight_place_calm(const real *parameters, const real *states, r
     c->com_vx = x->com_vx;
     c->minus_gravity = minus_gravity;
     c->segment_end = x->segment_end;
-    c->share = share;
+    c->body_mass_over_body_mass_plus_foot_mass = body_mass_over_body_mass_plus_foot_mass;
     c->segment_begin = x->segment_begin;
     c->set_slope = set_slope;
     c->cos_of_set_slope = cos_of_set_slope;
@@ -3135,32 +3155,42 @@ static void open_flight_place_calm(const real *parameters, const real *states, r
     c->cos_of_slope = cos_of_slope;
     c->height = x->height;
     c->sin_of_slope = sin_of_slope;
-    c->by_1_minus_share = by_1_minus_share;
+    c->sum_2 = sum_2;
     c->least_length = p->least_length;
     c->inverse_cos_of_slope = inverse_cos_of_slope;
 }
 
-/* First variation of open_flight_place_calm. */
-static void vary_open_flight_place_calm(const real *parameters, const real *states, const real *d_parameters,
+/* First variation of open_flight_calm. */
+static void vary_open_flight_calm(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
-    flight_place_calm_constants *c = (void *)constants;
+    flight_calm_constants *c = (void *)constants;
     const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass)
         - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
         + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
-    const real d_touchdown_angle_plus_more_angle = dp->touchdown_angle + dp->more_angle;
+    const real share = select(x->swing > 0.0, 1.0, 0.0);
+    const real d_share_times_kp = share * dp->kp;
+    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
+        + p->liftoff_factor * dx->liftoff_angle;
+    const real d_first = select(x->swing < 2.0, d_liftoff_factor_times_liftoff_angle, dp->touchdown_angle
+        + dp->more_angle);
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
+    const real d_turn = is_placing * dp->retraction_rate;
+    const real d_share_times_kd = share * dp->kd;
     const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
         + p->stiffness * dx->extension_rate;
     const real d_minus_gravity = -dp->gravity;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real body_mass_over_body_mass_plus_foot_mass = p->body_mass / body_mass_plus_foot_mass;
+    const real d_body_mass_over_body_mass_plus_foot_mass = (dp->body_mass
+        - body_mass_over_body_mass_plus_foot_mass * (dp->body_mass
+        + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real d_set_slope = dp->ground_slope + dx->segment_slope;
     const real set_slope = p->ground_slope + x->segment_slope;
     const real sin_of_set_slope = real_sin(set_slope);
@@ -3173,7 +3203,7 @@ static void vary_open_flight_place_calm(const real *parameters, const real *stat
     const real d_cos_of_slope = -sin_of_slope_times_slope;
     const real cos_of_slope = real_cos(x->slope);
     const real d_sin_of_slope = cos_of_slope * dx->slope;
-    const real d_by_1_minus_share = -d_share;
+    const real d_sum_2 = -d_body_mass_over_body_mass_plus_foot_mass;
     const real inverse_cos_of_slope = 1.0 / cos_of_slope;
     const real d_inverse_cos_of_slope = inverse_cos_of_slope * sin_of_slope_times_slope / cos_of_slope;
     c->mobility = d_mobility;
@@ -3182,9 +3212,13 @@ static void vary_open_flight_place_calm(const real *parameters, const real *stat
     c->thrusting_times_longer_or_by_0 = d_thrusting_times_longer_or_by_0;
     c->damping = dp->damping;
     c->kp = dp->kp;
-    c->touchdown_angle_plus_more_angle = d_touchdown_angle_plus_more_angle;
-    c->retraction_rate = dp->retraction_rate;
+    c->share_times_kp = d_share_times_kp;
+    c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
+    c->first = d_first;
+    c->is_placing = 0.0;
+    c->turn = d_turn;
     c->kd = dp->kd;
+    c->share_times_kd = d_share_times_kd;
     c->extension_rate = dx->extension_rate;
     c->stiffness_times_extension_rate = d_stiffness_times_extension_rate;
     c->external_fx_rate = dx->external_fx_rate;
@@ -3194,7 +3228,7 @@ static void vary_open_flight_place_calm(const real *parameters, const real *stat
     c->com_vx = dx->com_vx;
     c->minus_gravity = d_minus_gravity;
     c->segment_end = dx->segment_end;
-    c->share = d_share;
+    c->body_mass_over_body_mass_plus_foot_mass = d_body_mass_over_body_mass_plus_foot_mass;
     c->segment_begin = dx->segment_begin;
     c->set_slope = d_set_slope;
     c->cos_of_set_slope = d_cos_of_set_slope;
@@ -3204,14 +3238,14 @@ static void vary_open_flight_place_calm(const real *parameters, const real *stat
     c->cos_of_slope = d_cos_of_slope;
     c->height = dx->height;
     c->sin_of_slope = d_sin_of_slope;
-    c->by_1_minus_share = d_by_1_minus_share;
+    c->sum_2 = d_sum_2;
     c->least_length = dp->least_length;
     c->inverse_cos_of_slope = d_inverse_cos_of_slope;
 }
 
 /* passes_end: The foot is above the next segment. */
-static int react_flight_place_calm_passes_end(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
+static int react_flight_calm_passes_end(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -3264,7 +3298,7 @@ static int react_flight_place_calm_passes_end(const real *parameters, const real
 }
 
 /* First variation of passes_end. */
-static void vary_react_flight_place_calm_passes_end(const real *parameters, const real *states,
+static void vary_react_flight_calm_passes_end(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -3336,7 +3370,7 @@ static void vary_react_flight_place_calm_passes_end(const real *parameters, cons
 }
 
 /* Whether passes_end is watched. */
-static real watches_flight_place_calm_passes_end(const real *parameters, const real *states) {
+static real watches_flight_calm_passes_end(const real *parameters, const real *states) {
     const runner_states *x = (const void *)states;
     (void)parameters;
     if (x->segment_end < 1000000000000.0) {
@@ -3346,7 +3380,7 @@ static real watches_flight_place_calm_passes_end(const real *parameters, const r
 }
 
 /* First variation of the guard of passes_end. */
-static real vary_guard_flight_place_calm_passes_end(const real *parameters, const real *states,
+static real vary_guard_flight_calm_passes_end(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -3363,7 +3397,7 @@ static real vary_guard_flight_place_calm_passes_end(const real *parameters, cons
 }
 
 /* passes_begin: The foot is above the segment before. */
-static int react_flight_place_calm_passes_begin(const real *parameters, const real *states,
+static int react_flight_calm_passes_begin(const real *parameters, const real *states,
     const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -3417,7 +3451,7 @@ static int react_flight_place_calm_passes_begin(const real *parameters, const re
 }
 
 /* First variation of passes_begin. */
-static void vary_react_flight_place_calm_passes_begin(const real *parameters, const real *states,
+static void vary_react_flight_calm_passes_begin(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -3489,7 +3523,7 @@ static void vary_react_flight_place_calm_passes_begin(const real *parameters, co
 }
 
 /* Whether passes_begin is watched. */
-static real watches_flight_place_calm_passes_begin(const real *parameters, const real *states) {
+static real watches_flight_calm_passes_begin(const real *parameters, const real *states) {
     const runner_states *x = (const void *)states;
     (void)parameters;
     if (x->segment_begin > -1000000000000.0) {
@@ -3499,7 +3533,7 @@ static real watches_flight_place_calm_passes_begin(const real *parameters, const
 }
 
 /* First variation of the guard of passes_begin. */
-static real vary_guard_flight_place_calm_passes_begin(const real *parameters, const real *states,
+static real vary_guard_flight_calm_passes_begin(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -3516,7 +3550,7 @@ static real vary_guard_flight_place_calm_passes_begin(const real *parameters, co
 }
 
 /* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
-static int react_flight_place_calm_next_segment_comes(const real *parameters, const real *states,
+static int react_flight_calm_next_segment_comes(const real *parameters, const real *states,
     const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -3541,7 +3575,7 @@ static int react_flight_place_calm_next_segment_comes(const real *parameters, co
 }
 
 /* Whether next_segment_comes is watched. */
-static real watches_flight_place_calm_next_segment_comes(const real *parameters, const real *states) {
+static real watches_flight_calm_next_segment_comes(const real *parameters, const real *states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     if (p->by_stride > 0.0 && x->segment < x->count) {
@@ -3551,8 +3585,8 @@ static real watches_flight_place_calm_next_segment_comes(const real *parameters,
 }
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
-static int react_flight_place_calm_ramp_ends(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
+static int react_flight_calm_ramp_ends(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
     runner_states *y = (void *)after;
     (void)parameters, (void)states, (void)tables;
     y->friction = 0.0;
@@ -3561,14 +3595,14 @@ static int react_flight_place_calm_ramp_ends(const real *parameters, const real 
 }
 
 /* wind_rises: An external force acts, so flight is no longer ballistic. */
-static int react_flight_place_calm_wind_rises(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
+static int react_flight_calm_wind_rises(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
     (void)parameters, (void)states, (void)tables, (void)after;
     return next[0]; /* flight */
 }
 
 /* Whether wind_rises is watched. */
-static real watches_flight_place_calm_wind_rises(const real *parameters, const real *states) {
+static real watches_flight_calm_wind_rises(const real *parameters, const real *states) {
     const runner_states *x = (const void *)states;
     (void)parameters;
     const real now = real_abs(x->external_fx) + real_abs(x->external_fy);
@@ -3580,8 +3614,8 @@ static real watches_flight_place_calm_wind_rises(const real *parameters, const r
 }
 
 /* new_ground: The foot is above the pending ground line, which comes into force. */
-static int react_flight_place_calm_new_ground(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
+static int react_flight_calm_new_ground(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -3594,7 +3628,7 @@ static int react_flight_place_calm_new_ground(const real *parameters, const real
 }
 
 /* First variation of new_ground. */
-static void vary_react_flight_place_calm_new_ground(const real *parameters, const real *states,
+static void vary_react_flight_calm_new_ground(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
@@ -3607,7 +3641,7 @@ static void vary_react_flight_place_calm_new_ground(const real *parameters, cons
 }
 
 /* Whether new_ground is watched. */
-static real watches_flight_place_calm_new_ground(const real *parameters, const real *states) {
+static real watches_flight_calm_new_ground(const real *parameters, const real *states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const real set_height = p->ground_height + x->segment_height;
@@ -3619,7 +3653,7 @@ static real watches_flight_place_calm_new_ground(const real *parameters, const r
 }
 
 /* First variation of the guard of new_ground. */
-static real vary_guard_flight_place_calm_new_ground(const real *parameters, const real *states,
+static real vary_guard_flight_calm_new_ground(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -3645,7 +3679,7 @@ static real vary_guard_flight_place_calm_new_ground(const real *parameters, cons
 }
 
 /* falls: The body reaches the ground. */
-static int react_flight_place_calm_falls(const real *parameters, const real *states, const tdmf_table *tables,
+static int react_flight_calm_falls(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -3669,8 +3703,8 @@ static int react_flight_place_calm_falls(const real *parameters, const real *sta
 }
 
 /* First variation of falls. */
-static void vary_react_flight_place_calm_falls(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
+static void vary_react_flight_calm_falls(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -3706,8 +3740,8 @@ static void vary_react_flight_place_calm_falls(const real *parameters, const rea
 }
 
 /* First variation of the guard of falls. */
-static real vary_guard_flight_place_calm_falls(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
+static real vary_guard_flight_calm_falls(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -3728,7 +3762,7 @@ static real vary_guard_flight_place_calm_falls(const real *parameters, const rea
 }
 
 /* First variation of the guard of collapses. */
-static real vary_guard_flight_place_calm_collapses(const real *parameters, const real *states,
+static real vary_guard_flight_calm_collapses(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
@@ -3737,7 +3771,7 @@ static real vary_guard_flight_place_calm_collapses(const real *parameters, const
 }
 
 /* apex: A stride closes and place begins. An external force can cause further apices in place. */
-static int react_flight_place_calm_apex(const real *parameters, const real *states, const tdmf_table *tables,
+static int react_flight_calm_apex(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -3792,14 +3826,15 @@ static int react_flight_place_calm_apex(const real *parameters, const real *stat
     y->apex_angle = x->angle;
     y->apex_length_rate = x->length_rate;
     y->apex_angle_rate = rate;
+    y->swing = 2.0;
     y->placing = 0.0;
     y->rises_again = 0.0;
     return next[0]; /* flight */
 }
 
 /* First variation of apex. */
-static void vary_react_flight_place_calm_apex(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
+static void vary_react_flight_calm_apex(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -3873,31 +3908,42 @@ static void vary_react_flight_place_calm_apex(const real *parameters, const real
     y->apex_angle = dx->angle;
     y->apex_length_rate = dx->length_rate;
     y->apex_angle_rate = d_rate;
+    y->swing = 0.0;
     y->placing = 0.0;
     y->rises_again = 0.0;
 }
 
 /* Whether apex is watched. */
-static real watches_flight_place_calm_apex(const real *parameters, const real *states) {
+static real watches_flight_calm_apex(const real *parameters, const real *states) {
     const runner_states *x = (const void *)states;
     (void)parameters;
-    if (x->rises_again > 0.0) {
+    if (x->swing < 2.0 || x->rises_again > 0.0) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
+/* Whether apex has to cross zero. */
+static real crosses_flight_calm_apex(const real *parameters, const real *states) {
+    const runner_states *x = (const void *)states;
+    (void)parameters;
+    if (x->swing > 1.0) {
         return 1.0;
     }
     return 0.0;
 }
 
 /* First variation of the guard of apex. */
-static real vary_guard_flight_place_calm_apex(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
+static real vary_guard_flight_calm_apex(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
     const runner_states *dx = (const void *)d_states;
     (void)parameters, (void)states, (void)d_parameters;
     return dx->com_vy;
 }
 
 /* touchdown: The foot reaches the ground. */
-static int react_flight_place_calm_touchdown(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
+static int react_flight_calm_touchdown(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -3961,6 +4007,7 @@ static int react_flight_place_calm_touchdown(const real *parameters, const real 
     const real angle_minus_minus_sumatan2_of_sum = x->angle - real_atan2(-sum_8, sum_9);
     const real along_times_along_plus_off_times_off = along * along + off * off;
     const real by_1_or_by_0 = select(x->angle >= 0.0, 1.0, 0.0);
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     y->touchdowns_so_far = touchdowns_so_far_plus_by_1;
     y->slid_from = sum_times_cos_of_slope_plus_product;
     y->bar_is_due = 1.0;
@@ -3972,7 +4019,7 @@ static int react_flight_place_calm_touchdown(const real *parameters, const real 
     y->driving = by_1_or_by_0;
     y->placing = 0.0;
     y->touchdown_time = x->time;
-    y->was_placed = 1.0;
+    y->was_placed = is_placing;
     y->placed_for = x->placing;
     if (p->stribeck_velocity > 0.0 && p->static_ratio > 1.0) {
         const real product_2 = (p->static_ratio
@@ -4030,7 +4077,7 @@ static int react_flight_place_calm_touchdown(const real *parameters, const real 
 }
 
 /* First variation of touchdown. */
-static void vary_react_flight_place_calm_touchdown(const real *parameters, const real *states,
+static void vary_react_flight_calm_touchdown(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -4229,7 +4276,7 @@ static void vary_react_flight_place_calm_touchdown(const real *parameters, const
 }
 
 /* First variation of the guard of touchdown. */
-static real vary_guard_flight_place_calm_touchdown(const real *parameters, const real *states,
+static real vary_guard_flight_calm_touchdown(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -4248,47 +4295,132 @@ static real vary_guard_flight_place_calm_touchdown(const real *parameters, const
     return d_above;
 }
 
-/* Outputs in flight_place_calm. */
-static void outputs_flight_place_calm(const real *parameters, const real *states, real *outputs) {
+/* clamp: The clamp of (12) holds the retracting torque at 0. */
+static int react_flight_calm_clamp(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
+    runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
+    y->swing = 0.0;
+    return next[0]; /* flight */
+}
+
+/* First variation of clamp. */
+static void vary_react_flight_calm_clamp(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, const tdmf_table *tables, int seed, real *after) {
+    runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
+    y->swing = 0.0;
+}
+
+/* Whether clamp is watched. */
+static real watches_flight_calm_clamp(const real *parameters, const real *states) {
+    const runner_parameters *p = (const void *)parameters;
+    const runner_states *x = (const void *)states;
+    if (p->swing_clamp > 0.0 && real_abs(x->swing - 1.0) <= 0.0) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
+/* First variation of the guard of clamp. */
+static real vary_guard_flight_calm_clamp(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
+    const runner_parameters *p = (const void *)parameters;
+    const runner_states *x = (const void *)states;
+    const runner_parameters *dp = (const void *)d_parameters;
+    const runner_states *dx = (const void *)d_states;
+    const real square = x->length * x->length;
+    const real rate = x->momentum / square;
+    const real d_square = 2.0 * (x->length * dx->length);
+    const real d_rate = (dx->momentum - rate * d_square) / square;
+    const real d_servo = -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (dx->angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate
+        + p->kd * d_rate);
+    return d_servo;
+}
+
+/* release: The clamp of (12) releases the retracting torque. */
+static int react_flight_calm_release(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
+    runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
+    y->swing = 1.0;
+    return next[0]; /* flight */
+}
+
+/* Whether release is watched. */
+static real watches_flight_calm_release(const real *parameters, const real *states) {
+    const runner_states *x = (const void *)states;
+    (void)parameters;
+    if (x->swing < 1.0) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
+/* First variation of the guard of release. */
+static real vary_guard_flight_calm_release(const real *parameters, const real *states,
+    const real *d_parameters, const real *d_states) {
+    const runner_parameters *p = (const void *)parameters;
+    const runner_states *x = (const void *)states;
+    const runner_parameters *dp = (const void *)d_parameters;
+    const runner_states *dx = (const void *)d_states;
+    const real square = x->length * x->length;
+    const real rate = x->momentum / square;
+    const real d_square = 2.0 * (x->length * dx->length);
+    const real d_rate = (dx->momentum - rate * d_square) / square;
+    const real d_servo = -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (dx->angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate
+        + p->kd * d_rate);
+    return -d_servo;
+}
+
+/* Outputs in flight_calm. */
+static void outputs_flight_calm(const real *parameters, const real *states, real *outputs) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const real set_height = p->ground_height + x->segment_height;
     const real set_slope = p->ground_slope + x->segment_slope;
     const real pending = select(real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope
         - x->slope)) > 0.0, 1.0, 0.0);
-    const real target = p->touchdown_angle + p->more_angle - p->retraction_rate * x->placing;
+    const real share = select(x->swing > 0.0, 1.0, 0.0);
+    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, p->touchdown_angle
+        + p->more_angle);
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
+    const real turn = p->retraction_rate * is_placing;
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
-    const real servo = -(p->kp * (x->angle - target)) - p->kd * (rate + p->retraction_rate);
+    const real servo = -(p->kp * share * (x->angle - (first - turn * x->placing))) - p->kd * share * (rate
+        + turn);
     const real swing_torque = x->external_torque + servo;
     const real longer = p->thrust + p->more_thrust;
     const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
         0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real body_mass_over_body_mass_plus_foot_mass = p->body_mass / (p->body_mass + p->foot_mass);
     const real sin_of_angle = real_sin(x->angle);
     const real length_times_sin_of_angle = x->length * sin_of_angle;
-    const real body_x = x->com_x + share * length_times_sin_of_angle - length_times_sin_of_angle;
+    const real body_x = x->com_x + body_mass_over_body_mass_plus_foot_mass * length_times_sin_of_angle
+        - length_times_sin_of_angle;
     const real cos_of_angle = real_cos(x->angle);
     const real y_2 = x->length * cos_of_angle;
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
-    const real turn = x->momentum / x->length;
-    const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
+    const real com_y_minus_product = x->com_y - body_mass_over_body_mass_plus_foot_mass * y_2;
+    const real body_y = com_y_minus_product + y_2;
+    const real momentum_over_length = x->momentum / x->length;
+    const real vx = -(x->length_rate * sin_of_angle) - momentum_over_length * cos_of_angle;
+    const real com_vx_minus_product = x->com_vx - body_mass_over_body_mass_plus_foot_mass * vx;
+    const real body_vx = com_vx_minus_product + vx;
+    const real vy = x->length_rate * cos_of_angle - momentum_over_length * sin_of_angle;
+    const real com_vy_minus_product = x->com_vy - body_mass_over_body_mass_plus_foot_mass * vy;
+    const real body_vy = com_vy_minus_product + vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy = 0.5 * (of_body
-        + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
-        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
-    const real potential_energy = p->gravity * (p->body_mass * body_y
-        + p->foot_mass * com_y_minus_share_times_y);
+    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (com_vx_minus_product * com_vx_minus_product
+        + com_vy_minus_product * com_vy_minus_product));
+    const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_product);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
+    const real phase_of_hip = select(x->swing < 2.0, 3.0, 4.0);
     outputs[OUTPUT_pending] = pending;
     outputs[OUTPUT_torque] = swing_torque;
     outputs[OUTPUT_normal_force] = 0.0;
@@ -4309,26 +4441,32 @@ static void outputs_flight_place_calm(const real *parameters, const real *states
     outputs[OUTPUT_elastic_energy] = elastic_energy;
     outputs[OUTPUT_energy] = energy;
     outputs[OUTPUT_kind_of_contact] = 1.0;
-    outputs[OUTPUT_phase_of_hip] = 4.0;
+    outputs[OUTPUT_phase_of_hip] = phase_of_hip;
     outputs[OUTPUT_has_fallen] = 0.0;
 }
 
-/* First variation of outputs_flight_place_calm. */
-static void vary_outputs_flight_place_calm(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, real *outputs) {
+/* First variation of outputs_flight_calm. */
+static void vary_outputs_flight_calm(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, real *outputs) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
-    const real target = p->touchdown_angle + p->more_angle - p->retraction_rate * x->placing;
-    const real d_target = dp->touchdown_angle + dp->more_angle - (dp->retraction_rate * x->placing
-        + p->retraction_rate * dx->placing);
+    const real share = select(x->swing > 0.0, 1.0, 0.0);
+    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, p->touchdown_angle
+        + p->more_angle);
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
+    const real turn = p->retraction_rate * is_placing;
+    const real d_first = select(x->swing < 2.0, dp->liftoff_factor * x->liftoff_angle
+        + p->liftoff_factor * dx->liftoff_angle, dp->touchdown_angle + dp->more_angle);
+    const real d_turn = dp->retraction_rate * is_placing;
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
     const real d_square = 2.0 * (x->length * dx->length);
     const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real d_servo = -(dp->kp * (x->angle - target) + p->kp * (dx->angle - d_target)) - (dp->kd * (rate
-        + p->retraction_rate) + p->kd * (d_rate + dp->retraction_rate));
+    const real d_servo = -(dp->kp * share * (x->angle - (first - turn * x->placing))
+        + p->kp * share * (dx->angle - (d_first - (d_turn * x->placing + turn * dx->placing))))
+        - (dp->kd * share * (rate + turn) + p->kd * share * (d_rate + d_turn));
     const real d_swing_torque = dx->external_torque + d_servo;
     const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
@@ -4341,46 +4479,49 @@ static void vary_outputs_flight_place_calm(const real *parameters, const real *s
     const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * x->length_rate
         + p->damping * dx->length_rate);
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real body_mass_over_body_mass_plus_foot_mass = p->body_mass / body_mass_plus_foot_mass;
+    const real ratio = (dp->body_mass - body_mass_over_body_mass_plus_foot_mass * (dp->body_mass
+        + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real sin_of_angle = real_sin(x->angle);
     const real cos_of_angle = real_cos(x->angle);
     const real cos_of_angle_times_angle = cos_of_angle * dx->angle;
     const real sum_2 = dx->length * sin_of_angle + x->length * cos_of_angle_times_angle;
-    const real d_body_x = dx->com_x + (d_share * (x->length * sin_of_angle) + share * sum_2) - sum_2;
+    const real d_body_x = dx->com_x + (ratio * (x->length * sin_of_angle)
+        + body_mass_over_body_mass_plus_foot_mass * sum_2) - sum_2;
     const real y_2 = x->length * cos_of_angle;
     const real sin_of_angle_times_angle = sin_of_angle * dx->angle;
     const real d_y = dx->length * cos_of_angle - x->length * sin_of_angle_times_angle;
-    const real sum_3 = dx->com_y - (d_share * y_2 + share * d_y);
-    const real d_body_y = sum_3 + d_y;
-    const real turn = x->momentum / x->length;
-    const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
-    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
+    const real com_y_minus_ratio_times_y_plus_product = dx->com_y - (ratio * y_2
+        + body_mass_over_body_mass_plus_foot_mass * d_y);
+    const real d_body_y = com_y_minus_ratio_times_y_plus_product + d_y;
+    const real momentum_over_length = x->momentum / x->length;
+    const real vx = -(x->length_rate * sin_of_angle) - momentum_over_length * cos_of_angle;
+    const real sum_over_length = (dx->momentum - momentum_over_length * dx->length) / x->length;
     const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle)
-        - (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
-    const real sum_4 = dx->com_vx - (d_share * vx + share * d_vx);
-    const real d_body_vx = sum_4 + d_vx;
-    const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
+        - (sum_over_length * cos_of_angle - momentum_over_length * sin_of_angle_times_angle);
+    const real sum_3 = dx->com_vx - (ratio * vx + body_mass_over_body_mass_plus_foot_mass * d_vx);
+    const real d_body_vx = sum_3 + d_vx;
+    const real vy = x->length_rate * cos_of_angle - momentum_over_length * sin_of_angle;
     const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle
-        - (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
-    const real sum_5 = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_body_vy = sum_5 + d_vy;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
+        - (sum_over_length * sin_of_angle + momentum_over_length * cos_of_angle_times_angle);
+    const real sum_4 = dx->com_vy - (ratio * vy + body_mass_over_body_mass_plus_foot_mass * d_vy);
+    const real d_body_vy = sum_4 + d_vy;
+    const real com_vx_minus_product = x->com_vx - body_mass_over_body_mass_plus_foot_mass * vx;
+    const real body_vx = com_vx_minus_product + vx;
+    const real com_vy_minus_product = x->com_vy - body_mass_over_body_mass_plus_foot_mass * vy;
+    const real body_vy = com_vy_minus_product + vy;
     const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
         + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
     const real d_kinetic_energy = 0.5 * (d_of_body
-        + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
-        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy)
-        + p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4)
-        + 2.0 * (com_vy_minus_share_times_vy * sum_5))));
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
+        + (dp->foot_mass * (com_vx_minus_product * com_vx_minus_product
+        + com_vy_minus_product * com_vy_minus_product)
+        + p->foot_mass * (2.0 * (com_vx_minus_product * sum_3) + 2.0 * (com_vy_minus_product * sum_4))));
+    const real com_y_minus_product = x->com_y - body_mass_over_body_mass_plus_foot_mass * y_2;
+    const real body_y = com_y_minus_product + y_2;
     const real d_potential_energy = dp->gravity * (p->body_mass * body_y
-        + p->foot_mass * com_y_minus_share_times_y) + p->gravity * (dp->body_mass * body_y
-        + p->body_mass * d_body_y + (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
+        + p->foot_mass * com_y_minus_product) + p->gravity * (dp->body_mass * body_y
+        + p->body_mass * d_body_y + (dp->foot_mass * com_y_minus_product
+        + p->foot_mass * com_y_minus_ratio_times_y_plus_product));
     const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
         + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
@@ -4409,7 +4550,7 @@ static void vary_outputs_flight_place_calm(const real *parameters, const real *s
 }
 
 /* from world, in flight. */
-static void from_world_flight_place_calm(const real *parameters, const real *states, real *after) {
+static void from_world_flight_calm(const real *parameters, const real *states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -4429,9 +4570,9 @@ static void from_world_flight_place_calm(const real *parameters, const real *sta
     y->momentum = moment;
 }
 
-/* First variation of from_world_flight_place_calm. */
-static void vary_from_world_flight_place_calm(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, real *after) {
+/* First variation of from_world_flight_calm. */
+static void vary_from_world_flight_calm(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -4465,7 +4606,7 @@ static void vary_from_world_flight_place_calm(const real *parameters, const real
 }
 
 /* to world, in flight. */
-static void to_world_flight_place_calm(const real *parameters, const real *states, real *after) {
+static void to_world_flight_calm(const real *parameters, const real *states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -4485,9 +4626,9 @@ static void to_world_flight_place_calm(const real *parameters, const real *state
     y->angle_rate = rate;
 }
 
-/* First variation of to_world_flight_place_calm. */
-static void vary_to_world_flight_place_calm(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, real *after) {
+/* First variation of to_world_flight_calm. */
+static void vary_to_world_flight_calm(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -4522,7 +4663,7 @@ static void vary_to_world_flight_place_calm(const real *parameters, const real *
 }
 
 /* Rates of the world's states in flight. */
-static void world_rates_flight_place_calm(const real *parameters, const real *states, real *after) {
+static void world_rates_flight_calm(const real *parameters, const real *states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -4539,8 +4680,14 @@ static void world_rates_flight_place_calm(const real *parameters, const real *st
         0.0) * x->thrusting;
     const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
     const real sum_2 = x->length * (rate * rate) + mobility * spring;
-    const real target = p->touchdown_angle + p->more_angle - p->retraction_rate * x->placing;
-    const real servo = -(p->kp * (x->angle - target)) - p->kd * (rate + p->retraction_rate);
+    const real by_1_or_by_0 = select(x->swing > 0.0, 1.0, 0.0);
+    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, p->touchdown_angle
+        + p->more_angle);
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
+    const real retraction_rate_times_is_placing = p->retraction_rate * is_placing;
+    const real servo = -(p->kp * by_1_or_by_0 * (x->angle - (first
+        - retraction_rate_times_is_placing * x->placing))) - p->kd * by_1_or_by_0 * (rate
+        + retraction_rate_times_is_placing);
     const real swing_torque = x->external_torque + servo;
     const real mobility_times_swing_torque = mobility * swing_torque;
     const real turn = x->momentum / x->length;
@@ -4557,9 +4704,9 @@ static void world_rates_flight_place_calm(const real *parameters, const real *st
     y->angle_rate = (mobility_times_swing_torque - rate * (2.0 * (x->length * x->length_rate))) / square;
 }
 
-/* First variation of world_rates_flight_place_calm. */
-static void vary_world_rates_flight_place_calm(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, real *after) {
+/* First variation of world_rates_flight_calm. */
+static void vary_world_rates_flight_calm(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -4590,10 +4737,18 @@ static void vary_world_rates_flight_place_calm(const real *parameters, const rea
     const real rest_length_minus_length = rest_length - x->length;
     const real spring = p->stiffness * rest_length_minus_length - p->damping * x->length_rate;
     const real sum_4 = x->length * rate_times_rate + mobility * spring;
-    const real target = p->touchdown_angle + p->more_angle - p->retraction_rate * x->placing;
-    const real angle_minus_target = x->angle - target;
-    const real rate_plus_retraction_rate = rate + p->retraction_rate;
-    const real servo = -(p->kp * angle_minus_target) - p->kd * rate_plus_retraction_rate;
+    const real by_1_or_by_0 = select(x->swing > 0.0, 1.0, 0.0);
+    const real kp_times_by_1_or_by_0 = p->kp * by_1_or_by_0;
+    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, p->touchdown_angle
+        + p->more_angle);
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
+    const real retraction_rate_times_is_placing = p->retraction_rate * is_placing;
+    const real angle_minus_first_minus_product = x->angle - (first
+        - retraction_rate_times_is_placing * x->placing);
+    const real kd_times_by_1_or_by_0 = p->kd * by_1_or_by_0;
+    const real sum_5 = rate + retraction_rate_times_is_placing;
+    const real servo = -(kp_times_by_1_or_by_0 * angle_minus_first_minus_product)
+        - kd_times_by_1_or_by_0 * sum_5;
     const real swing_torque = x->external_torque + servo;
     const real mobility_times_swing_torque = mobility * swing_torque;
     const real turn = x->momentum / x->length;
@@ -4607,956 +4762,13 @@ static void vary_world_rates_flight_place_calm(const real *parameters, const rea
         - dx->length) - (dp->damping * x->length_rate + p->damping * dx->length_rate);
     const real sum_plus_sum = dx->length * rate_times_rate + x->length * (2.0 * (rate * d_rate))
         + (d_mobility * spring + mobility * d_spring);
-    const real d_target = dp->touchdown_angle + dp->more_angle - (dp->retraction_rate * x->placing
-        + p->retraction_rate * dx->placing);
-    const real d_servo = -(dp->kp * angle_minus_target + p->kp * (dx->angle - d_target))
-        - (dp->kd * rate_plus_retraction_rate + p->kd * (d_rate + dp->retraction_rate));
-    const real d_swing_torque = dx->external_torque + d_servo;
-    const real sum_5 = d_mobility * swing_torque + mobility * d_swing_torque;
-    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real sum_over_length_2 = (sum_5 - (d_turn * x->length_rate + turn * dx->length_rate)
-        - sum_over_length * dx->length) / x->length;
-    const real by_2_times_length_times_length_rate = 2.0 * (x->length * x->length_rate);
-    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate)
-        + share * (dx->length_rate * sine + x->length_rate * d_sine + (dx->length * cosine_times_rate
-        + x->length * sum_2)));
-    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate)
-        + share * (dx->length_rate * cosine - x->length_rate * sine_times_angle
-        - (dx->length * sine_times_rate + x->length * sum_3)));
-    y->seen_vx = -(d_share * (-(sum_4 * sine + x->length_rate * cosine_times_rate)
-        - (sum_over_length * cosine - turn * sine_times_rate)) + share * (-(sum_plus_sum * sine
-        + sum_4 * d_sine + (dx->length_rate * cosine_times_rate + x->length_rate * sum_2))
-        - (sum_over_length_2 * cosine - sum_over_length * sine_times_angle - (d_turn * sine_times_rate
-        + turn * sum_3))));
-    y->seen_vy = -dp->gravity - (d_share * (sum_4 * cosine - x->length_rate * sine_times_rate
-        - (sum_over_length * sine + turn * cosine_times_rate)) + share * (sum_plus_sum * cosine
-        - sum_4 * sine_times_angle - (dx->length_rate * sine_times_rate + x->length_rate * sum_3)
-        - (sum_over_length_2 * sine + sum_over_length * d_sine + (d_turn * cosine_times_rate
-        + turn * sum_2))));
-    y->length = dx->length_rate;
-    y->angle = d_rate;
-    y->length_rate = sum_plus_sum;
-    y->angle_rate = (sum_5 - (d_rate * by_2_times_length_times_length_rate
-        + rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate)))
-        - (mobility_times_swing_torque
-        - rate * by_2_times_length_times_length_rate) / square * d_square) / square;
-}
-
-/* Constants of flight_rest_calm. */
-static void open_flight_rest_calm(const real *parameters, const real *states, real *constants) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    flight_rest_calm_constants *c = (void *)constants;
-    const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
-    const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
-    const real minus_gravity = -p->gravity;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real set_slope = p->ground_slope + x->segment_slope;
-    const real cos_of_set_slope = real_cos(set_slope);
-    const real set_height = p->ground_height + x->segment_height;
-    const real sin_of_set_slope = real_sin(set_slope);
-    const real cos_of_slope = real_cos(x->slope);
-    const real sin_of_slope = real_sin(x->slope);
-    const real by_1_minus_share = 1.0 - share;
-    const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
-    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
-    c->mobility = mobility;
-    c->stiffness = p->stiffness;
-    c->free_length = p->free_length;
-    c->thrusting_times_longer_or_by_0 = thrusting_times_longer_or_by_0;
-    c->damping = p->damping;
-    c->extension_rate = x->extension_rate;
-    c->stiffness_times_extension_rate = stiffness_times_extension_rate;
-    c->external_fx_rate = x->external_fx_rate;
-    c->external_fy_rate = x->external_fy_rate;
-    c->friction_rate = x->friction_rate;
-    c->external_torque_rate = x->external_torque_rate;
-    c->com_vx = x->com_vx;
-    c->minus_gravity = minus_gravity;
-    c->segment_end = x->segment_end;
-    c->share = share;
-    c->segment_begin = x->segment_begin;
-    c->set_slope = set_slope;
-    c->cos_of_set_slope = cos_of_set_slope;
-    c->set_height = set_height;
-    c->sin_of_set_slope = sin_of_set_slope;
-    c->slope = x->slope;
-    c->cos_of_slope = cos_of_slope;
-    c->height = x->height;
-    c->sin_of_slope = sin_of_slope;
-    c->by_1_minus_share = by_1_minus_share;
-    c->least_length = p->least_length;
-    c->kp = p->kp;
-    c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
-    c->kd = p->kd;
-    c->inverse_cos_of_slope = inverse_cos_of_slope;
-}
-
-/* First variation of open_flight_rest_calm. */
-static void vary_open_flight_rest_calm(const real *parameters, const real *states, const real *d_parameters,
-    const real *d_states, real *constants) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    flight_rest_calm_constants *c = (void *)constants;
-    const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass)
-        - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
-        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
-    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
-        + p->stiffness * dx->extension_rate;
-    const real d_minus_gravity = -dp->gravity;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_set_slope = dp->ground_slope + dx->segment_slope;
-    const real set_slope = p->ground_slope + x->segment_slope;
-    const real sin_of_set_slope = real_sin(set_slope);
-    const real d_cos_of_set_slope = -(sin_of_set_slope * d_set_slope);
-    const real d_set_height = dp->ground_height + dx->segment_height;
-    const real cos_of_set_slope = real_cos(set_slope);
-    const real d_sin_of_set_slope = cos_of_set_slope * d_set_slope;
-    const real sin_of_slope = real_sin(x->slope);
-    const real sin_of_slope_times_slope = sin_of_slope * dx->slope;
-    const real d_cos_of_slope = -sin_of_slope_times_slope;
-    const real cos_of_slope = real_cos(x->slope);
-    const real d_sin_of_slope = cos_of_slope * dx->slope;
-    const real d_by_1_minus_share = -d_share;
-    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
-        + p->liftoff_factor * dx->liftoff_angle;
-    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
-    const real d_inverse_cos_of_slope = inverse_cos_of_slope * sin_of_slope_times_slope / cos_of_slope;
-    c->mobility = d_mobility;
-    c->stiffness = dp->stiffness;
-    c->free_length = dp->free_length;
-    c->thrusting_times_longer_or_by_0 = d_thrusting_times_longer_or_by_0;
-    c->damping = dp->damping;
-    c->extension_rate = dx->extension_rate;
-    c->stiffness_times_extension_rate = d_stiffness_times_extension_rate;
-    c->external_fx_rate = dx->external_fx_rate;
-    c->external_fy_rate = dx->external_fy_rate;
-    c->friction_rate = dx->friction_rate;
-    c->external_torque_rate = dx->external_torque_rate;
-    c->com_vx = dx->com_vx;
-    c->minus_gravity = d_minus_gravity;
-    c->segment_end = dx->segment_end;
-    c->share = d_share;
-    c->segment_begin = dx->segment_begin;
-    c->set_slope = d_set_slope;
-    c->cos_of_set_slope = d_cos_of_set_slope;
-    c->set_height = d_set_height;
-    c->sin_of_set_slope = d_sin_of_set_slope;
-    c->slope = dx->slope;
-    c->cos_of_slope = d_cos_of_slope;
-    c->height = dx->height;
-    c->sin_of_slope = d_sin_of_slope;
-    c->by_1_minus_share = d_by_1_minus_share;
-    c->least_length = dp->least_length;
-    c->kp = dp->kp;
-    c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
-    c->kd = dp->kd;
-    c->inverse_cos_of_slope = d_inverse_cos_of_slope;
-}
-
-/* touchdown: The foot reaches the ground. */
-static int react_flight_rest_calm_touchdown(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    runner_states *y = (void *)after;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sine = real_sin(x->angle);
-    const real turn = x->momentum / x->length;
-    const real cosine = real_cos(x->angle);
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real cos_of_slope = real_cos(x->slope);
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real sin_of_slope = real_sin(x->slope);
-    const real along = com_vx_minus_share_times_vx * cos_of_slope
-        + com_vy_minus_share_times_vy * sin_of_slope;
-    const real way = select(along >= 0.0, 1.0, -1.0);
-    const real way_times_along = way * along;
-    const real length_times_sine = x->length * sine;
-    const real sum_2 = x->com_x + share * length_times_sine;
-    const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
-    const real sum_3 = sum_2 + by_1eminus_12_times_free_length;
-    const real segment_towards = x->segment + select(sum_3 > x->segment_end, 1.0, 0.0)
-        - select(sum_3 < x->segment_begin, 1.0, 0.0);
-    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
-        segment_towards, select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
-    const real sum_4 = sum_2 - by_1eminus_12_times_free_length;
-    const real sum_5 = x->segment + select(sum_4 > x->segment_end, 1.0, 0.0)
-        - select(sum_4 < x->segment_begin, 1.0, 0.0);
-    const real friction_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_5,
-        select(real_abs(sum_5 - 1.0) > 0.0, -1.0, p->patch_friction));
-    const real own = select(way > 0.0, friction, friction_2);
-    const real is_own = select(own < 0.0, 0.0, 1.0);
-    const real off = com_vy_minus_share_times_vy * cos_of_slope - com_vx_minus_share_times_vx * sin_of_slope;
-    const real friction_along = is_own * own + (1.0 - is_own) * x->friction;
-    const real friction_along_times_off = friction_along * off;
-    const real sum_6 = way_times_along + friction_along_times_off;
-    const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
-    const real y_2 = x->length * cosine;
-    const real sum_times_cos_of_slope_plus_product = sum_2 * cos_of_slope + (x->com_y - share * y_2
-        - x->height) * sin_of_slope;
-    const real product_plus_product = sum_times_cos_of_slope_plus_product * cos_of_slope
-        + by_1eminus_12_times_free_length * way;
-    const real sum_7 = x->segment + select(product_plus_product > x->segment_end, 1.0, 0.0)
-        - select(product_plus_product < x->segment_begin, 1.0, 0.0);
-    const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
-    const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
-    const real begin_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_7,
-        select(sum_7 > 0.0, select(sum_7 > 1.0, end, begin), -1000000000000.0));
-    const real end_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, sum_7,
-        select(sum_7 > 0.0, select(sum_7 > 1.0, 1000000000000.0, end), begin));
-    const real height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, sum_7, 0.0);
-    const real slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_7, 0.0);
-    const real friction_3 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_7,
-        select(real_abs(sum_7 - 1.0) > 0.0, -1.0, p->patch_friction));
-    const real friction_or_friction = select(p->keeps_friction > 0.0, friction, friction_3);
-    const real friction_or_friction_2 = select(p->keeps_friction > 0.0, friction_2, friction_3);
-    const real sum_8 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
-    const real sum_9 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
-    const real sum_plus_along = vx * cos_of_slope + vy * sin_of_slope + along;
-    const real sum_plus_off = vy * cos_of_slope - vx * sin_of_slope + off;
-    const real angle_minus_minus_sumatan2_of_sum = x->angle - real_atan2(-sum_8, sum_9);
-    const real along_times_along_plus_off_times_off = along * along + off * off;
-    const real by_1_or_by_0 = select(x->angle >= 0.0, 1.0, 0.0);
-    y->touchdowns_so_far = touchdowns_so_far_plus_by_1;
-    y->slid_from = sum_times_cos_of_slope_plus_product;
-    y->bar_is_due = 1.0;
-    y->x_ = sum_8;
-    y->y_ = sum_9;
-    y->vy = sum_plus_off;
-    y->foot_x = sum_times_cos_of_slope_plus_product;
-    y->winding = angle_minus_minus_sumatan2_of_sum;
-    y->driving = by_1_or_by_0;
-    y->placing = 0.0;
-    y->touchdown_time = x->time;
-    y->was_placed = 0.0;
-    y->placed_for = x->placing;
-    if (p->stribeck_velocity > 0.0 && p->static_ratio > 1.0) {
-        const real product_2 = (p->static_ratio
-            - 1.0) * real_expm1(friction_along_times_off / p->stribeck_velocity);
-        const real more = -product_2;
-        const real left = sum_6
-            + p->stribeck_velocity * real_log1p(product_2 * real_exp(-(sum_6 / p->stribeck_velocity)));
-        const real speed_after_impact = select(way_times_along <= p->stribeck_velocity * real_log1p(more)
-            - friction_along_times_off, 0.0, select(left > 0.0, left, 0.0));
-        const real way_times_speed_after_impact = way * speed_after_impact;
-        const real sum_10 = sum_plus_along - way_times_speed_after_impact;
-        const real speeds = along_times_along_plus_off_times_off
-            - way_times_speed_after_impact * way_times_speed_after_impact;
-        const real sum_11 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
-        y->vx = sum_10;
-        y->foot_vx = way_times_speed_after_impact;
-        y->impact_loss = sum_11;
-        if (way * way_times_speed_after_impact > 0.0) {
-            y->segment = sum_7;
-            y->segment_begin = begin_2;
-            y->segment_end = end_2;
-            y->segment_height = height;
-            y->segment_slope = slope;
-            y->friction_ahead = friction_or_friction;
-            y->friction_behind = friction_or_friction_2;
-            y->way = way;
-            return next[0]; /* slip */
-        }
-        y->friction_ahead = friction;
-        y->friction_behind = friction_2;
-        return next[1]; /* stick */
-    }
-    const real after_2 = select(way_times_along <= -(p->static_ratio * friction_along_times_off), 0.0, sum_6);
-    const real way_times_after = way * after_2;
-    const real sum_plus_along_minus_way_times_after = sum_plus_along - way_times_after;
-    const real sum_10 = x->impact_loss + 0.5 * (p->foot_mass * (along_times_along_plus_off_times_off
-        - way_times_after * way_times_after));
-    y->vx = sum_plus_along_minus_way_times_after;
-    y->foot_vx = way_times_after;
-    y->impact_loss = sum_10;
-    if (way * way_times_after > 0.0) {
-        y->segment = sum_7;
-        y->segment_begin = begin_2;
-        y->segment_end = end_2;
-        y->segment_height = height;
-        y->segment_slope = slope;
-        y->friction_ahead = friction_or_friction;
-        y->friction_behind = friction_or_friction_2;
-        y->way = way;
-        return next[0]; /* slip */
-    }
-    y->friction_ahead = friction;
-    y->friction_behind = friction_2;
-    return next[1]; /* stick */
-}
-
-/* First variation of the guard of release. */
-static real vary_guard_flight_rest_calm_release(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real d_servo = -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (dx->angle
-        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate
-        + p->kd * d_rate);
-    return -d_servo;
-}
-
-/* Outputs in flight_rest_calm. */
-static void outputs_flight_rest_calm(const real *parameters, const real *states, real *outputs) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const real set_height = p->ground_height + x->segment_height;
-    const real set_slope = p->ground_slope + x->segment_slope;
-    const real pending = select(real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope
-        - x->slope)) > 0.0, 1.0, 0.0);
-    const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
-        0.0) * x->thrusting;
-    const real shorter = rest_length - x->length;
-    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sin_of_angle = real_sin(x->angle);
-    const real length_times_sin_of_angle = x->length * sin_of_angle;
-    const real body_x = x->com_x + share * length_times_sin_of_angle - length_times_sin_of_angle;
-    const real cos_of_angle = real_cos(x->angle);
-    const real y_2 = x->length * cos_of_angle;
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
-    const real turn = x->momentum / x->length;
-    const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy = 0.5 * (of_body
-        + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
-        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
-    const real potential_energy = p->gravity * (p->body_mass * body_y
-        + p->foot_mass * com_y_minus_share_times_y);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = pending;
-    outputs[OUTPUT_torque] = x->external_torque;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = body_x;
-    outputs[OUTPUT_body_y] = body_y;
-    outputs[OUTPUT_body_vx] = body_vx;
-    outputs[OUTPUT_body_vy] = body_vy;
-    outputs[OUTPUT_center_x] = x->com_x;
-    outputs[OUTPUT_center_y] = x->com_y;
-    outputs[OUTPUT_center_vx] = x->com_vx;
-    outputs[OUTPUT_center_vy] = x->com_vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 1.0;
-    outputs[OUTPUT_phase_of_hip] = 3.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* First variation of outputs_flight_rest_calm. */
-static void vary_outputs_flight_rest_calm(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, real *outputs) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
-    const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
-    const real shorter = rest_length - x->length;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
-        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_shorter = d_rest_length - dx->length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * x->length_rate
-        + p->damping * dx->length_rate);
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real sin_of_angle = real_sin(x->angle);
-    const real cos_of_angle = real_cos(x->angle);
-    const real cos_of_angle_times_angle = cos_of_angle * dx->angle;
-    const real sum_2 = dx->length * sin_of_angle + x->length * cos_of_angle_times_angle;
-    const real d_body_x = dx->com_x + (d_share * (x->length * sin_of_angle) + share * sum_2) - sum_2;
-    const real y_2 = x->length * cos_of_angle;
-    const real sin_of_angle_times_angle = sin_of_angle * dx->angle;
-    const real d_y = dx->length * cos_of_angle - x->length * sin_of_angle_times_angle;
-    const real sum_3 = dx->com_y - (d_share * y_2 + share * d_y);
-    const real d_body_y = sum_3 + d_y;
-    const real turn = x->momentum / x->length;
-    const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
-    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle)
-        - (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
-    const real sum_4 = dx->com_vx - (d_share * vx + share * d_vx);
-    const real d_body_vx = sum_4 + d_vx;
-    const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
-    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle
-        - (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
-    const real sum_5 = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_body_vy = sum_5 + d_vy;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
-        + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy = 0.5 * (d_of_body
-        + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
-        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy)
-        + p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4)
-        + 2.0 * (com_vy_minus_share_times_vy * sum_5))));
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
-    const real d_potential_energy = dp->gravity * (p->body_mass * body_y
-        + p->foot_mass * com_y_minus_share_times_y) + p->gravity * (dp->body_mass * body_y
-        + p->body_mass * d_body_y + (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
-    const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
-        + p->stiffness * (2.0 * (shorter * d_shorter)));
-    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = dx->external_torque;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = d_spring;
-    outputs[OUTPUT_body_x] = d_body_x;
-    outputs[OUTPUT_body_y] = d_body_y;
-    outputs[OUTPUT_body_vx] = d_body_vx;
-    outputs[OUTPUT_body_vy] = d_body_vy;
-    outputs[OUTPUT_center_x] = dx->com_x;
-    outputs[OUTPUT_center_y] = dx->com_y;
-    outputs[OUTPUT_center_vx] = dx->com_vx;
-    outputs[OUTPUT_center_vy] = dx->com_vy;
-    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
-    outputs[OUTPUT_potential_energy] = d_potential_energy;
-    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
-    outputs[OUTPUT_energy] = d_energy;
-    outputs[OUTPUT_kind_of_contact] = 0.0;
-    outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* Rates of the world's states in flight. */
-static void world_rates_flight_rest_calm(const real *parameters, const real *states, real *after) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    runner_states *y = (void *)after;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real sine_times_rate = sine * rate;
-    const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
-        0.0) * x->thrusting;
-    const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
-    const real sum_2 = x->length * (rate * rate) + mobility * spring;
-    const real mobility_times_external_torque = mobility * x->external_torque;
-    const real turn = x->momentum / x->length;
-    const real sum_over_length = (mobility_times_external_torque - turn * x->length_rate) / x->length;
-    y->seen_x = x->com_vx + share * (x->length_rate * sine + x->length * cosine_times_rate);
-    y->seen_y = x->com_vy - share * (x->length_rate * cosine - x->length * sine_times_rate);
-    y->seen_vx = -(share * (-(sum_2 * sine + x->length_rate * cosine_times_rate) - (sum_over_length * cosine
-        - turn * sine_times_rate)));
-    y->seen_vy = -p->gravity - share * (sum_2 * cosine - x->length_rate * sine_times_rate
-        - (sum_over_length * sine + turn * cosine_times_rate));
-    y->length = x->length_rate;
-    y->angle = rate;
-    y->length_rate = sum_2;
-    y->angle_rate = (mobility_times_external_torque - rate * (2.0 * (x->length * x->length_rate))) / square;
-}
-
-/* First variation of world_rates_flight_rest_calm. */
-static void vary_world_rates_flight_rest_calm(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, real *after) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    runner_states *y = (void *)after;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real d_sine = cosine * dx->angle;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real sine_times_angle = sine * dx->angle;
-    const real sum_2 = cosine * d_rate - sine_times_angle * rate;
-    const real sine_times_rate = sine * rate;
-    const real sum_3 = d_sine * rate + sine * d_rate;
-    const real rate_times_rate = rate * rate;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real inverse_foot_mass = 1.0 / p->foot_mass;
-    const real mobility = inverse_body_mass + inverse_foot_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
-    const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
-    const real rest_length_minus_length = rest_length - x->length;
-    const real spring = p->stiffness * rest_length_minus_length - p->damping * x->length_rate;
-    const real sum_4 = x->length * rate_times_rate + mobility * spring;
-    const real mobility_times_external_torque = mobility * x->external_torque;
-    const real turn = x->momentum / x->length;
-    const real sum_over_length = (mobility_times_external_torque - turn * x->length_rate) / x->length;
-    const real d_mobility = -(inverse_body_mass * dp->body_mass / p->body_mass)
-        - inverse_foot_mass * dp->foot_mass / p->foot_mass;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
-        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
-        - dx->length) - (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real sum_plus_sum = dx->length * rate_times_rate + x->length * (2.0 * (rate * d_rate))
-        + (d_mobility * spring + mobility * d_spring);
-    const real sum_5 = d_mobility * x->external_torque + mobility * dx->external_torque;
-    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real sum_over_length_2 = (sum_5 - (d_turn * x->length_rate + turn * dx->length_rate)
-        - sum_over_length * dx->length) / x->length;
-    const real by_2_times_length_times_length_rate = 2.0 * (x->length * x->length_rate);
-    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate)
-        + share * (dx->length_rate * sine + x->length_rate * d_sine + (dx->length * cosine_times_rate
-        + x->length * sum_2)));
-    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate)
-        + share * (dx->length_rate * cosine - x->length_rate * sine_times_angle
-        - (dx->length * sine_times_rate + x->length * sum_3)));
-    y->seen_vx = -(d_share * (-(sum_4 * sine + x->length_rate * cosine_times_rate)
-        - (sum_over_length * cosine - turn * sine_times_rate)) + share * (-(sum_plus_sum * sine
-        + sum_4 * d_sine + (dx->length_rate * cosine_times_rate + x->length_rate * sum_2))
-        - (sum_over_length_2 * cosine - sum_over_length * sine_times_angle - (d_turn * sine_times_rate
-        + turn * sum_3))));
-    y->seen_vy = -dp->gravity - (d_share * (sum_4 * cosine - x->length_rate * sine_times_rate
-        - (sum_over_length * sine + turn * cosine_times_rate)) + share * (sum_plus_sum * cosine
-        - sum_4 * sine_times_angle - (dx->length_rate * sine_times_rate + x->length_rate * sum_3)
-        - (sum_over_length_2 * sine + sum_over_length * d_sine + (d_turn * cosine_times_rate
-        + turn * sum_2))));
-    y->length = dx->length_rate;
-    y->angle = d_rate;
-    y->length_rate = sum_plus_sum;
-    y->angle_rate = (sum_5 - (d_rate * by_2_times_length_times_length_rate
-        + rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate)))
-        - (mobility_times_external_torque
-        - rate * by_2_times_length_times_length_rate) / square * d_square) / square;
-}
-
-/* Constants of flight_retract_calm. */
-static void open_flight_retract_calm(const real *parameters, const real *states, real *constants) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    flight_retract_calm_constants *c = (void *)constants;
-    const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
-    const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
-    const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
-    const real minus_gravity = -p->gravity;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real set_slope = p->ground_slope + x->segment_slope;
-    const real cos_of_set_slope = real_cos(set_slope);
-    const real set_height = p->ground_height + x->segment_height;
-    const real sin_of_set_slope = real_sin(set_slope);
-    const real cos_of_slope = real_cos(x->slope);
-    const real sin_of_slope = real_sin(x->slope);
-    const real by_1_minus_share = 1.0 - share;
-    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
-    c->mobility = mobility;
-    c->stiffness = p->stiffness;
-    c->free_length = p->free_length;
-    c->thrusting_times_longer_or_by_0 = thrusting_times_longer_or_by_0;
-    c->damping = p->damping;
-    c->kp = p->kp;
-    c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
-    c->kd = p->kd;
-    c->extension_rate = x->extension_rate;
-    c->stiffness_times_extension_rate = stiffness_times_extension_rate;
-    c->external_fx_rate = x->external_fx_rate;
-    c->external_fy_rate = x->external_fy_rate;
-    c->friction_rate = x->friction_rate;
-    c->external_torque_rate = x->external_torque_rate;
-    c->com_vx = x->com_vx;
-    c->minus_gravity = minus_gravity;
-    c->segment_end = x->segment_end;
-    c->share = share;
-    c->segment_begin = x->segment_begin;
-    c->set_slope = set_slope;
-    c->cos_of_set_slope = cos_of_set_slope;
-    c->set_height = set_height;
-    c->sin_of_set_slope = sin_of_set_slope;
-    c->slope = x->slope;
-    c->cos_of_slope = cos_of_slope;
-    c->height = x->height;
-    c->sin_of_slope = sin_of_slope;
-    c->by_1_minus_share = by_1_minus_share;
-    c->least_length = p->least_length;
-    c->inverse_cos_of_slope = inverse_cos_of_slope;
-}
-
-/* First variation of open_flight_retract_calm. */
-static void vary_open_flight_retract_calm(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, real *constants) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    flight_retract_calm_constants *c = (void *)constants;
-    const real d_mobility = -(1.0 / p->body_mass * dp->body_mass / p->body_mass)
-        - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
-        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
-    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
-        + p->liftoff_factor * dx->liftoff_angle;
-    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
-        + p->stiffness * dx->extension_rate;
-    const real d_minus_gravity = -dp->gravity;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_set_slope = dp->ground_slope + dx->segment_slope;
-    const real set_slope = p->ground_slope + x->segment_slope;
-    const real sin_of_set_slope = real_sin(set_slope);
-    const real d_cos_of_set_slope = -(sin_of_set_slope * d_set_slope);
-    const real d_set_height = dp->ground_height + dx->segment_height;
-    const real cos_of_set_slope = real_cos(set_slope);
-    const real d_sin_of_set_slope = cos_of_set_slope * d_set_slope;
-    const real sin_of_slope = real_sin(x->slope);
-    const real sin_of_slope_times_slope = sin_of_slope * dx->slope;
-    const real d_cos_of_slope = -sin_of_slope_times_slope;
-    const real cos_of_slope = real_cos(x->slope);
-    const real d_sin_of_slope = cos_of_slope * dx->slope;
-    const real d_by_1_minus_share = -d_share;
-    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
-    const real d_inverse_cos_of_slope = inverse_cos_of_slope * sin_of_slope_times_slope / cos_of_slope;
-    c->mobility = d_mobility;
-    c->stiffness = dp->stiffness;
-    c->free_length = dp->free_length;
-    c->thrusting_times_longer_or_by_0 = d_thrusting_times_longer_or_by_0;
-    c->damping = dp->damping;
-    c->kp = dp->kp;
-    c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
-    c->kd = dp->kd;
-    c->extension_rate = dx->extension_rate;
-    c->stiffness_times_extension_rate = d_stiffness_times_extension_rate;
-    c->external_fx_rate = dx->external_fx_rate;
-    c->external_fy_rate = dx->external_fy_rate;
-    c->friction_rate = dx->friction_rate;
-    c->external_torque_rate = dx->external_torque_rate;
-    c->com_vx = dx->com_vx;
-    c->minus_gravity = d_minus_gravity;
-    c->segment_end = dx->segment_end;
-    c->share = d_share;
-    c->segment_begin = dx->segment_begin;
-    c->set_slope = d_set_slope;
-    c->cos_of_set_slope = d_cos_of_set_slope;
-    c->set_height = d_set_height;
-    c->sin_of_set_slope = d_sin_of_set_slope;
-    c->slope = dx->slope;
-    c->cos_of_slope = d_cos_of_slope;
-    c->height = dx->height;
-    c->sin_of_slope = d_sin_of_slope;
-    c->by_1_minus_share = d_by_1_minus_share;
-    c->least_length = dp->least_length;
-    c->inverse_cos_of_slope = d_inverse_cos_of_slope;
-}
-
-/* Whether clamp is watched. */
-static real watches_flight_retract_calm_clamp(const real *parameters, const real *states) {
-    const runner_parameters *p = (const void *)parameters;
-    (void)states;
-    if (p->swing_clamp > 0.0) {
-        return 1.0;
-    }
-    return 0.0;
-}
-
-/* First variation of the guard of clamp. */
-static real vary_guard_flight_retract_calm_clamp(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real d_servo = -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (dx->angle
-        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate
-        + p->kd * d_rate);
-    return d_servo;
-}
-
-/* Outputs in flight_retract_calm. */
-static void outputs_flight_retract_calm(const real *parameters, const real *states, real *outputs) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const real set_height = p->ground_height + x->segment_height;
-    const real set_slope = p->ground_slope + x->segment_slope;
-    const real pending = select(real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope
-        - x->slope)) > 0.0, 1.0, 0.0);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real servo = -(p->kp * (x->angle - p->liftoff_factor * x->liftoff_angle)) - p->kd * rate;
-    const real swing_torque = x->external_torque + servo;
-    const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
-        0.0) * x->thrusting;
-    const real shorter = rest_length - x->length;
-    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sin_of_angle = real_sin(x->angle);
-    const real length_times_sin_of_angle = x->length * sin_of_angle;
-    const real body_x = x->com_x + share * length_times_sin_of_angle - length_times_sin_of_angle;
-    const real cos_of_angle = real_cos(x->angle);
-    const real y_2 = x->length * cos_of_angle;
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
-    const real turn = x->momentum / x->length;
-    const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy = 0.5 * (of_body
-        + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
-        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
-    const real potential_energy = p->gravity * (p->body_mass * body_y
-        + p->foot_mass * com_y_minus_share_times_y);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = pending;
-    outputs[OUTPUT_torque] = swing_torque;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = body_x;
-    outputs[OUTPUT_body_y] = body_y;
-    outputs[OUTPUT_body_vx] = body_vx;
-    outputs[OUTPUT_body_vy] = body_vy;
-    outputs[OUTPUT_center_x] = x->com_x;
-    outputs[OUTPUT_center_y] = x->com_y;
-    outputs[OUTPUT_center_vx] = x->com_vx;
-    outputs[OUTPUT_center_vy] = x->com_vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 1.0;
-    outputs[OUTPUT_phase_of_hip] = 3.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* First variation of outputs_flight_retract_calm. */
-static void vary_outputs_flight_retract_calm(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, real *outputs) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real d_servo = -(dp->kp * (x->angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (dx->angle
-        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate
-        + p->kd * d_rate);
-    const real d_swing_torque = dx->external_torque + d_servo;
-    const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
-    const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
-    const real shorter = rest_length - x->length;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
-        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_shorter = d_rest_length - dx->length;
-    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * x->length_rate
-        + p->damping * dx->length_rate);
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real sin_of_angle = real_sin(x->angle);
-    const real cos_of_angle = real_cos(x->angle);
-    const real cos_of_angle_times_angle = cos_of_angle * dx->angle;
-    const real sum_2 = dx->length * sin_of_angle + x->length * cos_of_angle_times_angle;
-    const real d_body_x = dx->com_x + (d_share * (x->length * sin_of_angle) + share * sum_2) - sum_2;
-    const real y_2 = x->length * cos_of_angle;
-    const real sin_of_angle_times_angle = sin_of_angle * dx->angle;
-    const real d_y = dx->length * cos_of_angle - x->length * sin_of_angle_times_angle;
-    const real sum_3 = dx->com_y - (d_share * y_2 + share * d_y);
-    const real d_body_y = sum_3 + d_y;
-    const real turn = x->momentum / x->length;
-    const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
-    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle)
-        - (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
-    const real sum_4 = dx->com_vx - (d_share * vx + share * d_vx);
-    const real d_body_vx = sum_4 + d_vx;
-    const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
-    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle
-        - (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
-    const real sum_5 = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_body_vy = sum_5 + d_vy;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
-    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
-        + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy = 0.5 * (d_of_body
-        + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
-        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy)
-        + p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4)
-        + 2.0 * (com_vy_minus_share_times_vy * sum_5))));
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
-    const real d_potential_energy = dp->gravity * (p->body_mass * body_y
-        + p->foot_mass * com_y_minus_share_times_y) + p->gravity * (dp->body_mass * body_y
-        + p->body_mass * d_body_y + (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
-    const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
-        + p->stiffness * (2.0 * (shorter * d_shorter)));
-    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
-    outputs[OUTPUT_pending] = 0.0;
-    outputs[OUTPUT_torque] = d_swing_torque;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = d_spring;
-    outputs[OUTPUT_body_x] = d_body_x;
-    outputs[OUTPUT_body_y] = d_body_y;
-    outputs[OUTPUT_body_vx] = d_body_vx;
-    outputs[OUTPUT_body_vy] = d_body_vy;
-    outputs[OUTPUT_center_x] = dx->com_x;
-    outputs[OUTPUT_center_y] = dx->com_y;
-    outputs[OUTPUT_center_vx] = dx->com_vx;
-    outputs[OUTPUT_center_vy] = dx->com_vy;
-    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
-    outputs[OUTPUT_potential_energy] = d_potential_energy;
-    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
-    outputs[OUTPUT_energy] = d_energy;
-    outputs[OUTPUT_kind_of_contact] = 0.0;
-    outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* Rates of the world's states in flight. */
-static void world_rates_flight_retract_calm(const real *parameters, const real *states, real *after) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    runner_states *y = (void *)after;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real sine_times_rate = sine * rate;
-    const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
-        0.0) * x->thrusting;
-    const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
-    const real sum_2 = x->length * (rate * rate) + mobility * spring;
-    const real servo = -(p->kp * (x->angle - p->liftoff_factor * x->liftoff_angle)) - p->kd * rate;
-    const real swing_torque = x->external_torque + servo;
-    const real mobility_times_swing_torque = mobility * swing_torque;
-    const real turn = x->momentum / x->length;
-    const real sum_over_length = (mobility_times_swing_torque - turn * x->length_rate) / x->length;
-    y->seen_x = x->com_vx + share * (x->length_rate * sine + x->length * cosine_times_rate);
-    y->seen_y = x->com_vy - share * (x->length_rate * cosine - x->length * sine_times_rate);
-    y->seen_vx = -(share * (-(sum_2 * sine + x->length_rate * cosine_times_rate) - (sum_over_length * cosine
-        - turn * sine_times_rate)));
-    y->seen_vy = -p->gravity - share * (sum_2 * cosine - x->length_rate * sine_times_rate
-        - (sum_over_length * sine + turn * cosine_times_rate));
-    y->length = x->length_rate;
-    y->angle = rate;
-    y->length_rate = sum_2;
-    y->angle_rate = (mobility_times_swing_torque - rate * (2.0 * (x->length * x->length_rate))) / square;
-}
-
-/* First variation of world_rates_flight_retract_calm. */
-static void vary_world_rates_flight_retract_calm(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, real *after) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    runner_states *y = (void *)after;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real d_sine = cosine * dx->angle;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real sine_times_angle = sine * dx->angle;
-    const real sum_2 = cosine * d_rate - sine_times_angle * rate;
-    const real sine_times_rate = sine * rate;
-    const real sum_3 = d_sine * rate + sine * d_rate;
-    const real rate_times_rate = rate * rate;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real inverse_foot_mass = 1.0 / p->foot_mass;
-    const real mobility = inverse_body_mass + inverse_foot_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
-    const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
-    const real rest_length_minus_length = rest_length - x->length;
-    const real spring = p->stiffness * rest_length_minus_length - p->damping * x->length_rate;
-    const real sum_4 = x->length * rate_times_rate + mobility * spring;
-    const real sum_5 = x->angle - p->liftoff_factor * x->liftoff_angle;
-    const real servo = -(p->kp * sum_5) - p->kd * rate;
-    const real swing_torque = x->external_torque + servo;
-    const real mobility_times_swing_torque = mobility * swing_torque;
-    const real turn = x->momentum / x->length;
-    const real sum_over_length = (mobility_times_swing_torque - turn * x->length_rate) / x->length;
-    const real d_mobility = -(inverse_body_mass * dp->body_mass / p->body_mass)
-        - inverse_foot_mass * dp->foot_mass / p->foot_mass;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
-        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
-        - dx->length) - (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real sum_plus_sum = dx->length * rate_times_rate + x->length * (2.0 * (rate * d_rate))
-        + (d_mobility * spring + mobility * d_spring);
-    const real d_servo = -(dp->kp * sum_5 + p->kp * (dx->angle - (dp->liftoff_factor * x->liftoff_angle
-        + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate + p->kd * d_rate);
+    const real d_first = select(x->swing < 2.0, dp->liftoff_factor * x->liftoff_angle
+        + p->liftoff_factor * dx->liftoff_angle, dp->touchdown_angle + dp->more_angle);
+    const real retraction_rate_times_is_placing_2 = dp->retraction_rate * is_placing;
+    const real d_servo = -(dp->kp * by_1_or_by_0 * angle_minus_first_minus_product
+        + kp_times_by_1_or_by_0 * (dx->angle - (d_first - (retraction_rate_times_is_placing_2 * x->placing
+        + retraction_rate_times_is_placing * dx->placing)))) - (dp->kd * by_1_or_by_0 * sum_5
+        + kd_times_by_1_or_by_0 * (d_rate + retraction_rate_times_is_placing_2));
     const real d_swing_torque = dx->external_torque + d_servo;
     const real sum_6 = d_mobility * swing_torque + mobility * d_swing_torque;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
@@ -5658,11 +4870,11 @@ static void outputs_fallen(const real *parameters, const real *states, real *out
     outputs[OUTPUT_has_fallen] = 1.0;
 }
 
-/* Constants of graze_place. */
-static void open_graze_place(const real *parameters, const real *states, real *constants) {
+/* Constants of graze. */
+static void open_graze(const real *parameters, const real *states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
-    graze_place_constants *c = (void *)constants;
+    graze_constants *c = (void *)constants;
     const real inverse_body_mass = 1.0 / p->body_mass;
     const real longer = p->thrust + p->more_thrust;
     const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
@@ -5675,8 +4887,16 @@ static void open_graze_place(const real *parameters, const real *states, real *c
     const real along = foot_mass_times_gravity * sine;
     const real gravity_times_cosine = p->gravity * cosine;
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
+    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
     const real product_2 = x->driving * (p->drive_torque + p->more_torque);
-    const real touchdown_angle_plus_more_angle = p->touchdown_angle + p->more_angle;
+    const real by_1_or_by_0 = select(x->swing > 0.0, 1.0, 0.0);
+    const real by_1_or_by_0_times_kp = by_1_or_by_0 * p->kp;
+    const real first = select(x->swing < 2.0, liftoff_factor_times_liftoff_angle, p->touchdown_angle
+        + p->more_angle);
+    const real turn = is_placing * p->retraction_rate;
+    const real by_1_or_by_0_times_kd = by_1_or_by_0 * p->kd;
     c->inverse_body_mass = inverse_body_mass;
     c->stiffness = p->stiffness;
     c->free_length = p->free_length;
@@ -5695,25 +4915,30 @@ static void open_graze_place(const real *parameters, const real *states, real *c
     c->external_fy_rate = x->external_fy_rate;
     c->friction_rate = x->friction_rate;
     c->external_torque_rate = x->external_torque_rate;
+    c->is_placing = is_placing;
     c->segment_end = x->segment_end;
     c->segment_begin = x->segment_begin;
     c->least_length = p->least_length;
-    c->winding = x->winding;
-    c->product_2 = product_2;
+    c->share = share;
     c->kp = p->kp;
-    c->touchdown_angle_plus_more_angle = touchdown_angle_plus_more_angle;
-    c->retraction_rate = p->retraction_rate;
+    c->winding = x->winding;
+    c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
     c->kd = p->kd;
+    c->product_2 = product_2;
+    c->by_1_or_by_0_times_kp = by_1_or_by_0_times_kp;
+    c->first = first;
+    c->turn = turn;
+    c->by_1_or_by_0_times_kd = by_1_or_by_0_times_kd;
 }
 
-/* First variation of open_graze_place. */
-static void vary_open_graze_place(const real *parameters, const real *states, const real *d_parameters,
+/* First variation of open_graze. */
+static void vary_open_graze(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
-    graze_place_constants *c = (void *)constants;
+    graze_constants *c = (void *)constants;
     const real inverse_body_mass = 1.0 / p->body_mass;
     const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
     const real longer = p->thrust + p->more_thrust;
@@ -5735,7 +4960,18 @@ static void vary_open_graze_place(const real *parameters, const real *states, co
     const real d_gravity_times_cosine = cosine * dp->gravity - p->gravity * sine_times_slope;
     const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
         + p->stiffness * dx->extension_rate;
-    const real d_touchdown_angle_plus_more_angle = dp->touchdown_angle + dp->more_angle;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
+        + p->liftoff_factor * dx->liftoff_angle;
+    const real by_1_or_by_0 = select(x->swing > 0.0, 1.0, 0.0);
+    const real d_by_1_or_by_0_times_kp = by_1_or_by_0 * dp->kp;
+    const real d_first = select(x->swing < 2.0, d_liftoff_factor_times_liftoff_angle, dp->touchdown_angle
+        + dp->more_angle);
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
+    const real d_turn = is_placing * dp->retraction_rate;
+    const real d_by_1_or_by_0_times_kd = by_1_or_by_0 * dp->kd;
     c->inverse_body_mass = d_inverse_body_mass;
     c->stiffness = dp->stiffness;
     c->free_length = dp->free_length;
@@ -5754,20 +4990,25 @@ static void vary_open_graze_place(const real *parameters, const real *states, co
     c->external_fy_rate = dx->external_fy_rate;
     c->friction_rate = dx->friction_rate;
     c->external_torque_rate = dx->external_torque_rate;
+    c->is_placing = 0.0;
     c->segment_end = dx->segment_end;
     c->segment_begin = dx->segment_begin;
     c->least_length = dp->least_length;
+    c->share = d_share;
+    c->kp = dp->kp;
     c->winding = dx->winding;
+    c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
+    c->kd = dp->kd;
     c->product_2 = (p->drive_torque + p->more_torque) * dx->driving + x->driving * (dp->drive_torque
         + dp->more_torque);
-    c->kp = dp->kp;
-    c->touchdown_angle_plus_more_angle = d_touchdown_angle_plus_more_angle;
-    c->retraction_rate = dp->retraction_rate;
-    c->kd = dp->kd;
+    c->by_1_or_by_0_times_kp = d_by_1_or_by_0_times_kp;
+    c->first = d_first;
+    c->turn = d_turn;
+    c->by_1_or_by_0_times_kd = d_by_1_or_by_0_times_kd;
 }
 
 /* passes_end: The foot is above the next segment. */
-static int react_graze_place_passes_end(const real *parameters, const real *states, const tdmf_table *tables,
+static int react_graze_passes_end(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -5827,8 +5068,8 @@ static int react_graze_place_passes_end(const real *parameters, const real *stat
 }
 
 /* First variation of passes_end. */
-static void vary_react_graze_place_passes_end(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
+static void vary_react_graze_passes_end(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
@@ -5900,8 +5141,8 @@ static void vary_react_graze_place_passes_end(const real *parameters, const real
 }
 
 /* First variation of the guard of passes_end. */
-static real vary_guard_graze_place_passes_end(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
+static real vary_guard_graze_passes_end(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
     const runner_states *x = (const void *)states;
     const runner_states *dx = (const void *)d_states;
     (void)parameters, (void)d_parameters;
@@ -5912,8 +5153,8 @@ static real vary_guard_graze_place_passes_end(const real *parameters, const real
 }
 
 /* passes_begin: The foot is above the segment before. */
-static int react_graze_place_passes_begin(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
+static int react_graze_passes_begin(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -5972,7 +5213,7 @@ static int react_graze_place_passes_begin(const real *parameters, const real *st
 }
 
 /* First variation of passes_begin. */
-static void vary_react_graze_place_passes_begin(const real *parameters, const real *states,
+static void vary_react_graze_passes_begin(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -6045,7 +5286,7 @@ static void vary_react_graze_place_passes_begin(const real *parameters, const re
 }
 
 /* First variation of the guard of passes_begin. */
-static real vary_guard_graze_place_passes_begin(const real *parameters, const real *states,
+static real vary_guard_graze_passes_begin(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
     const runner_states *x = (const void *)states;
     const runner_states *dx = (const void *)d_states;
@@ -6057,7 +5298,7 @@ static real vary_guard_graze_place_passes_begin(const real *parameters, const re
 }
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
-static int react_graze_place_ramp_ends(const real *parameters, const real *states, const tdmf_table *tables,
+static int react_graze_ramp_ends(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     runner_states *y = (void *)after;
     (void)parameters, (void)states, (void)tables;
@@ -6066,8 +5307,116 @@ static int react_graze_place_ramp_ends(const real *parameters, const real *state
     return next[0]; /* graze */
 }
 
+/* apex_in_graze: Place begins. No stride closes, because the foot is on the ground. */
+static int react_graze_apex_in_graze(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
+    runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
+    y->swing = 2.0;
+    y->placing = 0.0;
+    return next[0]; /* graze */
+}
+
+/* First variation of apex_in_graze. */
+static void vary_react_graze_apex_in_graze(const real *parameters, const real *states,
+    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
+    runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
+    y->swing = 0.0;
+    y->placing = 0.0;
+}
+
+/* Whether apex_in_graze is watched. */
+static real watches_graze_apex_in_graze(const real *parameters, const real *states) {
+    const runner_states *x = (const void *)states;
+    (void)parameters;
+    if (x->swing < 2.0) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
+/* First variation of the guard of apex_in_graze. */
+static real vary_guard_graze_apex_in_graze(const real *parameters, const real *states,
+    const real *d_parameters, const real *d_states) {
+    const runner_parameters *p = (const void *)parameters;
+    const runner_states *x = (const void *)states;
+    const runner_parameters *dp = (const void *)d_parameters;
+    const runner_states *dx = (const void *)d_states;
+    const real cos_of_slope = real_cos(x->slope);
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real along = x->foot_vx + share * x->vx;
+    const real sin_of_slope = real_sin(x->slope);
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real d_along = dx->foot_vx + (d_share * x->vx + share * dx->vx);
+    const real d_rise = cos_of_slope * dx->slope * along + sin_of_slope * d_along
+        + (cos_of_slope * (d_share * x->vy + share * dx->vy) - sin_of_slope * dx->slope * (share * x->vy));
+    return d_rise;
+}
+
+/* clamp: The clamp of (12) holds the retracting torque at 0. */
+static int react_graze_clamp(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
+    runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
+    y->swing = 0.0;
+    return next[0]; /* graze */
+}
+
+/* First variation of the guard of clamp. */
+static real vary_guard_graze_clamp(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
+    const runner_parameters *p = (const void *)parameters;
+    const runner_states *x = (const void *)states;
+    const runner_parameters *dp = (const void *)d_parameters;
+    const runner_states *dx = (const void *)d_states;
+    const real angle = real_atan2(-x->x_, x->y_) + x->winding;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
+    const real moment = x->x_ * x->vy - x->y_ * x->vx;
+    const real angle_rate = moment / square;
+    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
+    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
+    const real d_servo = -(dp->kp * (angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (d_angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle)))
+        - (dp->kd * angle_rate + p->kd * d_angle_rate);
+    return d_servo;
+}
+
+/* release: The clamp of (12) releases the retracting torque. */
+static int react_graze_release(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
+    runner_states *y = (void *)after;
+    (void)parameters, (void)states, (void)tables;
+    y->swing = 1.0;
+    return next[0]; /* graze */
+}
+
+/* First variation of the guard of release. */
+static real vary_guard_graze_release(const real *parameters, const real *states, const real *d_parameters,
+    const real *d_states) {
+    const runner_parameters *p = (const void *)parameters;
+    const runner_states *x = (const void *)states;
+    const runner_parameters *dp = (const void *)d_parameters;
+    const runner_states *dx = (const void *)d_states;
+    const real angle = real_atan2(-x->x_, x->y_) + x->winding;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
+    const real moment = x->x_ * x->vy - x->y_ * x->vx;
+    const real angle_rate = moment / square;
+    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
+    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
+    const real d_servo = -(dp->kp * (angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (d_angle
+        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle)))
+        - (dp->kd * angle_rate + p->kd * d_angle_rate);
+    return -d_servo;
+}
+
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
-static int react_graze_place_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
+static int react_graze_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     runner_states *y = (void *)after;
     (void)parameters, (void)states, (void)tables;
@@ -6076,8 +5425,8 @@ static int react_graze_place_mid_stance(const real *parameters, const real *stat
 }
 
 /* graze_to_contact: The stance law presses the foot on the ground again. */
-static int react_graze_place_graze_to_contact(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
+static int react_graze_graze_to_contact(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -6164,7 +5513,7 @@ static int react_graze_place_graze_to_contact(const real *parameters, const real
 }
 
 /* First variation of graze_to_contact. */
-static void vary_react_graze_place_graze_to_contact(const real *parameters, const real *states,
+static void vary_react_graze_graze_to_contact(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -6265,7 +5614,7 @@ static void vary_react_graze_place_graze_to_contact(const real *parameters, cons
 }
 
 /* First variation of the guard of graze_to_contact. */
-static real vary_guard_graze_place_graze_to_contact(const real *parameters, const real *states,
+static real vary_guard_graze_graze_to_contact(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -6305,8 +5654,8 @@ static real vary_guard_graze_place_graze_to_contact(const real *parameters, cons
 }
 
 /* graze_to_flight: The flight law lifts the foot. */
-static int react_graze_place_graze_to_flight(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
+static int react_graze_graze_to_flight(const real *parameters, const real *states, const tdmf_table *tables,
+    real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -6345,7 +5694,7 @@ static int react_graze_place_graze_to_flight(const real *parameters, const real 
 }
 
 /* First variation of graze_to_flight. */
-static void vary_react_graze_place_graze_to_flight(const real *parameters, const real *states,
+static void vary_react_graze_graze_to_flight(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -6408,7 +5757,7 @@ static void vary_react_graze_place_graze_to_flight(const real *parameters, const
 }
 
 /* First variation of the guard of graze_to_flight. */
-static real vary_guard_graze_place_graze_to_flight(const real *parameters, const real *states,
+static real vary_guard_graze_graze_to_flight(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -6433,21 +5782,29 @@ static real vary_guard_graze_place_graze_to_flight(const real *parameters, const
     const real spring = p->stiffness * rest_length_minus_length - p->damping * length_rate;
     const real axial = spring / length;
     const real d_axial = (d_spring - axial * d_length) / length;
+    const real share = select(x->swing > 0.0, 1.0, 0.0);
     const real angle = real_atan2(-x->x_, x->y_) + x->winding;
-    const real target = p->touchdown_angle + p->more_angle - p->retraction_rate * x->placing;
-    const real angle_minus_target = angle - target;
+    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, p->touchdown_angle
+        + p->more_angle);
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
+    const real turn = p->retraction_rate * is_placing;
+    const real sum_2 = angle - (first - turn * x->placing);
+    const real kp_times_share = p->kp * share;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
-    const real d_target = dp->touchdown_angle + dp->more_angle - (dp->retraction_rate * x->placing
-        + p->retraction_rate * dx->placing);
+    const real d_first = select(x->swing < 2.0, dp->liftoff_factor * x->liftoff_angle
+        + p->liftoff_factor * dx->liftoff_angle, dp->touchdown_angle + dp->more_angle);
+    const real d_turn = dp->retraction_rate * is_placing;
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
-    const real angle_rate_plus_retraction_rate = angle_rate + p->retraction_rate;
+    const real angle_rate_plus_turn = angle_rate + turn;
+    const real kd_times_share = p->kd * share;
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real d_servo = -(dp->kp * angle_minus_target + p->kp * (d_angle - d_target))
-        - (dp->kd * angle_rate_plus_retraction_rate + p->kd * (d_angle_rate + dp->retraction_rate));
+    const real d_servo = -(dp->kp * share * sum_2 + kp_times_share * (d_angle - (d_first
+        - (d_turn * x->placing + turn * dx->placing)))) - (dp->kd * share * angle_rate_plus_turn
+        + kd_times_share * (d_angle_rate + d_turn));
     const real d_swing_torque = dx->external_torque + d_servo;
-    const real servo = -(p->kp * angle_minus_target) - p->kd * angle_rate_plus_retraction_rate;
+    const real servo = -(kp_times_share * sum_2) - kd_times_share * angle_rate_plus_turn;
     const real swing_torque = x->external_torque + servo;
     const real turning = swing_torque / square;
     const real d_turning = (d_swing_torque - turning * d_square) / square;
@@ -6459,8 +5816,8 @@ static real vary_guard_graze_place_graze_to_flight(const real *parameters, const
     return d_normal;
 }
 
-/* Outputs in graze_place. */
-static void outputs_graze_place(const real *parameters, const real *states, real *outputs) {
+/* Outputs in graze. */
+static void outputs_graze(const real *parameters, const real *states, real *outputs) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const real set_height = p->ground_height + x->segment_height;
@@ -6502,6 +5859,7 @@ static void outputs_graze_place(const real *parameters, const real *states, real
     const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_y);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
+    const real phase_of_hip = select(x->swing < 2.0, 3.0, 4.0);
     outputs[OUTPUT_pending] = pending;
     outputs[OUTPUT_torque] = torque;
     outputs[OUTPUT_normal_force] = 0.0;
@@ -6522,12 +5880,12 @@ static void outputs_graze_place(const real *parameters, const real *states, real
     outputs[OUTPUT_elastic_energy] = elastic_energy;
     outputs[OUTPUT_energy] = energy;
     outputs[OUTPUT_kind_of_contact] = 5.0;
-    outputs[OUTPUT_phase_of_hip] = 4.0;
+    outputs[OUTPUT_phase_of_hip] = phase_of_hip;
     outputs[OUTPUT_has_fallen] = 0.0;
 }
 
-/* First variation of outputs_graze_place. */
-static void vary_outputs_graze_place(const real *parameters, const real *states, const real *d_parameters,
+/* First variation of outputs_graze. */
+static void vary_outputs_graze(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *outputs) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -6628,7 +5986,7 @@ static void vary_outputs_graze_place(const real *parameters, const real *states,
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
-static void leave_graze_place(const real *parameters, const real *states, real counted, real *after) {
+static void leave_graze(const real *parameters, const real *states, real counted, real *after) {
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     (void)parameters;
@@ -6639,8 +5997,8 @@ static void leave_graze_place(const real *parameters, const real *states, real c
     y->mode_began = x->time;
 }
 
-/* First variation of leave_graze_place. */
-static void vary_leave_graze_place(const real *parameters, const real *states, const real *d_parameters,
+/* First variation of leave_graze. */
+static void vary_leave_graze(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real counted, real *after) {
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
@@ -6652,7 +6010,7 @@ static void vary_leave_graze_place(const real *parameters, const real *states, c
 }
 
 /* Rates of the world's states in graze. */
-static void world_rates_graze_place(const real *parameters, const real *states, real *after) {
+static void world_rates_graze(const real *parameters, const real *states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -6694,8 +6052,8 @@ static void world_rates_graze_place(const real *parameters, const real *states, 
         - angle_rate * sum_2) / square;
 }
 
-/* First variation of world_rates_graze_place. */
-static void vary_world_rates_graze_place(const real *parameters, const real *states, const real *d_parameters,
+/* First variation of world_rates_graze. */
+static void vary_world_rates_graze(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -6779,468 +6137,6 @@ static void vary_world_rates_graze_place(const real *parameters, const real *sta
         - (dx->vy * x->vx + x->vy * dx->vx + (dx->y_ * sum_6 + x->y_ * sum_7)) - (d_angle_rate * sum_5
         + angle_rate * sum_4) - (x->vx * x->vy + x->x_ * sum_8 - (x->vy * x->vx + x->y_ * sum_6)
         - angle_rate * sum_5) / square * d_square) / square;
-}
-
-/* Constants of graze_rest. */
-static void open_graze_rest(const real *parameters, const real *states, real *constants) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    graze_rest_constants *c = (void *)constants;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
-    const real cosine = real_cos(x->slope);
-    const real foot_mass_times_gravity = p->foot_mass * p->gravity;
-    const real off = foot_mass_times_gravity * cosine;
-    const real sine = real_sin(x->slope);
-    const real gravity_times_sine = p->gravity * sine;
-    const real inverse_foot_mass = 1.0 / p->foot_mass;
-    const real along = foot_mass_times_gravity * sine;
-    const real gravity_times_cosine = p->gravity * cosine;
-    const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
-    const real product_2 = x->driving * (p->drive_torque + p->more_torque);
-    c->inverse_body_mass = inverse_body_mass;
-    c->stiffness = p->stiffness;
-    c->free_length = p->free_length;
-    c->thrusting_times_longer_or_by_0 = thrusting_times_longer_or_by_0;
-    c->damping = p->damping;
-    c->cosine = cosine;
-    c->off = off;
-    c->sine = sine;
-    c->gravity_times_sine = gravity_times_sine;
-    c->inverse_foot_mass = inverse_foot_mass;
-    c->along = along;
-    c->gravity_times_cosine = gravity_times_cosine;
-    c->extension_rate = x->extension_rate;
-    c->stiffness_times_extension_rate = stiffness_times_extension_rate;
-    c->external_fx_rate = x->external_fx_rate;
-    c->external_fy_rate = x->external_fy_rate;
-    c->friction_rate = x->friction_rate;
-    c->external_torque_rate = x->external_torque_rate;
-    c->segment_end = x->segment_end;
-    c->segment_begin = x->segment_begin;
-    c->least_length = p->least_length;
-    c->share = share;
-    c->kp = p->kp;
-    c->winding = x->winding;
-    c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
-    c->kd = p->kd;
-    c->product_2 = product_2;
-}
-
-/* First variation of open_graze_rest. */
-static void vary_open_graze_rest(const real *parameters, const real *states, const real *d_parameters,
-    const real *d_states, real *constants) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    graze_rest_constants *c = (void *)constants;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
-    const real longer = p->thrust + p->more_thrust;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
-        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
-    const real sine = real_sin(x->slope);
-    const real sine_times_slope = sine * dx->slope;
-    const real d_cosine = -sine_times_slope;
-    const real cosine = real_cos(x->slope);
-    const real sum_2 = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
-    const real foot_mass_times_gravity = p->foot_mass * p->gravity;
-    const real d_off = cosine * sum_2 - foot_mass_times_gravity * sine_times_slope;
-    const real d_sine = cosine * dx->slope;
-    const real d_gravity_times_sine = sine * dp->gravity + p->gravity * d_sine;
-    const real inverse_foot_mass = 1.0 / p->foot_mass;
-    const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
-    const real d_along = sine * sum_2 + foot_mass_times_gravity * d_sine;
-    const real d_gravity_times_cosine = cosine * dp->gravity - p->gravity * sine_times_slope;
-    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
-        + p->stiffness * dx->extension_rate;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
-        + p->liftoff_factor * dx->liftoff_angle;
-    c->inverse_body_mass = d_inverse_body_mass;
-    c->stiffness = dp->stiffness;
-    c->free_length = dp->free_length;
-    c->thrusting_times_longer_or_by_0 = d_thrusting_times_longer_or_by_0;
-    c->damping = dp->damping;
-    c->cosine = d_cosine;
-    c->off = d_off;
-    c->sine = d_sine;
-    c->gravity_times_sine = d_gravity_times_sine;
-    c->inverse_foot_mass = d_inverse_foot_mass;
-    c->along = d_along;
-    c->gravity_times_cosine = d_gravity_times_cosine;
-    c->extension_rate = dx->extension_rate;
-    c->stiffness_times_extension_rate = d_stiffness_times_extension_rate;
-    c->external_fx_rate = dx->external_fx_rate;
-    c->external_fy_rate = dx->external_fy_rate;
-    c->friction_rate = dx->friction_rate;
-    c->external_torque_rate = dx->external_torque_rate;
-    c->segment_end = dx->segment_end;
-    c->segment_begin = dx->segment_begin;
-    c->least_length = dp->least_length;
-    c->share = d_share;
-    c->kp = dp->kp;
-    c->winding = dx->winding;
-    c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
-    c->kd = dp->kd;
-    c->product_2 = (p->drive_torque + p->more_torque) * dx->driving + x->driving * (dp->drive_torque
-        + dp->more_torque);
-}
-
-/* apex_in_graze: Place begins. No stride closes, because the foot is on the ground. */
-static int react_graze_rest_apex_in_graze(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
-    runner_states *y = (void *)after;
-    (void)parameters, (void)states, (void)tables;
-    y->placing = 0.0;
-    return next[0]; /* graze */
-}
-
-/* First variation of apex_in_graze. */
-static void vary_react_graze_rest_apex_in_graze(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
-    runner_states *y = (void *)after;
-    (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed;
-    y->placing = 0.0;
-}
-
-/* First variation of the guard of apex_in_graze. */
-static real vary_guard_graze_rest_apex_in_graze(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    const real cos_of_slope = real_cos(x->slope);
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real along = x->foot_vx + share * x->vx;
-    const real sin_of_slope = real_sin(x->slope);
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_along = dx->foot_vx + (d_share * x->vx + share * dx->vx);
-    const real d_rise = cos_of_slope * dx->slope * along + sin_of_slope * d_along
-        + (cos_of_slope * (d_share * x->vy + share * dx->vy) - sin_of_slope * dx->slope * (share * x->vy));
-    return d_rise;
-}
-
-/* release: The clamp of (12) releases the retracting torque. */
-static int react_graze_rest_release(const real *parameters, const real *states, const tdmf_table *tables,
-    real *after, const int *next) {
-    (void)parameters, (void)states, (void)tables, (void)after;
-    return next[0]; /* graze */
-}
-
-/* First variation of the guard of release. */
-static real vary_guard_graze_rest_release(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    const real angle = real_atan2(-x->x_, x->y_) + x->winding;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real d_servo = -(dp->kp * (angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (d_angle
-        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle)))
-        - (dp->kd * angle_rate + p->kd * d_angle_rate);
-    return -d_servo;
-}
-
-/* First variation of the guard of graze_to_flight. */
-static real vary_guard_graze_rest_graze_to_flight(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
-    const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real rest_length_minus_length = rest_length - length;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
-        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
-        - length_rate * d_length) / length;
-    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
-        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
-    const real spring = p->stiffness * rest_length_minus_length - p->damping * length_rate;
-    const real axial = spring / length;
-    const real d_axial = (d_spring - axial * d_length) / length;
-    const real turning = x->external_torque / square;
-    const real d_turning = (dx->external_torque - turning * d_square) / square;
-    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
-    const real cosine = real_cos(x->slope);
-    const real sine = real_sin(x->slope);
-    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine
-        - p->foot_mass * p->gravity * (sine * dx->slope));
-    return d_normal;
-}
-
-/* Outputs in graze_rest. */
-static void outputs_graze_rest(const real *parameters, const real *states, real *outputs) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const real set_height = p->ground_height + x->segment_height;
-    const real set_slope = p->ground_slope + x->segment_slope;
-    const real pending = select(real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope
-        - x->slope)) > 0.0, 1.0, 0.0);
-    const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
-        0.0) * x->thrusting;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real shorter = rest_length - length;
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real spring = p->stiffness * shorter - p->damping * length_rate;
-    const real cosine = real_cos(x->slope);
-    const real off = p->foot_mass * p->gravity * cosine;
-    const real torque = -((spring / length * x->y_ + off) / x->x_ * square);
-    const real x_2 = x->foot_x * cosine;
-    const real sine = real_sin(x->slope);
-    const real x__times_cosine_minus_y__times_sine = x->x_ * cosine - x->y_ * sine;
-    const real body_x = x_2 + x__times_cosine_minus_y__times_sine;
-    const real y_2 = x->foot_x * sine;
-    const real height_plus_y = x->height + y_2;
-    const real x__times_sine_plus_y__times_cosine = x->x_ * sine + x->y_ * cosine;
-    const real body_y = height_plus_y + x__times_sine_plus_y__times_cosine;
-    const real vx = x->foot_vx * cosine;
-    const real vx_times_cosine_minus_vy_times_sine = x->vx * cosine - x->vy * sine;
-    const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
-    const real vy = x->foot_vx * sine;
-    const real vx_times_sine_plus_vy_times_cosine = x->vx * sine + x->vy * cosine;
-    const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real center_x = x_2 + share * x__times_cosine_minus_y__times_sine;
-    const real center_y = height_plus_y + share * x__times_sine_plus_y__times_cosine;
-    const real center_vx = vx + share * vx_times_cosine_minus_vy_times_sine;
-    const real center_vy = vy + share * vx_times_sine_plus_vy_times_cosine;
-    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (vx * vx + vy * vy));
-    const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_y);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = pending;
-    outputs[OUTPUT_torque] = torque;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = body_x;
-    outputs[OUTPUT_body_y] = body_y;
-    outputs[OUTPUT_body_vx] = body_vx;
-    outputs[OUTPUT_body_vy] = body_vy;
-    outputs[OUTPUT_center_x] = center_x;
-    outputs[OUTPUT_center_y] = center_y;
-    outputs[OUTPUT_center_vx] = center_vx;
-    outputs[OUTPUT_center_vy] = center_vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 5.0;
-    outputs[OUTPUT_phase_of_hip] = 3.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
-}
-
-/* Constants of graze_retract. */
-static void open_graze_retract(const real *parameters, const real *states, real *constants) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    graze_retract_constants *c = (void *)constants;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
-    const real cosine = real_cos(x->slope);
-    const real foot_mass_times_gravity = p->foot_mass * p->gravity;
-    const real off = foot_mass_times_gravity * cosine;
-    const real sine = real_sin(x->slope);
-    const real gravity_times_sine = p->gravity * sine;
-    const real inverse_foot_mass = 1.0 / p->foot_mass;
-    const real along = foot_mass_times_gravity * sine;
-    const real gravity_times_cosine = p->gravity * cosine;
-    const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
-    const real product_2 = x->driving * (p->drive_torque + p->more_torque);
-    c->inverse_body_mass = inverse_body_mass;
-    c->stiffness = p->stiffness;
-    c->free_length = p->free_length;
-    c->thrusting_times_longer_or_by_0 = thrusting_times_longer_or_by_0;
-    c->damping = p->damping;
-    c->cosine = cosine;
-    c->off = off;
-    c->sine = sine;
-    c->gravity_times_sine = gravity_times_sine;
-    c->inverse_foot_mass = inverse_foot_mass;
-    c->along = along;
-    c->gravity_times_cosine = gravity_times_cosine;
-    c->extension_rate = x->extension_rate;
-    c->stiffness_times_extension_rate = stiffness_times_extension_rate;
-    c->external_fx_rate = x->external_fx_rate;
-    c->external_fy_rate = x->external_fy_rate;
-    c->friction_rate = x->friction_rate;
-    c->external_torque_rate = x->external_torque_rate;
-    c->segment_end = x->segment_end;
-    c->segment_begin = x->segment_begin;
-    c->least_length = p->least_length;
-    c->share = share;
-    c->kp = p->kp;
-    c->winding = x->winding;
-    c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
-    c->kd = p->kd;
-    c->product_2 = product_2;
-}
-
-/* First variation of open_graze_retract. */
-static void vary_open_graze_retract(const real *parameters, const real *states, const real *d_parameters,
-    const real *d_states, real *constants) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    graze_retract_constants *c = (void *)constants;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
-    const real longer = p->thrust + p->more_thrust;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
-        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
-    const real sine = real_sin(x->slope);
-    const real sine_times_slope = sine * dx->slope;
-    const real d_cosine = -sine_times_slope;
-    const real cosine = real_cos(x->slope);
-    const real sum_2 = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
-    const real foot_mass_times_gravity = p->foot_mass * p->gravity;
-    const real d_off = cosine * sum_2 - foot_mass_times_gravity * sine_times_slope;
-    const real d_sine = cosine * dx->slope;
-    const real d_gravity_times_sine = sine * dp->gravity + p->gravity * d_sine;
-    const real inverse_foot_mass = 1.0 / p->foot_mass;
-    const real d_inverse_foot_mass = -(inverse_foot_mass * dp->foot_mass / p->foot_mass);
-    const real d_along = sine * sum_2 + foot_mass_times_gravity * d_sine;
-    const real d_gravity_times_cosine = cosine * dp->gravity - p->gravity * sine_times_slope;
-    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
-        + p->stiffness * dx->extension_rate;
-    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
-        + p->liftoff_factor * dx->liftoff_angle;
-    c->inverse_body_mass = d_inverse_body_mass;
-    c->stiffness = dp->stiffness;
-    c->free_length = dp->free_length;
-    c->thrusting_times_longer_or_by_0 = d_thrusting_times_longer_or_by_0;
-    c->damping = dp->damping;
-    c->cosine = d_cosine;
-    c->off = d_off;
-    c->sine = d_sine;
-    c->gravity_times_sine = d_gravity_times_sine;
-    c->inverse_foot_mass = d_inverse_foot_mass;
-    c->along = d_along;
-    c->gravity_times_cosine = d_gravity_times_cosine;
-    c->extension_rate = dx->extension_rate;
-    c->stiffness_times_extension_rate = d_stiffness_times_extension_rate;
-    c->external_fx_rate = dx->external_fx_rate;
-    c->external_fy_rate = dx->external_fy_rate;
-    c->friction_rate = dx->friction_rate;
-    c->external_torque_rate = dx->external_torque_rate;
-    c->segment_end = dx->segment_end;
-    c->segment_begin = dx->segment_begin;
-    c->least_length = dp->least_length;
-    c->share = d_share;
-    c->kp = dp->kp;
-    c->winding = dx->winding;
-    c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
-    c->kd = dp->kd;
-    c->product_2 = (p->drive_torque + p->more_torque) * dx->driving + x->driving * (dp->drive_torque
-        + dp->more_torque);
-}
-
-/* First variation of the guard of clamp. */
-static real vary_guard_graze_retract_clamp(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    const real angle = real_atan2(-x->x_, x->y_) + x->winding;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real d_servo = -(dp->kp * (angle - p->liftoff_factor * x->liftoff_angle) + p->kp * (d_angle
-        - (dp->liftoff_factor * x->liftoff_angle + p->liftoff_factor * dx->liftoff_angle)))
-        - (dp->kd * angle_rate + p->kd * d_angle_rate);
-    return d_servo;
-}
-
-/* First variation of the guard of graze_to_flight. */
-static real vary_guard_graze_retract_graze_to_flight(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
-    const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
-    const real square = x->x_ * x->x_ + x->y_ * x->y_;
-    const real length = real_sqrt(square);
-    const real rest_length_minus_length = rest_length - length;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
-        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
-    const real d_length = 0.5 * d_square / length;
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
-    const real d_length_rate = (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy)
-        - length_rate * d_length) / length;
-    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
-        - d_length) - (dp->damping * length_rate + p->damping * d_length_rate);
-    const real spring = p->stiffness * rest_length_minus_length - p->damping * length_rate;
-    const real axial = spring / length;
-    const real d_axial = (d_spring - axial * d_length) / length;
-    const real angle = real_atan2(-x->x_, x->y_) + x->winding;
-    const real sum_2 = angle - p->liftoff_factor * x->liftoff_angle;
-    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
-    const real moment = x->x_ * x->vy - x->y_ * x->vx;
-    const real angle_rate = moment / square;
-    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
-    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
-    const real d_servo = -(dp->kp * sum_2 + p->kp * (d_angle - (dp->liftoff_factor * x->liftoff_angle
-        + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * angle_rate + p->kd * d_angle_rate);
-    const real d_swing_torque = dx->external_torque + d_servo;
-    const real servo = -(p->kp * sum_2) - p->kd * angle_rate;
-    const real swing_torque = x->external_torque + servo;
-    const real turning = swing_torque / square;
-    const real d_turning = (d_swing_torque - turning * d_square) / square;
-    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
-    const real cosine = real_cos(x->slope);
-    const real sine = real_sin(x->slope);
-    const real d_normal = d_off + ((p->gravity * dp->foot_mass + p->foot_mass * dp->gravity) * cosine
-        - p->foot_mass * p->gravity * (sine * dx->slope));
-    return d_normal;
 }
 
 /* Constants of slip_falling. */
@@ -7796,295 +6692,34 @@ static void vary_world_rates_slip_falling(const real *parameters, const real *st
         - angle_rate * sum_5) / square * d_square) / square;
 }
 
-/* Constants of flight_place_pushed. */
-static void open_flight_place_pushed(const real *parameters, const real *states, real *constants) {
+/* Constants of flight_pushed. */
+static void open_flight_pushed(const real *parameters, const real *states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
-    flight_place_pushed_constants *c = (void *)constants;
+    flight_pushed_constants *c = (void *)constants;
     const real inverse_body_mass = 1.0 / p->body_mass;
     const real mobility = inverse_body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real total_mass = p->body_mass + p->foot_mass;
     const real inverse_total_mass = 1.0 / total_mass;
-    const real touchdown_angle_plus_more_angle = p->touchdown_angle + p->more_angle;
-    const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
-    const real share = p->body_mass / total_mass;
-    const real by_1_minus_share = 1.0 - share;
-    const real set_slope = p->ground_slope + x->segment_slope;
-    const real cos_of_set_slope = real_cos(set_slope);
-    const real set_height = p->ground_height + x->segment_height;
-    const real sin_of_set_slope = real_sin(set_slope);
-    const real cos_of_slope = real_cos(x->slope);
-    const real sin_of_slope = real_sin(x->slope);
-    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
-    c->inverse_body_mass = inverse_body_mass;
-    c->mobility = mobility;
-    c->stiffness = p->stiffness;
-    c->free_length = p->free_length;
-    c->thrusting_times_longer_or_by_0 = thrusting_times_longer_or_by_0;
-    c->damping = p->damping;
-    c->inverse_total_mass = inverse_total_mass;
-    c->gravity = p->gravity;
-    c->kp = p->kp;
-    c->touchdown_angle_plus_more_angle = touchdown_angle_plus_more_angle;
-    c->retraction_rate = p->retraction_rate;
-    c->kd = p->kd;
-    c->extension_rate = x->extension_rate;
-    c->stiffness_times_extension_rate = stiffness_times_extension_rate;
-    c->share = share;
-    c->by_1_minus_share = by_1_minus_share;
-    c->external_fx_rate = x->external_fx_rate;
-    c->external_fy_rate = x->external_fy_rate;
-    c->friction_rate = x->friction_rate;
-    c->external_torque_rate = x->external_torque_rate;
-    c->segment_end = x->segment_end;
-    c->segment_begin = x->segment_begin;
-    c->set_slope = set_slope;
-    c->cos_of_set_slope = cos_of_set_slope;
-    c->set_height = set_height;
-    c->sin_of_set_slope = sin_of_set_slope;
-    c->slope = x->slope;
-    c->cos_of_slope = cos_of_slope;
-    c->height = x->height;
-    c->sin_of_slope = sin_of_slope;
-    c->least_length = p->least_length;
-    c->inverse_cos_of_slope = inverse_cos_of_slope;
-}
-
-/* First variation of open_flight_place_pushed. */
-static void vary_open_flight_place_pushed(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, real *constants) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    flight_place_pushed_constants *c = (void *)constants;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
-    const real d_mobility = d_inverse_body_mass - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
-        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
-    const real total_mass = p->body_mass + p->foot_mass;
-    const real inverse_total_mass = 1.0 / total_mass;
-    const real d_total_mass = dp->body_mass + dp->foot_mass;
-    const real d_inverse_total_mass = -(inverse_total_mass * d_total_mass / total_mass);
-    const real d_touchdown_angle_plus_more_angle = dp->touchdown_angle + dp->more_angle;
-    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
-        + p->stiffness * dx->extension_rate;
-    const real share = p->body_mass / total_mass;
-    const real d_share = (dp->body_mass - share * d_total_mass) / total_mass;
-    const real d_by_1_minus_share = -d_share;
-    const real d_set_slope = dp->ground_slope + dx->segment_slope;
-    const real set_slope = p->ground_slope + x->segment_slope;
-    const real sin_of_set_slope = real_sin(set_slope);
-    const real d_cos_of_set_slope = -(sin_of_set_slope * d_set_slope);
-    const real d_set_height = dp->ground_height + dx->segment_height;
-    const real cos_of_set_slope = real_cos(set_slope);
-    const real d_sin_of_set_slope = cos_of_set_slope * d_set_slope;
-    const real sin_of_slope = real_sin(x->slope);
-    const real sin_of_slope_times_slope = sin_of_slope * dx->slope;
-    const real d_cos_of_slope = -sin_of_slope_times_slope;
-    const real cos_of_slope = real_cos(x->slope);
-    const real d_sin_of_slope = cos_of_slope * dx->slope;
-    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
-    const real d_inverse_cos_of_slope = inverse_cos_of_slope * sin_of_slope_times_slope / cos_of_slope;
-    c->inverse_body_mass = d_inverse_body_mass;
-    c->mobility = d_mobility;
-    c->stiffness = dp->stiffness;
-    c->free_length = dp->free_length;
-    c->thrusting_times_longer_or_by_0 = d_thrusting_times_longer_or_by_0;
-    c->damping = dp->damping;
-    c->inverse_total_mass = d_inverse_total_mass;
-    c->gravity = dp->gravity;
-    c->kp = dp->kp;
-    c->touchdown_angle_plus_more_angle = d_touchdown_angle_plus_more_angle;
-    c->retraction_rate = dp->retraction_rate;
-    c->kd = dp->kd;
-    c->extension_rate = dx->extension_rate;
-    c->stiffness_times_extension_rate = d_stiffness_times_extension_rate;
-    c->share = d_share;
-    c->by_1_minus_share = d_by_1_minus_share;
-    c->external_fx_rate = dx->external_fx_rate;
-    c->external_fy_rate = dx->external_fy_rate;
-    c->friction_rate = dx->friction_rate;
-    c->external_torque_rate = dx->external_torque_rate;
-    c->segment_end = dx->segment_end;
-    c->segment_begin = dx->segment_begin;
-    c->set_slope = d_set_slope;
-    c->cos_of_set_slope = d_cos_of_set_slope;
-    c->set_height = d_set_height;
-    c->sin_of_set_slope = d_sin_of_set_slope;
-    c->slope = dx->slope;
-    c->cos_of_slope = d_cos_of_slope;
-    c->height = dx->height;
-    c->sin_of_slope = d_sin_of_slope;
-    c->least_length = dp->least_length;
-    c->inverse_cos_of_slope = d_inverse_cos_of_slope;
-}
-
-/* Rates of the world's states in flight. */
-static void world_rates_flight_place_pushed(const real *parameters, const real *states, real *after) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    runner_states *y = (void *)after;
-    const real total_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / total_mass;
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real sine_times_rate = sine * rate;
-    const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
-        0.0) * x->thrusting;
-    const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
-    const real axial = x->external_fy * cosine - x->external_fx * sine;
-    const real sum_plus_axial_over_body_mass = x->length * (rate * rate) + mobility * spring
-        + axial / p->body_mass;
-    const real target = p->touchdown_angle + p->more_angle - p->retraction_rate * x->placing;
-    const real servo = -(p->kp * (x->angle - target)) - p->kd * (rate + p->retraction_rate);
-    const real swing_torque = x->external_torque + servo;
-    const real sum_2 = mobility * swing_torque - x->length * (x->external_fx * cosine
-        + x->external_fy * sine) / p->body_mass;
-    const real turn = x->momentum / x->length;
-    const real ratio = (sum_2 - turn * x->length_rate) / x->length;
-    y->seen_x = x->com_vx + share * (x->length_rate * sine + x->length * cosine_times_rate);
-    y->seen_y = x->com_vy - share * (x->length_rate * cosine - x->length * sine_times_rate);
-    y->seen_vx = x->external_fx / total_mass - share * (-(sum_plus_axial_over_body_mass * sine
-        + x->length_rate * cosine_times_rate) - (ratio * cosine - turn * sine_times_rate));
-    y->seen_vy = x->external_fy / total_mass - p->gravity - share * (sum_plus_axial_over_body_mass * cosine
-        - x->length_rate * sine_times_rate - (ratio * sine + turn * cosine_times_rate));
-    y->length = x->length_rate;
-    y->angle = rate;
-    y->length_rate = sum_plus_axial_over_body_mass;
-    y->angle_rate = (sum_2 - rate * (2.0 * (x->length * x->length_rate))) / square;
-}
-
-/* First variation of world_rates_flight_place_pushed. */
-static void vary_world_rates_flight_place_pushed(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, real *after) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    runner_states *y = (void *)after;
-    const real total_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / total_mass;
-    const real d_total_mass = dp->body_mass + dp->foot_mass;
-    const real d_share = (dp->body_mass - share * d_total_mass) / total_mass;
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real d_sine = cosine * dx->angle;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real sine_times_angle = sine * dx->angle;
-    const real sum_2 = cosine * d_rate - sine_times_angle * rate;
-    const real sine_times_rate = sine * rate;
-    const real sum_3 = d_sine * rate + sine * d_rate;
-    const real rate_times_rate = rate * rate;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real inverse_foot_mass = 1.0 / p->foot_mass;
-    const real mobility = inverse_body_mass + inverse_foot_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
-    const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
-    const real rest_length_minus_length = rest_length - x->length;
-    const real spring = p->stiffness * rest_length_minus_length - p->damping * x->length_rate;
-    const real axial = x->external_fy * cosine - x->external_fx * sine;
-    const real axial_over_body_mass = axial / p->body_mass;
-    const real sum_plus_axial_over_body_mass = x->length * rate_times_rate + mobility * spring
-        + axial_over_body_mass;
-    const real target = p->touchdown_angle + p->more_angle - p->retraction_rate * x->placing;
-    const real angle_minus_target = x->angle - target;
-    const real rate_plus_retraction_rate = rate + p->retraction_rate;
-    const real servo = -(p->kp * angle_minus_target) - p->kd * rate_plus_retraction_rate;
-    const real swing_torque = x->external_torque + servo;
-    const real sum_4 = x->external_fx * cosine + x->external_fy * sine;
-    const real length_times_sum_over_body_mass = x->length * sum_4 / p->body_mass;
-    const real sum_5 = mobility * swing_torque - length_times_sum_over_body_mass;
-    const real turn = x->momentum / x->length;
-    const real ratio = (sum_5 - turn * x->length_rate) / x->length;
-    const real d_mobility = -(inverse_body_mass * dp->body_mass / p->body_mass)
-        - inverse_foot_mass * dp->foot_mass / p->foot_mass;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
-        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
-        - dx->length) - (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real d_axial = dx->external_fy * cosine - x->external_fy * sine_times_angle
-        - (dx->external_fx * sine + x->external_fx * d_sine);
-    const real sum_plus_sum_plus_sum_over_body_mass = dx->length * rate_times_rate
-        + x->length * (2.0 * (rate * d_rate)) + (d_mobility * spring + mobility * d_spring) + (d_axial
-        - axial_over_body_mass * dp->body_mass) / p->body_mass;
-    const real d_target = dp->touchdown_angle + dp->more_angle - (dp->retraction_rate * x->placing
-        + p->retraction_rate * dx->placing);
-    const real d_servo = -(dp->kp * angle_minus_target + p->kp * (dx->angle - d_target))
-        - (dp->kd * rate_plus_retraction_rate + p->kd * (d_rate + dp->retraction_rate));
-    const real d_swing_torque = dx->external_torque + d_servo;
-    const real sum_6 = d_mobility * swing_torque + mobility * d_swing_torque - (dx->length * sum_4
-        + x->length * (dx->external_fx * cosine - x->external_fx * sine_times_angle
-        + (dx->external_fy * sine + x->external_fy * d_sine))
-        - length_times_sum_over_body_mass * dp->body_mass) / p->body_mass;
-    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real ratio_2 = (sum_6 - (d_turn * x->length_rate + turn * dx->length_rate)
-        - ratio * dx->length) / x->length;
-    const real by_2_times_length_times_length_rate = 2.0 * (x->length * x->length_rate);
-    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate)
-        + share * (dx->length_rate * sine + x->length_rate * d_sine + (dx->length * cosine_times_rate
-        + x->length * sum_2)));
-    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate)
-        + share * (dx->length_rate * cosine - x->length_rate * sine_times_angle
-        - (dx->length * sine_times_rate + x->length * sum_3)));
-    y->seen_vx = (dx->external_fx - x->external_fx / total_mass * d_total_mass) / total_mass
-        - (d_share * (-(sum_plus_axial_over_body_mass * sine + x->length_rate * cosine_times_rate)
-        - (ratio * cosine - turn * sine_times_rate))
-        + share * (-(sum_plus_sum_plus_sum_over_body_mass * sine + sum_plus_axial_over_body_mass * d_sine
-        + (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)) - (ratio_2 * cosine
-        - ratio * sine_times_angle - (d_turn * sine_times_rate + turn * sum_3))));
-    y->seen_vy = (dx->external_fy - x->external_fy / total_mass * d_total_mass) / total_mass - dp->gravity
-        - (d_share * (sum_plus_axial_over_body_mass * cosine - x->length_rate * sine_times_rate
-        - (ratio * sine + turn * cosine_times_rate))
-        + share * (sum_plus_sum_plus_sum_over_body_mass * cosine
-        - sum_plus_axial_over_body_mass * sine_times_angle - (dx->length_rate * sine_times_rate
-        + x->length_rate * sum_3) - (ratio_2 * sine + ratio * d_sine + (d_turn * cosine_times_rate
-        + turn * sum_2))));
-    y->length = dx->length_rate;
-    y->angle = d_rate;
-    y->length_rate = sum_plus_sum_plus_sum_over_body_mass;
-    y->angle_rate = (sum_6 - (d_rate * by_2_times_length_times_length_rate
-        + rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate))) - (sum_5
-        - rate * by_2_times_length_times_length_rate) / square * d_square) / square;
-}
-
-/* Constants of flight_rest_pushed. */
-static void open_flight_rest_pushed(const real *parameters, const real *states, real *constants) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    flight_rest_pushed_constants *c = (void *)constants;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real mobility = inverse_body_mass + 1.0 / p->foot_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
-    const real total_mass = p->body_mass + p->foot_mass;
-    const real inverse_total_mass = 1.0 / total_mass;
-    const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
-    const real share = p->body_mass / total_mass;
-    const real by_1_minus_share = 1.0 - share;
-    const real set_slope = p->ground_slope + x->segment_slope;
-    const real cos_of_set_slope = real_cos(set_slope);
-    const real set_height = p->ground_height + x->segment_height;
-    const real sin_of_set_slope = real_sin(set_slope);
-    const real cos_of_slope = real_cos(x->slope);
-    const real sin_of_slope = real_sin(x->slope);
+    const real share = select(x->swing > 0.0, 1.0, 0.0);
+    const real share_times_kp = share * p->kp;
     const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
+    const real first = select(x->swing < 2.0, liftoff_factor_times_liftoff_angle, p->touchdown_angle
+        + p->more_angle);
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
+    const real turn = is_placing * p->retraction_rate;
+    const real share_times_kd = share * p->kd;
+    const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
+    const real body_mass_over_total_mass = p->body_mass / total_mass;
+    const real by_1_minus_body_mass_over_total_mass = 1.0 - body_mass_over_total_mass;
+    const real set_slope = p->ground_slope + x->segment_slope;
+    const real cos_of_set_slope = real_cos(set_slope);
+    const real set_height = p->ground_height + x->segment_height;
+    const real sin_of_set_slope = real_sin(set_slope);
+    const real cos_of_slope = real_cos(x->slope);
+    const real sin_of_slope = real_sin(x->slope);
     const real inverse_cos_of_slope = 1.0 / cos_of_slope;
     c->inverse_body_mass = inverse_body_mass;
     c->mobility = mobility;
@@ -8094,10 +6729,18 @@ static void open_flight_rest_pushed(const real *parameters, const real *states, 
     c->damping = p->damping;
     c->inverse_total_mass = inverse_total_mass;
     c->gravity = p->gravity;
+    c->kp = p->kp;
+    c->share_times_kp = share_times_kp;
+    c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
+    c->first = first;
+    c->is_placing = is_placing;
+    c->turn = turn;
+    c->kd = p->kd;
+    c->share_times_kd = share_times_kd;
     c->extension_rate = x->extension_rate;
     c->stiffness_times_extension_rate = stiffness_times_extension_rate;
-    c->share = share;
-    c->by_1_minus_share = by_1_minus_share;
+    c->body_mass_over_total_mass = body_mass_over_total_mass;
+    c->by_1_minus_body_mass_over_total_mass = by_1_minus_body_mass_over_total_mass;
     c->external_fx_rate = x->external_fx_rate;
     c->external_fy_rate = x->external_fy_rate;
     c->friction_rate = x->friction_rate;
@@ -8113,20 +6756,17 @@ static void open_flight_rest_pushed(const real *parameters, const real *states, 
     c->height = x->height;
     c->sin_of_slope = sin_of_slope;
     c->least_length = p->least_length;
-    c->kp = p->kp;
-    c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
-    c->kd = p->kd;
     c->inverse_cos_of_slope = inverse_cos_of_slope;
 }
 
-/* First variation of open_flight_rest_pushed. */
-static void vary_open_flight_rest_pushed(const real *parameters, const real *states, const real *d_parameters,
+/* First variation of open_flight_pushed. */
+static void vary_open_flight_pushed(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
-    flight_rest_pushed_constants *c = (void *)constants;
+    flight_pushed_constants *c = (void *)constants;
     const real inverse_body_mass = 1.0 / p->body_mass;
     const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
     const real d_mobility = d_inverse_body_mass - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
@@ -8138,267 +6778,21 @@ static void vary_open_flight_rest_pushed(const real *parameters, const real *sta
     const real inverse_total_mass = 1.0 / total_mass;
     const real d_total_mass = dp->body_mass + dp->foot_mass;
     const real d_inverse_total_mass = -(inverse_total_mass * d_total_mass / total_mass);
-    const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
-        + p->stiffness * dx->extension_rate;
-    const real share = p->body_mass / total_mass;
-    const real d_share = (dp->body_mass - share * d_total_mass) / total_mass;
-    const real d_by_1_minus_share = -d_share;
-    const real d_set_slope = dp->ground_slope + dx->segment_slope;
-    const real set_slope = p->ground_slope + x->segment_slope;
-    const real sin_of_set_slope = real_sin(set_slope);
-    const real d_cos_of_set_slope = -(sin_of_set_slope * d_set_slope);
-    const real d_set_height = dp->ground_height + dx->segment_height;
-    const real cos_of_set_slope = real_cos(set_slope);
-    const real d_sin_of_set_slope = cos_of_set_slope * d_set_slope;
-    const real sin_of_slope = real_sin(x->slope);
-    const real sin_of_slope_times_slope = sin_of_slope * dx->slope;
-    const real d_cos_of_slope = -sin_of_slope_times_slope;
-    const real cos_of_slope = real_cos(x->slope);
-    const real d_sin_of_slope = cos_of_slope * dx->slope;
+    const real share = select(x->swing > 0.0, 1.0, 0.0);
+    const real d_share_times_kp = share * dp->kp;
     const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
         + p->liftoff_factor * dx->liftoff_angle;
-    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
-    const real d_inverse_cos_of_slope = inverse_cos_of_slope * sin_of_slope_times_slope / cos_of_slope;
-    c->inverse_body_mass = d_inverse_body_mass;
-    c->mobility = d_mobility;
-    c->stiffness = dp->stiffness;
-    c->free_length = dp->free_length;
-    c->thrusting_times_longer_or_by_0 = d_thrusting_times_longer_or_by_0;
-    c->damping = dp->damping;
-    c->inverse_total_mass = d_inverse_total_mass;
-    c->gravity = dp->gravity;
-    c->extension_rate = dx->extension_rate;
-    c->stiffness_times_extension_rate = d_stiffness_times_extension_rate;
-    c->share = d_share;
-    c->by_1_minus_share = d_by_1_minus_share;
-    c->external_fx_rate = dx->external_fx_rate;
-    c->external_fy_rate = dx->external_fy_rate;
-    c->friction_rate = dx->friction_rate;
-    c->external_torque_rate = dx->external_torque_rate;
-    c->segment_end = dx->segment_end;
-    c->segment_begin = dx->segment_begin;
-    c->set_slope = d_set_slope;
-    c->cos_of_set_slope = d_cos_of_set_slope;
-    c->set_height = d_set_height;
-    c->sin_of_set_slope = d_sin_of_set_slope;
-    c->slope = dx->slope;
-    c->cos_of_slope = d_cos_of_slope;
-    c->height = dx->height;
-    c->sin_of_slope = d_sin_of_slope;
-    c->least_length = dp->least_length;
-    c->kp = dp->kp;
-    c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
-    c->kd = dp->kd;
-    c->inverse_cos_of_slope = d_inverse_cos_of_slope;
-}
-
-/* Rates of the world's states in flight. */
-static void world_rates_flight_rest_pushed(const real *parameters, const real *states, real *after) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    runner_states *y = (void *)after;
-    const real total_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / total_mass;
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real sine_times_rate = sine * rate;
-    const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
-        0.0) * x->thrusting;
-    const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
-    const real axial = x->external_fy * cosine - x->external_fx * sine;
-    const real sum_plus_axial_over_body_mass = x->length * (rate * rate) + mobility * spring
-        + axial / p->body_mass;
-    const real sum_2 = mobility * x->external_torque - x->length * (x->external_fx * cosine
-        + x->external_fy * sine) / p->body_mass;
-    const real turn = x->momentum / x->length;
-    const real ratio = (sum_2 - turn * x->length_rate) / x->length;
-    y->seen_x = x->com_vx + share * (x->length_rate * sine + x->length * cosine_times_rate);
-    y->seen_y = x->com_vy - share * (x->length_rate * cosine - x->length * sine_times_rate);
-    y->seen_vx = x->external_fx / total_mass - share * (-(sum_plus_axial_over_body_mass * sine
-        + x->length_rate * cosine_times_rate) - (ratio * cosine - turn * sine_times_rate));
-    y->seen_vy = x->external_fy / total_mass - p->gravity - share * (sum_plus_axial_over_body_mass * cosine
-        - x->length_rate * sine_times_rate - (ratio * sine + turn * cosine_times_rate));
-    y->length = x->length_rate;
-    y->angle = rate;
-    y->length_rate = sum_plus_axial_over_body_mass;
-    y->angle_rate = (sum_2 - rate * (2.0 * (x->length * x->length_rate))) / square;
-}
-
-/* First variation of world_rates_flight_rest_pushed. */
-static void vary_world_rates_flight_rest_pushed(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, real *after) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    runner_states *y = (void *)after;
-    const real total_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / total_mass;
-    const real d_total_mass = dp->body_mass + dp->foot_mass;
-    const real d_share = (dp->body_mass - share * d_total_mass) / total_mass;
-    const real sine = real_sin(x->angle);
-    const real cosine = real_cos(x->angle);
-    const real square = x->length * x->length;
-    const real rate = x->momentum / square;
-    const real cosine_times_rate = cosine * rate;
-    const real d_sine = cosine * dx->angle;
-    const real d_square = 2.0 * (x->length * dx->length);
-    const real d_rate = (dx->momentum - rate * d_square) / square;
-    const real sine_times_angle = sine * dx->angle;
-    const real sum_2 = cosine * d_rate - sine_times_angle * rate;
-    const real sine_times_rate = sine * rate;
-    const real sum_3 = d_sine * rate + sine * d_rate;
-    const real rate_times_rate = rate * rate;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real inverse_foot_mass = 1.0 / p->foot_mass;
-    const real mobility = inverse_body_mass + inverse_foot_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
-    const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
-    const real rest_length_minus_length = rest_length - x->length;
-    const real spring = p->stiffness * rest_length_minus_length - p->damping * x->length_rate;
-    const real axial = x->external_fy * cosine - x->external_fx * sine;
-    const real axial_over_body_mass = axial / p->body_mass;
-    const real sum_plus_axial_over_body_mass = x->length * rate_times_rate + mobility * spring
-        + axial_over_body_mass;
-    const real sum_4 = x->external_fx * cosine + x->external_fy * sine;
-    const real length_times_sum_over_body_mass = x->length * sum_4 / p->body_mass;
-    const real sum_5 = mobility * x->external_torque - length_times_sum_over_body_mass;
-    const real turn = x->momentum / x->length;
-    const real ratio = (sum_5 - turn * x->length_rate) / x->length;
-    const real d_mobility = -(inverse_body_mass * dp->body_mass / p->body_mass)
-        - inverse_foot_mass * dp->foot_mass / p->foot_mass;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length = dp->free_length + dx->extension + (select(longer >= 0.0, d_longer,
-        0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
-    const real d_spring = dp->stiffness * rest_length_minus_length + p->stiffness * (d_rest_length
-        - dx->length) - (dp->damping * x->length_rate + p->damping * dx->length_rate);
-    const real d_axial = dx->external_fy * cosine - x->external_fy * sine_times_angle
-        - (dx->external_fx * sine + x->external_fx * d_sine);
-    const real sum_plus_sum_plus_sum_over_body_mass = dx->length * rate_times_rate
-        + x->length * (2.0 * (rate * d_rate)) + (d_mobility * spring + mobility * d_spring) + (d_axial
-        - axial_over_body_mass * dp->body_mass) / p->body_mass;
-    const real sum_6 = d_mobility * x->external_torque + mobility * dx->external_torque
-        - (dx->length * sum_4 + x->length * (dx->external_fx * cosine - x->external_fx * sine_times_angle
-        + (dx->external_fy * sine + x->external_fy * d_sine))
-        - length_times_sum_over_body_mass * dp->body_mass) / p->body_mass;
-    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
-    const real ratio_2 = (sum_6 - (d_turn * x->length_rate + turn * dx->length_rate)
-        - ratio * dx->length) / x->length;
-    const real by_2_times_length_times_length_rate = 2.0 * (x->length * x->length_rate);
-    y->seen_x = dx->com_vx + (d_share * (x->length_rate * sine + x->length * cosine_times_rate)
-        + share * (dx->length_rate * sine + x->length_rate * d_sine + (dx->length * cosine_times_rate
-        + x->length * sum_2)));
-    y->seen_y = dx->com_vy - (d_share * (x->length_rate * cosine - x->length * sine_times_rate)
-        + share * (dx->length_rate * cosine - x->length_rate * sine_times_angle
-        - (dx->length * sine_times_rate + x->length * sum_3)));
-    y->seen_vx = (dx->external_fx - x->external_fx / total_mass * d_total_mass) / total_mass
-        - (d_share * (-(sum_plus_axial_over_body_mass * sine + x->length_rate * cosine_times_rate)
-        - (ratio * cosine - turn * sine_times_rate))
-        + share * (-(sum_plus_sum_plus_sum_over_body_mass * sine + sum_plus_axial_over_body_mass * d_sine
-        + (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)) - (ratio_2 * cosine
-        - ratio * sine_times_angle - (d_turn * sine_times_rate + turn * sum_3))));
-    y->seen_vy = (dx->external_fy - x->external_fy / total_mass * d_total_mass) / total_mass - dp->gravity
-        - (d_share * (sum_plus_axial_over_body_mass * cosine - x->length_rate * sine_times_rate
-        - (ratio * sine + turn * cosine_times_rate))
-        + share * (sum_plus_sum_plus_sum_over_body_mass * cosine
-        - sum_plus_axial_over_body_mass * sine_times_angle - (dx->length_rate * sine_times_rate
-        + x->length_rate * sum_3) - (ratio_2 * sine + ratio * d_sine + (d_turn * cosine_times_rate
-        + turn * sum_2))));
-    y->length = dx->length_rate;
-    y->angle = d_rate;
-    y->length_rate = sum_plus_sum_plus_sum_over_body_mass;
-    y->angle_rate = (sum_6 - (d_rate * by_2_times_length_times_length_rate
-        + rate * (2.0 * (dx->length * x->length_rate + x->length * dx->length_rate))) - (sum_5
-        - rate * by_2_times_length_times_length_rate) / square * d_square) / square;
-}
-
-/* Constants of flight_retract_pushed. */
-static void open_flight_retract_pushed(const real *parameters, const real *states, real *constants) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    flight_retract_pushed_constants *c = (void *)constants;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real mobility = inverse_body_mass + 1.0 / p->foot_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
-    const real total_mass = p->body_mass + p->foot_mass;
-    const real inverse_total_mass = 1.0 / total_mass;
-    const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
-    const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
-    const real share = p->body_mass / total_mass;
-    const real by_1_minus_share = 1.0 - share;
-    const real set_slope = p->ground_slope + x->segment_slope;
-    const real cos_of_set_slope = real_cos(set_slope);
-    const real set_height = p->ground_height + x->segment_height;
-    const real sin_of_set_slope = real_sin(set_slope);
-    const real cos_of_slope = real_cos(x->slope);
-    const real sin_of_slope = real_sin(x->slope);
-    const real inverse_cos_of_slope = 1.0 / cos_of_slope;
-    c->inverse_body_mass = inverse_body_mass;
-    c->mobility = mobility;
-    c->stiffness = p->stiffness;
-    c->free_length = p->free_length;
-    c->thrusting_times_longer_or_by_0 = thrusting_times_longer_or_by_0;
-    c->damping = p->damping;
-    c->inverse_total_mass = inverse_total_mass;
-    c->gravity = p->gravity;
-    c->kp = p->kp;
-    c->liftoff_factor_times_liftoff_angle = liftoff_factor_times_liftoff_angle;
-    c->kd = p->kd;
-    c->extension_rate = x->extension_rate;
-    c->stiffness_times_extension_rate = stiffness_times_extension_rate;
-    c->share = share;
-    c->by_1_minus_share = by_1_minus_share;
-    c->external_fx_rate = x->external_fx_rate;
-    c->external_fy_rate = x->external_fy_rate;
-    c->friction_rate = x->friction_rate;
-    c->external_torque_rate = x->external_torque_rate;
-    c->segment_end = x->segment_end;
-    c->segment_begin = x->segment_begin;
-    c->set_slope = set_slope;
-    c->cos_of_set_slope = cos_of_set_slope;
-    c->set_height = set_height;
-    c->sin_of_set_slope = sin_of_set_slope;
-    c->slope = x->slope;
-    c->cos_of_slope = cos_of_slope;
-    c->height = x->height;
-    c->sin_of_slope = sin_of_slope;
-    c->least_length = p->least_length;
-    c->inverse_cos_of_slope = inverse_cos_of_slope;
-}
-
-/* First variation of open_flight_retract_pushed. */
-static void vary_open_flight_retract_pushed(const real *parameters, const real *states,
-    const real *d_parameters, const real *d_states, real *constants) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const runner_parameters *dp = (const void *)d_parameters;
-    const runner_states *dx = (const void *)d_states;
-    flight_retract_pushed_constants *c = (void *)constants;
-    const real inverse_body_mass = 1.0 / p->body_mass;
-    const real d_inverse_body_mass = -(inverse_body_mass * dp->body_mass / p->body_mass);
-    const real d_mobility = d_inverse_body_mass - 1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
-    const real longer = p->thrust + p->more_thrust;
-    const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting
-        + x->thrusting * select(longer >= 0.0, d_longer, 0.0);
-    const real total_mass = p->body_mass + p->foot_mass;
-    const real inverse_total_mass = 1.0 / total_mass;
-    const real d_total_mass = dp->body_mass + dp->foot_mass;
-    const real d_inverse_total_mass = -(inverse_total_mass * d_total_mass / total_mass);
-    const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
-        + p->liftoff_factor * dx->liftoff_angle;
+    const real d_first = select(x->swing < 2.0, d_liftoff_factor_times_liftoff_angle, dp->touchdown_angle
+        + dp->more_angle);
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
+    const real d_turn = is_placing * dp->retraction_rate;
+    const real d_share_times_kd = share * dp->kd;
     const real d_stiffness_times_extension_rate = x->extension_rate * dp->stiffness
         + p->stiffness * dx->extension_rate;
-    const real share = p->body_mass / total_mass;
-    const real d_share = (dp->body_mass - share * d_total_mass) / total_mass;
-    const real d_by_1_minus_share = -d_share;
+    const real body_mass_over_total_mass = p->body_mass / total_mass;
+    const real d_body_mass_over_total_mass = (dp->body_mass
+        - body_mass_over_total_mass * d_total_mass) / total_mass;
+    const real d_by_1_minus_body_mass_over_total_mass = -d_body_mass_over_total_mass;
     const real d_set_slope = dp->ground_slope + dx->segment_slope;
     const real set_slope = p->ground_slope + x->segment_slope;
     const real sin_of_set_slope = real_sin(set_slope);
@@ -8422,12 +6816,17 @@ static void vary_open_flight_retract_pushed(const real *parameters, const real *
     c->inverse_total_mass = d_inverse_total_mass;
     c->gravity = dp->gravity;
     c->kp = dp->kp;
+    c->share_times_kp = d_share_times_kp;
     c->liftoff_factor_times_liftoff_angle = d_liftoff_factor_times_liftoff_angle;
+    c->first = d_first;
+    c->is_placing = 0.0;
+    c->turn = d_turn;
     c->kd = dp->kd;
+    c->share_times_kd = d_share_times_kd;
     c->extension_rate = dx->extension_rate;
     c->stiffness_times_extension_rate = d_stiffness_times_extension_rate;
-    c->share = d_share;
-    c->by_1_minus_share = d_by_1_minus_share;
+    c->body_mass_over_total_mass = d_body_mass_over_total_mass;
+    c->by_1_minus_body_mass_over_total_mass = d_by_1_minus_body_mass_over_total_mass;
     c->external_fx_rate = dx->external_fx_rate;
     c->external_fy_rate = dx->external_fy_rate;
     c->friction_rate = dx->friction_rate;
@@ -8447,7 +6846,7 @@ static void vary_open_flight_retract_pushed(const real *parameters, const real *
 }
 
 /* Rates of the world's states in flight. */
-static void world_rates_flight_retract_pushed(const real *parameters, const real *states, real *after) {
+static void world_rates_flight_pushed(const real *parameters, const real *states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
@@ -8467,7 +6866,14 @@ static void world_rates_flight_retract_pushed(const real *parameters, const real
     const real axial = x->external_fy * cosine - x->external_fx * sine;
     const real sum_plus_axial_over_body_mass = x->length * (rate * rate) + mobility * spring
         + axial / p->body_mass;
-    const real servo = -(p->kp * (x->angle - p->liftoff_factor * x->liftoff_angle)) - p->kd * rate;
+    const real by_1_or_by_0 = select(x->swing > 0.0, 1.0, 0.0);
+    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, p->touchdown_angle
+        + p->more_angle);
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
+    const real retraction_rate_times_is_placing = p->retraction_rate * is_placing;
+    const real servo = -(p->kp * by_1_or_by_0 * (x->angle - (first
+        - retraction_rate_times_is_placing * x->placing))) - p->kd * by_1_or_by_0 * (rate
+        + retraction_rate_times_is_placing);
     const real swing_torque = x->external_torque + servo;
     const real sum_2 = mobility * swing_torque - x->length * (x->external_fx * cosine
         + x->external_fy * sine) / p->body_mass;
@@ -8485,8 +6891,8 @@ static void world_rates_flight_retract_pushed(const real *parameters, const real
     y->angle_rate = (sum_2 - rate * (2.0 * (x->length * x->length_rate))) / square;
 }
 
-/* First variation of world_rates_flight_retract_pushed. */
-static void vary_world_rates_flight_retract_pushed(const real *parameters, const real *states,
+/* First variation of world_rates_flight_pushed. */
+static void vary_world_rates_flight_pushed(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -8522,8 +6928,18 @@ static void vary_world_rates_flight_retract_pushed(const real *parameters, const
     const real axial_over_body_mass = axial / p->body_mass;
     const real sum_plus_axial_over_body_mass = x->length * rate_times_rate + mobility * spring
         + axial_over_body_mass;
-    const real sum_4 = x->angle - p->liftoff_factor * x->liftoff_angle;
-    const real servo = -(p->kp * sum_4) - p->kd * rate;
+    const real by_1_or_by_0 = select(x->swing > 0.0, 1.0, 0.0);
+    const real kp_times_by_1_or_by_0 = p->kp * by_1_or_by_0;
+    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, p->touchdown_angle
+        + p->more_angle);
+    const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
+    const real retraction_rate_times_is_placing = p->retraction_rate * is_placing;
+    const real angle_minus_first_minus_product = x->angle - (first
+        - retraction_rate_times_is_placing * x->placing);
+    const real kd_times_by_1_or_by_0 = p->kd * by_1_or_by_0;
+    const real sum_4 = rate + retraction_rate_times_is_placing;
+    const real servo = -(kp_times_by_1_or_by_0 * angle_minus_first_minus_product)
+        - kd_times_by_1_or_by_0 * sum_4;
     const real swing_torque = x->external_torque + servo;
     const real sum_5 = x->external_fx * cosine + x->external_fy * sine;
     const real length_times_sum_over_body_mass = x->length * sum_5 / p->body_mass;
@@ -8542,8 +6958,13 @@ static void vary_world_rates_flight_retract_pushed(const real *parameters, const
     const real sum_plus_sum_plus_sum_over_body_mass = dx->length * rate_times_rate
         + x->length * (2.0 * (rate * d_rate)) + (d_mobility * spring + mobility * d_spring) + (d_axial
         - axial_over_body_mass * dp->body_mass) / p->body_mass;
-    const real d_servo = -(dp->kp * sum_4 + p->kp * (dx->angle - (dp->liftoff_factor * x->liftoff_angle
-        + p->liftoff_factor * dx->liftoff_angle))) - (dp->kd * rate + p->kd * d_rate);
+    const real d_first = select(x->swing < 2.0, dp->liftoff_factor * x->liftoff_angle
+        + p->liftoff_factor * dx->liftoff_angle, dp->touchdown_angle + dp->more_angle);
+    const real retraction_rate_times_is_placing_2 = dp->retraction_rate * is_placing;
+    const real d_servo = -(dp->kp * by_1_or_by_0 * angle_minus_first_minus_product
+        + kp_times_by_1_or_by_0 * (dx->angle - (d_first - (retraction_rate_times_is_placing_2 * x->placing
+        + retraction_rate_times_is_placing * dx->placing)))) - (dp->kd * by_1_or_by_0 * sum_4
+        + kd_times_by_1_or_by_0 * (d_rate + retraction_rate_times_is_placing_2));
     const real d_swing_torque = dx->external_torque + d_servo;
     const real sum_7 = d_mobility * swing_torque + mobility * d_swing_torque - (dx->length * sum_5
         + x->length * (dx->external_fx * cosine - x->external_fx * sine_times_angle
@@ -8874,13 +7295,14 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_states[92] = product_2;
     of_states[93] = 1.0;
     of_states[94] = 1.0;
-    of_states[95] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[95] = 1.0;
     of_states[96] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[97] = 1.0;
-    of_states[98] = real_sqrt(p->body_mass / p->stiffness);
-    of_states[99] = 1.0;
-    of_states[100] = product_2;
-    of_states[101] = 1.0;
+    of_states[97] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[98] = 1.0;
+    of_states[99] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[100] = 1.0;
+    of_states[101] = product_2;
+    of_states[102] = 1.0;
     of_events[EVENT_passes_end] = p->free_length;
     of_events[EVENT_passes_begin] = p->free_length;
     of_events[EVENT_next_segment_comes] = 1.0;
@@ -8917,7 +7339,7 @@ static const tdmf_guard_kind guards_start_of_run[] = {
         .vary_guard = vary_guard_start_of_run_passes_begin, .next = {MODE_start_of_run}},
     {.event = EVENT_begins, .react = react_start_of_run_begins, .vary_react = vary_react_start_of_run_begins,
         .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_slip_constant, MODE_stick,
-        MODE_flight_place_calm, MODE_flight_rest_calm, MODE_flight_retract_calm}},
+        MODE_flight_calm}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_start_of_run[] = {
@@ -8941,8 +7363,7 @@ static const tdmf_guard_kind guards_slip_constant[] = {
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_constant}},
     {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
         .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
-        .next = {MODE_flight_place_calm, MODE_graze_place, MODE_flight_rest_calm, MODE_graze_rest,
-        MODE_flight_retract_calm, MODE_graze_retract}},
+        .next = {MODE_flight_calm, MODE_graze}},
     {.event = EVENT_enters_layer, .react = react_slip_constant_enters_layer,
         .vary_react = vary_react_slip_constant_enters_layer, .is_watched = watches_slip_constant_enters_layer,
         .vary_guard = vary_guard_slip_constant_enters_layer, .next = {MODE_slip_falling}},
@@ -8981,8 +7402,7 @@ static const tdmf_guard_kind guards_stick[] = {
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_stick}},
     {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
         .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
-        .next = {MODE_flight_place_calm, MODE_graze_place, MODE_flight_rest_calm, MODE_graze_rest,
-        MODE_flight_retract_calm, MODE_graze_retract}},
+        .next = {MODE_flight_calm, MODE_graze}},
     {.event = EVENT_slips_forward, .is_counted = true, .react = react_stick_slips_forward,
         .vary_react = vary_react_stick_slips_forward, .vary_guard = vary_guard_stick_slips_forward,
         .next = {MODE_slip_constant}},
@@ -8998,144 +7418,46 @@ static const tdmf_watch_kind watches_stick[] = {
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
-static const tdmf_guard_kind guards_flight_place_calm[] = {
-    {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
-        .vary_react = vary_react_flight_place_calm_passes_end,
-        .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_place_calm, MODE_fallen}},
-    {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
-        .vary_react = vary_react_flight_place_calm_passes_begin,
-        .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_place_calm,
-        MODE_fallen}},
-    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_next_segment_comes,
+static const tdmf_guard_kind guards_flight_calm[] = {
+    {.event = EVENT_passes_end, .react = react_flight_calm_passes_end,
+        .vary_react = vary_react_flight_calm_passes_end, .is_watched = watches_flight_calm_passes_end,
+        .vary_guard = vary_guard_flight_calm_passes_end, .next = {MODE_flight_calm, MODE_fallen}},
+    {.event = EVENT_passes_begin, .react = react_flight_calm_passes_begin,
+        .vary_react = vary_react_flight_calm_passes_begin, .is_watched = watches_flight_calm_passes_begin,
+        .vary_guard = vary_guard_flight_calm_passes_begin, .next = {MODE_flight_calm, MODE_fallen}},
+    {.event = EVENT_next_segment_comes, .react = react_flight_calm_next_segment_comes,
         .vary_react = vary_react_start_of_run_passes_end,
-        .is_watched = watches_flight_place_calm_next_segment_comes,
-        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_place_calm}},
-    {.event = EVENT_ramp_ends, .react = react_flight_place_calm_ramp_ends,
+        .is_watched = watches_flight_calm_next_segment_comes, .vary_guard = vary_guard_start_of_run_begins,
+        .next = {MODE_flight_calm}},
+    {.event = EVENT_ramp_ends, .react = react_flight_calm_ramp_ends,
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
-        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_place_calm}},
-    {.event = EVENT_wind_rises, .react = react_flight_place_calm_wind_rises,
-        .vary_react = vary_react_slip_constant_enters_layer,
-        .is_watched = watches_flight_place_calm_wind_rises, .vary_guard = vary_guard_start_of_run_begins,
-        .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_new_ground, .is_counted = true, .react = react_flight_place_calm_new_ground,
-        .vary_react = vary_react_flight_place_calm_new_ground,
-        .is_watched = watches_flight_place_calm_new_ground,
-        .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_place_calm}},
-    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
-    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
-    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
-        .vary_react = vary_react_flight_place_calm_apex, .is_watched = watches_flight_place_calm_apex,
-        .is_crossing = true, .vary_guard = vary_guard_flight_place_calm_apex,
-        .next = {MODE_flight_place_calm}},
-    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_place_calm_touchdown,
-        .vary_react = vary_react_flight_place_calm_touchdown,
-        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
+        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_calm}},
+    {.event = EVENT_wind_rises, .react = react_flight_calm_wind_rises,
+        .vary_react = vary_react_slip_constant_enters_layer, .is_watched = watches_flight_calm_wind_rises,
+        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_pushed}},
+    {.event = EVENT_new_ground, .is_counted = true, .react = react_flight_calm_new_ground,
+        .vary_react = vary_react_flight_calm_new_ground, .is_watched = watches_flight_calm_new_ground,
+        .vary_guard = vary_guard_flight_calm_new_ground, .next = {MODE_flight_calm}},
+    {.event = EVENT_falls, .react = react_flight_calm_falls, .vary_react = vary_react_flight_calm_falls,
+        .ends = true, .vary_guard = vary_guard_flight_calm_falls, .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_flight_calm_falls, .vary_react = vary_react_flight_calm_falls,
+        .ends = true, .vary_guard = vary_guard_flight_calm_collapses, .next = {MODE_fallen}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_calm_apex,
+        .vary_react = vary_react_flight_calm_apex, .is_watched = watches_flight_calm_apex,
+        .is_crossing = crosses_flight_calm_apex, .vary_guard = vary_guard_flight_calm_apex,
+        .next = {MODE_flight_calm}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_calm_touchdown,
+        .vary_react = vary_react_flight_calm_touchdown, .vary_guard = vary_guard_flight_calm_touchdown,
+        .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_clamp, .react = react_flight_calm_clamp, .vary_react = vary_react_flight_calm_clamp,
+        .is_watched = watches_flight_calm_clamp, .vary_guard = vary_guard_flight_calm_clamp,
+        .next = {MODE_flight_calm}},
+    {.event = EVENT_release, .react = react_flight_calm_release, .vary_react = vary_react_flight_calm_clamp,
+        .is_watched = watches_flight_calm_release, .vary_guard = vary_guard_flight_calm_release,
+        .next = {MODE_flight_calm}},
     {.event = -1},
 };
-static const tdmf_watch_kind watches_flight_place_calm[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
-    {.part = TDMF_LARGEST, .into = 4},
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
-    {.into = -1},
-};
-static const tdmf_guard_kind guards_flight_rest_calm[] = {
-    {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
-        .vary_react = vary_react_flight_place_calm_passes_end,
-        .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_rest_calm, MODE_fallen}},
-    {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
-        .vary_react = vary_react_flight_place_calm_passes_begin,
-        .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_rest_calm,
-        MODE_fallen}},
-    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_next_segment_comes,
-        .vary_react = vary_react_start_of_run_passes_end,
-        .is_watched = watches_flight_place_calm_next_segment_comes,
-        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_rest_calm}},
-    {.event = EVENT_ramp_ends, .react = react_flight_place_calm_ramp_ends,
-        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
-        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_rest_calm}},
-    {.event = EVENT_wind_rises, .react = react_flight_place_calm_wind_rises,
-        .vary_react = vary_react_slip_constant_enters_layer,
-        .is_watched = watches_flight_place_calm_wind_rises, .vary_guard = vary_guard_start_of_run_begins,
-        .next = {MODE_flight_rest_pushed}},
-    {.event = EVENT_new_ground, .is_counted = true, .react = react_flight_place_calm_new_ground,
-        .vary_react = vary_react_flight_place_calm_new_ground,
-        .is_watched = watches_flight_place_calm_new_ground,
-        .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_rest_calm}},
-    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
-    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
-    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
-        .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
-        .next = {MODE_flight_place_calm}},
-    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_rest_calm_touchdown,
-        .vary_react = vary_react_flight_place_calm_touchdown,
-        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_release, .react = react_flight_place_calm_wind_rises,
-        .vary_react = vary_react_slip_constant_enters_layer,
-        .vary_guard = vary_guard_flight_rest_calm_release, .next = {MODE_flight_retract_calm}},
-    {.event = -1},
-};
-static const tdmf_watch_kind watches_flight_rest_calm[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
-    {.part = TDMF_LARGEST, .into = 4},
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
-    {.into = -1},
-};
-static const tdmf_guard_kind guards_flight_retract_calm[] = {
-    {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
-        .vary_react = vary_react_flight_place_calm_passes_end,
-        .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_retract_calm,
-        MODE_fallen}},
-    {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
-        .vary_react = vary_react_flight_place_calm_passes_begin,
-        .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_retract_calm,
-        MODE_fallen}},
-    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_next_segment_comes,
-        .vary_react = vary_react_start_of_run_passes_end,
-        .is_watched = watches_flight_place_calm_next_segment_comes,
-        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_retract_calm}},
-    {.event = EVENT_ramp_ends, .react = react_flight_place_calm_ramp_ends,
-        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
-        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_retract_calm}},
-    {.event = EVENT_wind_rises, .react = react_flight_place_calm_wind_rises,
-        .vary_react = vary_react_slip_constant_enters_layer,
-        .is_watched = watches_flight_place_calm_wind_rises, .vary_guard = vary_guard_start_of_run_begins,
-        .next = {MODE_flight_retract_pushed}},
-    {.event = EVENT_new_ground, .is_counted = true, .react = react_flight_place_calm_new_ground,
-        .vary_react = vary_react_flight_place_calm_new_ground,
-        .is_watched = watches_flight_place_calm_new_ground,
-        .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_retract_calm}},
-    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
-    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
-    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
-        .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
-        .next = {MODE_flight_place_calm}},
-    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_rest_calm_touchdown,
-        .vary_react = vary_react_flight_place_calm_touchdown,
-        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_clamp, .react = react_flight_place_calm_wind_rises,
-        .vary_react = vary_react_slip_constant_enters_layer, .is_watched = watches_flight_retract_calm_clamp,
-        .vary_guard = vary_guard_flight_retract_calm_clamp, .next = {MODE_flight_rest_calm}},
-    {.event = -1},
-};
-static const tdmf_watch_kind watches_flight_retract_calm[] = {
+static const tdmf_watch_kind watches_flight_calm[] = {
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
     {.part = TDMF_LARGEST, .into = 4},
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
@@ -9147,110 +7469,41 @@ static const tdmf_guard_kind guards_fallen[] = {
 static const tdmf_watch_kind watches_fallen[] = {
     {.into = -1},
 };
-static const tdmf_guard_kind guards_graze_place[] = {
-    {.event = EVENT_passes_end, .react = react_graze_place_passes_end,
-        .vary_react = vary_react_graze_place_passes_end, .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_graze_place_passes_end, .next = {MODE_graze_place, MODE_fallen}},
-    {.event = EVENT_passes_begin, .react = react_graze_place_passes_begin,
-        .vary_react = vary_react_graze_place_passes_begin,
-        .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_graze_place_passes_begin, .next = {MODE_graze_place, MODE_fallen}},
-    {.event = EVENT_ramp_ends, .react = react_graze_place_ramp_ends,
+static const tdmf_guard_kind guards_graze[] = {
+    {.event = EVENT_passes_end, .react = react_graze_passes_end, .vary_react = vary_react_graze_passes_end,
+        .is_watched = watches_flight_calm_passes_end, .vary_guard = vary_guard_graze_passes_end,
+        .next = {MODE_graze, MODE_fallen}},
+    {.event = EVENT_passes_begin, .react = react_graze_passes_begin,
+        .vary_react = vary_react_graze_passes_begin, .is_watched = watches_flight_calm_passes_begin,
+        .vary_guard = vary_guard_graze_passes_begin, .next = {MODE_graze, MODE_fallen}},
+    {.event = EVENT_ramp_ends, .react = react_graze_ramp_ends,
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
-        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_graze_place}},
+        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_graze}},
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
         .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
         .vary_react = vary_react_slip_constant_falls, .ends = true,
         .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
-    {.event = EVENT_mid_stance, .is_counted = true, .react = react_graze_place_mid_stance,
+    {.event = EVENT_apex_in_graze, .is_counted = true, .react = react_graze_apex_in_graze,
+        .vary_react = vary_react_graze_apex_in_graze, .is_watched = watches_graze_apex_in_graze,
+        .vary_guard = vary_guard_graze_apex_in_graze, .next = {MODE_graze}},
+    {.event = EVENT_clamp, .react = react_graze_clamp, .vary_react = vary_react_flight_calm_clamp,
+        .is_watched = watches_flight_calm_clamp, .vary_guard = vary_guard_graze_clamp, .next = {MODE_graze}},
+    {.event = EVENT_release, .react = react_graze_release, .vary_react = vary_react_flight_calm_clamp,
+        .is_watched = watches_flight_calm_release, .vary_guard = vary_guard_graze_release,
+        .next = {MODE_graze}},
+    {.event = EVENT_mid_stance, .is_counted = true, .react = react_graze_mid_stance,
         .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
-        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_graze_place}},
-    {.event = EVENT_graze_to_contact, .is_counted = true, .react = react_graze_place_graze_to_contact,
-        .vary_react = vary_react_graze_place_graze_to_contact,
-        .vary_guard = vary_guard_graze_place_graze_to_contact, .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_graze_to_flight, .is_counted = true, .react = react_graze_place_graze_to_flight,
-        .vary_react = vary_react_graze_place_graze_to_flight,
-        .vary_guard = vary_guard_graze_place_graze_to_flight, .next = {MODE_flight_place_calm}},
+        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_graze}},
+    {.event = EVENT_graze_to_contact, .is_counted = true, .react = react_graze_graze_to_contact,
+        .vary_react = vary_react_graze_graze_to_contact, .vary_guard = vary_guard_graze_graze_to_contact,
+        .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_graze_to_flight, .is_counted = true, .react = react_graze_graze_to_flight,
+        .vary_react = vary_react_graze_graze_to_flight, .vary_guard = vary_guard_graze_graze_to_flight,
+        .next = {MODE_flight_calm}},
     {.event = -1},
 };
-static const tdmf_watch_kind watches_graze_place[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
-    {.into = -1},
-};
-static const tdmf_guard_kind guards_graze_rest[] = {
-    {.event = EVENT_passes_end, .react = react_graze_place_passes_end,
-        .vary_react = vary_react_graze_place_passes_end, .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_graze_place_passes_end, .next = {MODE_graze_rest, MODE_fallen}},
-    {.event = EVENT_passes_begin, .react = react_graze_place_passes_begin,
-        .vary_react = vary_react_graze_place_passes_begin,
-        .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_graze_place_passes_begin, .next = {MODE_graze_rest, MODE_fallen}},
-    {.event = EVENT_ramp_ends, .react = react_graze_place_ramp_ends,
-        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
-        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_graze_rest}},
-    {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
-    {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
-        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
-    {.event = EVENT_apex_in_graze, .is_counted = true, .react = react_graze_rest_apex_in_graze,
-        .vary_react = vary_react_graze_rest_apex_in_graze, .vary_guard = vary_guard_graze_rest_apex_in_graze,
-        .next = {MODE_graze_place}},
-    {.event = EVENT_release, .react = react_graze_rest_release,
-        .vary_react = vary_react_slip_constant_enters_layer, .vary_guard = vary_guard_graze_rest_release,
-        .next = {MODE_graze_retract}},
-    {.event = EVENT_mid_stance, .is_counted = true, .react = react_graze_place_mid_stance,
-        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
-        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_graze_rest}},
-    {.event = EVENT_graze_to_contact, .is_counted = true, .react = react_graze_place_graze_to_contact,
-        .vary_react = vary_react_graze_place_graze_to_contact,
-        .vary_guard = vary_guard_graze_place_graze_to_contact, .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_graze_to_flight, .is_counted = true, .react = react_graze_place_graze_to_flight,
-        .vary_react = vary_react_graze_place_graze_to_flight,
-        .vary_guard = vary_guard_graze_rest_graze_to_flight, .next = {MODE_flight_rest_calm}},
-    {.event = -1},
-};
-static const tdmf_watch_kind watches_graze_rest[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
-    {.into = -1},
-};
-static const tdmf_guard_kind guards_graze_retract[] = {
-    {.event = EVENT_passes_end, .react = react_graze_place_passes_end,
-        .vary_react = vary_react_graze_place_passes_end, .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_graze_place_passes_end, .next = {MODE_graze_retract, MODE_fallen}},
-    {.event = EVENT_passes_begin, .react = react_graze_place_passes_begin,
-        .vary_react = vary_react_graze_place_passes_begin,
-        .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_graze_place_passes_begin, .next = {MODE_graze_retract, MODE_fallen}},
-    {.event = EVENT_ramp_ends, .react = react_graze_place_ramp_ends,
-        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
-        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_graze_retract}},
-    {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
-    {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
-        .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
-    {.event = EVENT_apex_in_graze, .is_counted = true, .react = react_graze_rest_apex_in_graze,
-        .vary_react = vary_react_graze_rest_apex_in_graze, .vary_guard = vary_guard_graze_rest_apex_in_graze,
-        .next = {MODE_graze_place}},
-    {.event = EVENT_clamp, .react = react_graze_rest_release,
-        .vary_react = vary_react_slip_constant_enters_layer, .is_watched = watches_flight_retract_calm_clamp,
-        .vary_guard = vary_guard_graze_retract_clamp, .next = {MODE_graze_rest}},
-    {.event = EVENT_mid_stance, .is_counted = true, .react = react_graze_place_mid_stance,
-        .vary_react = vary_react_slip_constant_mid_stance, .is_watched = watches_slip_constant_mid_stance,
-        .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_graze_retract}},
-    {.event = EVENT_graze_to_contact, .is_counted = true, .react = react_graze_place_graze_to_contact,
-        .vary_react = vary_react_graze_place_graze_to_contact,
-        .vary_guard = vary_guard_graze_place_graze_to_contact, .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_graze_to_flight, .is_counted = true, .react = react_graze_place_graze_to_flight,
-        .vary_react = vary_react_graze_place_graze_to_flight,
-        .vary_guard = vary_guard_graze_retract_graze_to_flight, .next = {MODE_flight_retract_calm}},
-    {.event = -1},
-};
-static const tdmf_watch_kind watches_graze_retract[] = {
+static const tdmf_watch_kind watches_graze[] = {
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
@@ -9273,8 +7526,7 @@ static const tdmf_guard_kind guards_slip_falling[] = {
         .vary_guard = vary_guard_slip_constant_mid_stance, .next = {MODE_slip_falling}},
     {.event = EVENT_lift_off, .is_counted = true, .react = react_slip_constant_lift_off,
         .vary_react = vary_react_slip_constant_lift_off, .vary_guard = vary_guard_slip_constant_lift_off,
-        .next = {MODE_flight_place_calm, MODE_graze_place, MODE_flight_rest_calm, MODE_graze_rest,
-        MODE_flight_retract_calm, MODE_graze_retract}},
+        .next = {MODE_flight_calm, MODE_graze}},
     {.event = EVENT_leaves_layer, .react = react_slip_constant_enters_layer,
         .vary_react = vary_react_slip_constant_enters_layer,
         .vary_guard = vary_guard_slip_falling_leaves_layer, .next = {MODE_slip_constant}},
@@ -9295,133 +7547,42 @@ static const tdmf_watch_kind watches_slip_falling[] = {
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
     {.into = -1},
 };
-static const tdmf_guard_kind guards_flight_place_pushed[] = {
-    {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
-        .vary_react = vary_react_flight_place_calm_passes_end,
-        .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_place_pushed,
-        MODE_fallen}},
-    {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
-        .vary_react = vary_react_flight_place_calm_passes_begin,
-        .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_place_pushed,
-        MODE_fallen}},
-    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_next_segment_comes,
+static const tdmf_guard_kind guards_flight_pushed[] = {
+    {.event = EVENT_passes_end, .react = react_flight_calm_passes_end,
+        .vary_react = vary_react_flight_calm_passes_end, .is_watched = watches_flight_calm_passes_end,
+        .vary_guard = vary_guard_flight_calm_passes_end, .next = {MODE_flight_pushed, MODE_fallen}},
+    {.event = EVENT_passes_begin, .react = react_flight_calm_passes_begin,
+        .vary_react = vary_react_flight_calm_passes_begin, .is_watched = watches_flight_calm_passes_begin,
+        .vary_guard = vary_guard_flight_calm_passes_begin, .next = {MODE_flight_pushed, MODE_fallen}},
+    {.event = EVENT_next_segment_comes, .react = react_flight_calm_next_segment_comes,
         .vary_react = vary_react_start_of_run_passes_end,
-        .is_watched = watches_flight_place_calm_next_segment_comes,
-        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_ramp_ends, .react = react_flight_place_calm_ramp_ends,
+        .is_watched = watches_flight_calm_next_segment_comes, .vary_guard = vary_guard_start_of_run_begins,
+        .next = {MODE_flight_pushed}},
+    {.event = EVENT_ramp_ends, .react = react_flight_calm_ramp_ends,
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
-        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_new_ground, .is_counted = true, .react = react_flight_place_calm_new_ground,
-        .vary_react = vary_react_flight_place_calm_new_ground,
-        .is_watched = watches_flight_place_calm_new_ground,
-        .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
-    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
-    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
-        .vary_react = vary_react_flight_place_calm_apex, .is_crossing = true,
-        .vary_guard = vary_guard_flight_place_calm_apex, .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_place_calm_touchdown,
-        .vary_react = vary_react_flight_place_calm_touchdown,
-        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
+        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_pushed}},
+    {.event = EVENT_new_ground, .is_counted = true, .react = react_flight_calm_new_ground,
+        .vary_react = vary_react_flight_calm_new_ground, .is_watched = watches_flight_calm_new_ground,
+        .vary_guard = vary_guard_flight_calm_new_ground, .next = {MODE_flight_pushed}},
+    {.event = EVENT_falls, .react = react_flight_calm_falls, .vary_react = vary_react_flight_calm_falls,
+        .ends = true, .vary_guard = vary_guard_flight_calm_falls, .next = {MODE_fallen}},
+    {.event = EVENT_collapses, .react = react_flight_calm_falls, .vary_react = vary_react_flight_calm_falls,
+        .ends = true, .vary_guard = vary_guard_flight_calm_collapses, .next = {MODE_fallen}},
+    {.event = EVENT_apex, .is_counted = true, .react = react_flight_calm_apex,
+        .vary_react = vary_react_flight_calm_apex, .is_crossing = crosses_flight_calm_apex,
+        .vary_guard = vary_guard_flight_calm_apex, .next = {MODE_flight_pushed}},
+    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_calm_touchdown,
+        .vary_react = vary_react_flight_calm_touchdown, .vary_guard = vary_guard_flight_calm_touchdown,
+        .next = {MODE_slip_constant, MODE_stick}},
+    {.event = EVENT_clamp, .react = react_flight_calm_clamp, .vary_react = vary_react_flight_calm_clamp,
+        .is_watched = watches_flight_calm_clamp, .vary_guard = vary_guard_flight_calm_clamp,
+        .next = {MODE_flight_pushed}},
+    {.event = EVENT_release, .react = react_flight_calm_release, .vary_react = vary_react_flight_calm_clamp,
+        .is_watched = watches_flight_calm_release, .vary_guard = vary_guard_flight_calm_release,
+        .next = {MODE_flight_pushed}},
     {.event = -1},
 };
-static const tdmf_watch_kind watches_flight_place_pushed[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
-    {.part = TDMF_LARGEST, .into = 4},
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
-    {.into = -1},
-};
-static const tdmf_guard_kind guards_flight_rest_pushed[] = {
-    {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
-        .vary_react = vary_react_flight_place_calm_passes_end,
-        .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_rest_pushed,
-        MODE_fallen}},
-    {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
-        .vary_react = vary_react_flight_place_calm_passes_begin,
-        .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_rest_pushed,
-        MODE_fallen}},
-    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_next_segment_comes,
-        .vary_react = vary_react_start_of_run_passes_end,
-        .is_watched = watches_flight_place_calm_next_segment_comes,
-        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_rest_pushed}},
-    {.event = EVENT_ramp_ends, .react = react_flight_place_calm_ramp_ends,
-        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
-        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_rest_pushed}},
-    {.event = EVENT_new_ground, .is_counted = true, .react = react_flight_place_calm_new_ground,
-        .vary_react = vary_react_flight_place_calm_new_ground,
-        .is_watched = watches_flight_place_calm_new_ground,
-        .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_rest_pushed}},
-    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
-    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
-    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
-        .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
-        .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_rest_calm_touchdown,
-        .vary_react = vary_react_flight_place_calm_touchdown,
-        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_release, .react = react_flight_place_calm_wind_rises,
-        .vary_react = vary_react_slip_constant_enters_layer,
-        .vary_guard = vary_guard_flight_rest_calm_release, .next = {MODE_flight_retract_pushed}},
-    {.event = -1},
-};
-static const tdmf_watch_kind watches_flight_rest_pushed[] = {
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
-    {.part = TDMF_LARGEST, .into = 4},
-    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
-    {.into = -1},
-};
-static const tdmf_guard_kind guards_flight_retract_pushed[] = {
-    {.event = EVENT_passes_end, .react = react_flight_place_calm_passes_end,
-        .vary_react = vary_react_flight_place_calm_passes_end,
-        .is_watched = watches_flight_place_calm_passes_end,
-        .vary_guard = vary_guard_flight_place_calm_passes_end, .next = {MODE_flight_retract_pushed,
-        MODE_fallen}},
-    {.event = EVENT_passes_begin, .react = react_flight_place_calm_passes_begin,
-        .vary_react = vary_react_flight_place_calm_passes_begin,
-        .is_watched = watches_flight_place_calm_passes_begin,
-        .vary_guard = vary_guard_flight_place_calm_passes_begin, .next = {MODE_flight_retract_pushed,
-        MODE_fallen}},
-    {.event = EVENT_next_segment_comes, .react = react_flight_place_calm_next_segment_comes,
-        .vary_react = vary_react_start_of_run_passes_end,
-        .is_watched = watches_flight_place_calm_next_segment_comes,
-        .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_retract_pushed}},
-    {.event = EVENT_ramp_ends, .react = react_flight_place_calm_ramp_ends,
-        .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
-        .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_retract_pushed}},
-    {.event = EVENT_new_ground, .is_counted = true, .react = react_flight_place_calm_new_ground,
-        .vary_react = vary_react_flight_place_calm_new_ground,
-        .is_watched = watches_flight_place_calm_new_ground,
-        .vary_guard = vary_guard_flight_place_calm_new_ground, .next = {MODE_flight_retract_pushed}},
-    {.event = EVENT_falls, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_falls, .next = {MODE_fallen}},
-    {.event = EVENT_collapses, .react = react_flight_place_calm_falls,
-        .vary_react = vary_react_flight_place_calm_falls, .ends = true,
-        .vary_guard = vary_guard_flight_place_calm_collapses, .next = {MODE_fallen}},
-    {.event = EVENT_apex, .is_counted = true, .react = react_flight_place_calm_apex,
-        .vary_react = vary_react_flight_place_calm_apex, .vary_guard = vary_guard_flight_place_calm_apex,
-        .next = {MODE_flight_place_pushed}},
-    {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_rest_calm_touchdown,
-        .vary_react = vary_react_flight_place_calm_touchdown,
-        .vary_guard = vary_guard_flight_place_calm_touchdown, .next = {MODE_slip_constant, MODE_stick}},
-    {.event = EVENT_clamp, .react = react_flight_place_calm_wind_rises,
-        .vary_react = vary_react_slip_constant_enters_layer, .is_watched = watches_flight_retract_calm_clamp,
-        .vary_guard = vary_guard_flight_retract_calm_clamp, .next = {MODE_flight_rest_pushed}},
-    {.event = -1},
-};
-static const tdmf_watch_kind watches_flight_retract_pushed[] = {
+static const tdmf_watch_kind watches_flight_pushed[] = {
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 9},
     {.part = TDMF_LARGEST, .into = 4},
     {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
@@ -9429,18 +7590,13 @@ static const tdmf_watch_kind watches_flight_retract_pushed[] = {
 };
 static const tdmf_set set_extension[] = {set_extension_start_of_run, set_extension_slip_constant,
     set_extension_slip_constant, set_extension_start_of_run, set_extension_start_of_run,
-    set_extension_start_of_run, set_extension_start_of_run, set_extension_slip_constant,
-    set_extension_slip_constant, set_extension_slip_constant, set_extension_slip_constant,
-    set_extension_start_of_run, set_extension_start_of_run, set_extension_start_of_run};
+    set_extension_slip_constant, set_extension_slip_constant, set_extension_start_of_run};
 static const tdmf_set set_thrust[] = {set_thrust_start_of_run, set_thrust_slip_constant,
-    set_thrust_slip_constant, set_thrust_start_of_run, set_thrust_start_of_run, set_thrust_start_of_run,
-    set_thrust_start_of_run, set_thrust_slip_constant, set_thrust_slip_constant, set_thrust_slip_constant,
-    set_thrust_slip_constant, set_thrust_start_of_run, set_thrust_start_of_run, set_thrust_start_of_run};
+    set_thrust_slip_constant, set_thrust_start_of_run, set_thrust_start_of_run, set_thrust_slip_constant,
+    set_thrust_slip_constant, set_thrust_start_of_run};
 static const tdmf_set set_more_thrust[] = {set_more_thrust_start_of_run, set_more_thrust_slip_constant,
     set_more_thrust_slip_constant, set_more_thrust_start_of_run, set_more_thrust_start_of_run,
-    set_more_thrust_start_of_run, set_more_thrust_start_of_run, set_more_thrust_slip_constant,
-    set_more_thrust_slip_constant, set_more_thrust_slip_constant, set_more_thrust_slip_constant,
-    set_more_thrust_start_of_run, set_more_thrust_start_of_run, set_more_thrust_start_of_run};
+    set_more_thrust_slip_constant, set_more_thrust_slip_constant, set_more_thrust_start_of_run};
 static const int coordinates_at_apex[] = {41, 42, 43, 44, 45, 46};
 
 static const tdmf_mode_kind modes[] = {
@@ -9464,60 +7620,26 @@ static const tdmf_mode_kind modes[] = {
         .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
         .vary_to_world = vary_to_world_slip_constant, .world_rates = world_rates_stick,
         .vary_world_rates = vary_world_rates_stick},
-    {.motion = &tdmf_runner_motions[MODE_flight_place_calm], .open = open_flight_place_calm,
-        .vary_open = vary_open_flight_place_calm, .guard_count = 10, .guards = guards_flight_place_calm,
-        .watch_count = 3, .usual_count = 1, .watches = watches_flight_place_calm,
-        .outputs = outputs_flight_place_calm, .vary_outputs = vary_outputs_flight_place_calm,
-        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
-        .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
-        .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm,
-        .world_rates = world_rates_flight_place_calm, .vary_world_rates = vary_world_rates_flight_place_calm},
-    {.motion = &tdmf_runner_motions[MODE_flight_rest_calm], .open = open_flight_rest_calm,
-        .vary_open = vary_open_flight_rest_calm, .guard_count = 11, .guards = guards_flight_rest_calm,
-        .watch_count = 3, .usual_count = 1, .watches = watches_flight_rest_calm,
-        .outputs = outputs_flight_rest_calm, .vary_outputs = vary_outputs_flight_rest_calm,
-        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
-        .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
-        .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm,
-        .world_rates = world_rates_flight_rest_calm, .vary_world_rates = vary_world_rates_flight_rest_calm},
-    {.motion = &tdmf_runner_motions[MODE_flight_retract_calm], .open = open_flight_retract_calm,
-        .vary_open = vary_open_flight_retract_calm, .guard_count = 11, .guards = guards_flight_retract_calm,
-        .watch_count = 3, .usual_count = 1, .watches = watches_flight_retract_calm,
-        .outputs = outputs_flight_retract_calm, .vary_outputs = vary_outputs_flight_retract_calm,
-        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
-        .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
-        .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm,
-        .world_rates = world_rates_flight_retract_calm,
-        .vary_world_rates = vary_world_rates_flight_retract_calm},
+    {.motion = &tdmf_runner_motions[MODE_flight_calm], .open = open_flight_calm,
+        .vary_open = vary_open_flight_calm, .guard_count = 12, .guards = guards_flight_calm, .watch_count = 3,
+        .usual_count = 1, .watches = watches_flight_calm, .outputs = outputs_flight_calm,
+        .vary_outputs = vary_outputs_flight_calm, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_calm,
+        .vary_from_world = vary_from_world_flight_calm, .to_world = to_world_flight_calm,
+        .vary_to_world = vary_to_world_flight_calm, .world_rates = world_rates_flight_calm,
+        .vary_world_rates = vary_world_rates_flight_calm},
     {.motion = &tdmf_runner_motions[MODE_fallen], .ends = true, .open = open_fallen,
         .vary_open = vary_open_fallen, .guard_count = 0, .guards = guards_fallen, .watch_count = 0,
         .usual_count = 0, .watches = watches_fallen, .outputs = outputs_fallen,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run},
-    {.motion = &tdmf_runner_motions[MODE_graze_place], .open = open_graze_place,
-        .vary_open = vary_open_graze_place, .guard_count = 8, .guards = guards_graze_place, .watch_count = 2,
-        .usual_count = 1, .watches = watches_graze_place, .outputs = outputs_graze_place,
-        .vary_outputs = vary_outputs_graze_place, .leave = leave_graze_place,
-        .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
+    {.motion = &tdmf_runner_motions[MODE_graze], .open = open_graze, .vary_open = vary_open_graze,
+        .guard_count = 11, .guards = guards_graze, .watch_count = 2, .usual_count = 1,
+        .watches = watches_graze, .outputs = outputs_graze, .vary_outputs = vary_outputs_graze,
+        .leave = leave_graze, .vary_leave = vary_leave_graze, .from_world = from_world_slip_constant,
         .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
-        .vary_to_world = vary_to_world_slip_constant, .world_rates = world_rates_graze_place,
-        .vary_world_rates = vary_world_rates_graze_place},
-    {.motion = &tdmf_runner_motions[MODE_graze_rest], .open = open_graze_rest,
-        .vary_open = vary_open_graze_rest, .guard_count = 10, .guards = guards_graze_rest, .watch_count = 2,
-        .usual_count = 1, .watches = watches_graze_rest, .outputs = outputs_graze_rest,
-        .vary_outputs = vary_outputs_graze_place, .leave = leave_graze_place,
-        .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
-        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
-        .vary_to_world = vary_to_world_slip_constant, .world_rates = world_rates_graze_place,
-        .vary_world_rates = vary_world_rates_graze_place},
-    {.motion = &tdmf_runner_motions[MODE_graze_retract], .open = open_graze_retract,
-        .vary_open = vary_open_graze_retract, .guard_count = 10, .guards = guards_graze_retract,
-        .watch_count = 2, .usual_count = 1, .watches = watches_graze_retract, .outputs = outputs_graze_rest,
-        .vary_outputs = vary_outputs_graze_place, .leave = leave_graze_place,
-        .vary_leave = vary_leave_graze_place, .from_world = from_world_slip_constant,
-        .vary_from_world = vary_from_world_slip_constant, .to_world = to_world_slip_constant,
-        .vary_to_world = vary_to_world_slip_constant, .world_rates = world_rates_graze_place,
-        .vary_world_rates = vary_world_rates_graze_place},
+        .vary_to_world = vary_to_world_slip_constant, .world_rates = world_rates_graze,
+        .vary_world_rates = vary_world_rates_graze},
     {.motion = &tdmf_runner_motions[MODE_slip_falling], .open = open_slip_falling,
         .vary_open = vary_open_slip_falling, .guard_count = 9, .guards = guards_slip_falling,
         .watch_count = 5, .usual_count = 3, .watches = watches_slip_falling, .outputs = outputs_slip_falling,
@@ -9526,33 +7648,14 @@ static const tdmf_mode_kind modes[] = {
         .from_world = from_world_slip_constant, .vary_from_world = vary_from_world_slip_constant,
         .to_world = to_world_slip_constant, .vary_to_world = vary_to_world_slip_constant,
         .world_rates = world_rates_slip_falling, .vary_world_rates = vary_world_rates_slip_falling},
-    {.motion = &tdmf_runner_motions[MODE_flight_place_pushed], .open = open_flight_place_pushed,
-        .vary_open = vary_open_flight_place_pushed, .guard_count = 9, .guards = guards_flight_place_pushed,
-        .watch_count = 3, .usual_count = 1, .watches = watches_flight_place_pushed,
-        .outputs = outputs_flight_place_calm, .vary_outputs = vary_outputs_flight_place_calm,
-        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
-        .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
-        .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm,
-        .world_rates = world_rates_flight_place_pushed,
-        .vary_world_rates = vary_world_rates_flight_place_pushed},
-    {.motion = &tdmf_runner_motions[MODE_flight_rest_pushed], .open = open_flight_rest_pushed,
-        .vary_open = vary_open_flight_rest_pushed, .guard_count = 10, .guards = guards_flight_rest_pushed,
-        .watch_count = 3, .usual_count = 1, .watches = watches_flight_rest_pushed,
-        .outputs = outputs_flight_rest_calm, .vary_outputs = vary_outputs_flight_rest_calm,
-        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run,
-        .from_world = from_world_flight_place_calm, .vary_from_world = vary_from_world_flight_place_calm,
-        .to_world = to_world_flight_place_calm, .vary_to_world = vary_to_world_flight_place_calm,
-        .world_rates = world_rates_flight_rest_pushed,
-        .vary_world_rates = vary_world_rates_flight_rest_pushed},
-    {.motion = &tdmf_runner_motions[MODE_flight_retract_pushed], .open = open_flight_retract_pushed,
-        .vary_open = vary_open_flight_retract_pushed, .guard_count = 10,
-        .guards = guards_flight_retract_pushed, .watch_count = 3, .usual_count = 1,
-        .watches = watches_flight_retract_pushed, .outputs = outputs_flight_retract_calm,
-        .vary_outputs = vary_outputs_flight_retract_calm, .leave = leave_start_of_run,
-        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_place_calm,
-        .vary_from_world = vary_from_world_flight_place_calm, .to_world = to_world_flight_place_calm,
-        .vary_to_world = vary_to_world_flight_place_calm, .world_rates = world_rates_flight_retract_pushed,
-        .vary_world_rates = vary_world_rates_flight_retract_pushed},
+    {.motion = &tdmf_runner_motions[MODE_flight_pushed], .open = open_flight_pushed,
+        .vary_open = vary_open_flight_pushed, .guard_count = 11, .guards = guards_flight_pushed,
+        .watch_count = 3, .usual_count = 1, .watches = watches_flight_pushed, .outputs = outputs_flight_calm,
+        .vary_outputs = vary_outputs_flight_calm, .leave = leave_start_of_run,
+        .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_calm,
+        .vary_from_world = vary_from_world_flight_calm, .to_world = to_world_flight_calm,
+        .vary_to_world = vary_to_world_flight_calm, .world_rates = world_rates_flight_pushed,
+        .vary_world_rates = vary_world_rates_flight_pushed},
 };
 
 static const tdmf_set_kind sets[] = {
@@ -9567,9 +7670,8 @@ static const tdmf_section_kind sections[] = {
     {.event = -1},
 };
 
-static const char *const mode_names[] = {"start_of_run", "slip_constant", "stick", "flight_place_calm",
-    "flight_rest_calm", "flight_retract_calm", "fallen", "graze_place", "graze_rest", "graze_retract",
-    "slip_falling", "flight_place_pushed", "flight_rest_pushed", "flight_retract_pushed"};
+static const char *const mode_names[] = {"start_of_run", "slip_constant", "stick", "flight_calm", "fallen",
+    "graze", "slip_falling", "flight_pushed"};
 static const char *const state_names[] = {"time", "events", "last_event", "greatest_slip_velocity",
     "greatest_foot_height", "squared_torque", "is_open", "work_then", "leg_work_then", "positive_work_so_far",
     "positive_work_then", "peak_force_so_far", "vertical_so_far", "touchdowns_so_far", "slip_so_far",
@@ -9584,7 +7686,8 @@ static const char *const state_names[] = {"time", "events", "last_event", "great
     "y", "vx", "vy", "foot_x", "foot_vx", "winding", "thrusting", "leg_work", "positive_leg_work",
     "external_work", "damper_loss", "extension_rate", "external_fx_rate", "external_fy_rate", "friction",
     "way", "friction_loss", "impact_loss", "friction_rate", "external_torque", "liftoff_angle", "driving",
-    "placing", "touchdown_time", "was_placed", "placed_for", "rises_again", "work", "external_torque_rate"};
+    "swing", "placing", "touchdown_time", "was_placed", "placed_for", "rises_again", "work",
+    "external_torque_rate"};
 static const char *const parameter_names[] = {"ground_height", "ground_slope", "patch_begin", "patch_end",
     "patch_friction", "by_stride", "trips", "keeps_friction", "body_mass", "foot_mass", "stiffness",
     "damping", "free_length", "least_length", "gravity", "thrust", "notes_compression", "more_thrust",
@@ -9607,8 +7710,8 @@ static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 
     -1000000000000.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0, 0.0, -0.4722627765193387, 0.6417114468531165,
     0.9999993776846997, -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05,
     1.1268102275039307e-06, 4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0};
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0};
 static const double parameter_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 1.0, 0.1, 1.0, 0.2, 1.0,
     0.05, 0.01, 0.0, 1.0, 0.0, 1.0, 0.0, 0.2, 0.1, 0.1, 0.6981317007977318, 1.2, 0.0, 0.0, 0.0, 0.0};
 static const double parameter_least[] = {-1000000000.0, -1.0, -1000000000.0, -1000000000.0, 0.0,
@@ -9628,13 +7731,13 @@ const tdmf_model_kind tdmf_runner_model = {
     .sections = sections,
     .scales = scales,
     .series_count = 45,
-    .constant_count = 32,
+    .constant_count = 36,
     .lanes = {TDMF_TWO_LANES(tdmf_runner_motions_of_2), TDMF_FOUR_LANES(tdmf_runner_motions_of_4),
         TDMF_EIGHT_LANES(tdmf_runner_motions_of_8)},
     .seeds = TDMF_FOR_SEEDS(tdmf_runner_seeds),
-    .mode_count = 14,
+    .mode_count = 8,
     .mode_names = mode_names,
-    .state_count = 102,
+    .state_count = 103,
     .state_names = state_names,
     .parameter_count = 29,
     .parameter_names = parameter_names,

@@ -4,10 +4,8 @@
 
 #include "driver.h"
 
-enum {MODE_start_of_run, MODE_slip_constant, MODE_stick, MODE_flight_place_calm, MODE_flight_rest_calm,
-    MODE_flight_retract_calm, MODE_fallen, MODE_graze_place, MODE_graze_rest, MODE_graze_retract,
-    MODE_slip_falling, MODE_flight_place_pushed, MODE_flight_rest_pushed, MODE_flight_retract_pushed,
-    MODE_COUNT};
+enum {MODE_start_of_run, MODE_slip_constant, MODE_stick, MODE_flight_calm, MODE_fallen, MODE_graze,
+    MODE_slip_falling, MODE_flight_pushed, MODE_COUNT};
 enum {EVENT_passes_end, EVENT_passes_begin, EVENT_next_segment_comes, EVENT_ramp_ends, EVENT_begins,
     EVENT_wind_rises, EVENT_new_ground, EVENT_falls, EVENT_collapses, EVENT_apex, EVENT_apex_in_graze,
     EVENT_touchdown, EVENT_clamp, EVENT_release, EVENT_greatest_compression, EVENT_mid_stance, EVENT_lift_off,
@@ -155,6 +153,7 @@ typedef struct {
     real external_torque; /* N.m: Torque added to the hip law */
     real liftoff_angle; /* rad: Leg angle when the foot last left the ground, theta_LO */
     real driving; /* 1: 1 from touchdown to mid-stance, else 0 */
+    real swing; /* 1: Law of the hip in flight: 0 rest, 1 retract, 2 place */
     real placing; /* s: In place, the time since it began; else 0 */
     real touchdown_time; /* s: Time of the last impact */
     real was_placed; /* 1: 1 if the leg was being placed at the last impact, else 0 */
@@ -188,28 +187,13 @@ typedef struct {
 } stick_constants;
 
 typedef struct {
-    real mobility, stiffness, free_length, thrusting_times_longer_or_by_0, damping, kp,
-        touchdown_angle_plus_more_angle, retraction_rate, kd, extension_rate, stiffness_times_extension_rate,
-        external_fx_rate, external_fy_rate, friction_rate, external_torque_rate, com_vx, minus_gravity,
-        segment_end, share, segment_begin, set_slope, cos_of_set_slope, set_height, sin_of_set_slope, slope,
-        cos_of_slope, height, sin_of_slope, by_1_minus_share, least_length, inverse_cos_of_slope;
-} flight_place_calm_constants;
-
-typedef struct {
-    real mobility, stiffness, free_length, thrusting_times_longer_or_by_0, damping, extension_rate,
+    real mobility, stiffness, free_length, thrusting_times_longer_or_by_0, damping, kp, share_times_kp,
+        liftoff_factor_times_liftoff_angle, first, is_placing, turn, kd, share_times_kd, extension_rate,
         stiffness_times_extension_rate, external_fx_rate, external_fy_rate, friction_rate,
-        external_torque_rate, com_vx, minus_gravity, segment_end, share, segment_begin, set_slope,
-        cos_of_set_slope, set_height, sin_of_set_slope, slope, cos_of_slope, height, sin_of_slope,
-        by_1_minus_share, least_length, kp, liftoff_factor_times_liftoff_angle, kd, inverse_cos_of_slope;
-} flight_rest_calm_constants;
-
-typedef struct {
-    real mobility, stiffness, free_length, thrusting_times_longer_or_by_0, damping, kp,
-        liftoff_factor_times_liftoff_angle, kd, extension_rate, stiffness_times_extension_rate,
-        external_fx_rate, external_fy_rate, friction_rate, external_torque_rate, com_vx, minus_gravity,
-        segment_end, share, segment_begin, set_slope, cos_of_set_slope, set_height, sin_of_set_slope, slope,
-        cos_of_slope, height, sin_of_slope, by_1_minus_share, least_length, inverse_cos_of_slope;
-} flight_retract_calm_constants;
+        external_torque_rate, com_vx, minus_gravity, segment_end, body_mass_over_body_mass_plus_foot_mass,
+        segment_begin, set_slope, cos_of_set_slope, set_height, sin_of_set_slope, slope, cos_of_slope, height,
+        sin_of_slope, sum_2, least_length, inverse_cos_of_slope;
+} flight_calm_constants;
 
 typedef struct {
     real none;
@@ -219,25 +203,10 @@ typedef struct {
     real inverse_body_mass, stiffness, free_length, thrusting_times_longer_or_by_0, damping, cosine, off,
         sine, gravity_times_sine, inverse_foot_mass, along, gravity_times_cosine, extension_rate,
         stiffness_times_extension_rate, external_fx_rate, external_fy_rate, friction_rate,
-        external_torque_rate, segment_end, segment_begin, least_length, winding, product_2, kp,
-        touchdown_angle_plus_more_angle, retraction_rate, kd;
-} graze_place_constants;
-
-typedef struct {
-    real inverse_body_mass, stiffness, free_length, thrusting_times_longer_or_by_0, damping, cosine, off,
-        sine, gravity_times_sine, inverse_foot_mass, along, gravity_times_cosine, extension_rate,
-        stiffness_times_extension_rate, external_fx_rate, external_fy_rate, friction_rate,
-        external_torque_rate, segment_end, segment_begin, least_length, share, kp, winding,
-        liftoff_factor_times_liftoff_angle, kd, product_2;
-} graze_rest_constants;
-
-typedef struct {
-    real inverse_body_mass, stiffness, free_length, thrusting_times_longer_or_by_0, damping, cosine, off,
-        sine, gravity_times_sine, inverse_foot_mass, along, gravity_times_cosine, extension_rate,
-        stiffness_times_extension_rate, external_fx_rate, external_fy_rate, friction_rate,
-        external_torque_rate, segment_end, segment_begin, least_length, share, kp, winding,
-        liftoff_factor_times_liftoff_angle, kd, product_2;
-} graze_retract_constants;
+        external_torque_rate, is_placing, segment_end, segment_begin, least_length, share, kp, winding,
+        liftoff_factor_times_liftoff_angle, kd, product_2, by_1_or_by_0_times_kp, first, turn,
+        by_1_or_by_0_times_kd;
+} graze_constants;
 
 typedef struct {
     real inverse_body_mass, stiffness, free_length, thrusting_times_longer_or_by_0, damping, product_2,
@@ -251,29 +220,13 @@ typedef struct {
 
 typedef struct {
     real inverse_body_mass, mobility, stiffness, free_length, thrusting_times_longer_or_by_0, damping,
-        inverse_total_mass, gravity, kp, touchdown_angle_plus_more_angle, retraction_rate, kd, extension_rate,
-        stiffness_times_extension_rate, share, by_1_minus_share, external_fx_rate, external_fy_rate,
+        inverse_total_mass, gravity, kp, share_times_kp, liftoff_factor_times_liftoff_angle, first,
+        is_placing, turn, kd, share_times_kd, extension_rate, stiffness_times_extension_rate,
+        body_mass_over_total_mass, by_1_minus_body_mass_over_total_mass, external_fx_rate, external_fy_rate,
         friction_rate, external_torque_rate, segment_end, segment_begin, set_slope, cos_of_set_slope,
         set_height, sin_of_set_slope, slope, cos_of_slope, height, sin_of_slope, least_length,
         inverse_cos_of_slope;
-} flight_place_pushed_constants;
-
-typedef struct {
-    real inverse_body_mass, mobility, stiffness, free_length, thrusting_times_longer_or_by_0, damping,
-        inverse_total_mass, gravity, extension_rate, stiffness_times_extension_rate, share, by_1_minus_share,
-        external_fx_rate, external_fy_rate, friction_rate, external_torque_rate, segment_end, segment_begin,
-        set_slope, cos_of_set_slope, set_height, sin_of_set_slope, slope, cos_of_slope, height, sin_of_slope,
-        least_length, kp, liftoff_factor_times_liftoff_angle, kd, inverse_cos_of_slope;
-} flight_rest_pushed_constants;
-
-typedef struct {
-    real inverse_body_mass, mobility, stiffness, free_length, thrusting_times_longer_or_by_0, damping,
-        inverse_total_mass, gravity, kp, liftoff_factor_times_liftoff_angle, kd, extension_rate,
-        stiffness_times_extension_rate, share, by_1_minus_share, external_fx_rate, external_fy_rate,
-        friction_rate, external_torque_rate, segment_end, segment_begin, set_slope, cos_of_set_slope,
-        set_height, sin_of_set_slope, slope, cos_of_slope, height, sin_of_slope, least_length,
-        inverse_cos_of_slope;
-} flight_retract_pushed_constants;
+} flight_pushed_constants;
 
 extern const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[];
 tdmf_motions_of_width tdmf_runner_motions_of_2, tdmf_runner_motions_of_4, tdmf_runner_motions_of_8;

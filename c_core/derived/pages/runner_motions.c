@@ -1350,7 +1350,7 @@ static void bounds_stick(const real *constants, const real *series, const real *
     }
 }
 
-/* ---- flight_place_calm */
+/* ---- flight_calm */
 
 /* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
 typedef struct {
@@ -1359,20 +1359,19 @@ typedef struct {
         friction[TERMS], external_torque[TERMS], time[TERMS], com_x[TERMS], com_vy[TERMS], placing[TERMS],
         square[TERMS], rate[TERMS], rate_times_rate[TERMS], length_times_rate_times_rate[TERMS],
         swing_torque[TERMS], length_rate_times_length_rate[TERMS], power_of_hip[TERMS];
-} flight_place_calm_series;
+} flight_calm_series;
 
 typedef struct {
     pair square, rate, rate_times_rate, length_times_rate_times_rate, length_rate_times_length_rate,
         power_of_hip;
-} flight_place_calm_sums;
+} flight_calm_sums;
 
 typedef struct {
     real inverse_square;
-} flight_place_calm_factors;
+} flight_calm_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_flight_place_calm_sums(const flight_place_calm_series *s, int i, int j,
-    flight_place_calm_sums *sum) {
+KERNEL void add_flight_calm_sums(const flight_calm_series *s, int i, int j, flight_calm_sums *sum) {
     add_products(&sum->square, s->length + i - 1, s->length[j]);
     add_both_products(&sum->rate, s->rate, s->square, i, j);
     add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
@@ -1382,8 +1381,7 @@ KERNEL void add_flight_place_calm_sums(const flight_place_calm_series *s, int i,
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_flight_place_calm_sums(const flight_place_calm_series *s, int i,
-    flight_place_calm_sums *sum) {
+KERNEL void begin_flight_calm_sums(const flight_calm_series *s, int i, flight_calm_sums *sum) {
     sum->square = middle_of_square(s->length, i);
     sum->rate = middle_of_product(s->rate, s->square, i);
     sum->rate_times_rate = middle_of_square(s->rate, i);
@@ -1393,8 +1391,8 @@ KERNEL void begin_flight_place_calm_sums(const flight_place_calm_series *s, int 
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_flight_place_calm(const flight_place_calm_constants *c, const flight_place_calm_factors *by,
-    int k, const flight_place_calm_sums *sum, int odd, flight_place_calm_series *s) {
+KERNEL void step_flight_calm(const flight_calm_constants *c, const flight_calm_factors *by, int k,
+    const flight_calm_sums *sum, int odd, flight_calm_series *s) {
     s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
     s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
     /* square = length * length */
@@ -1407,11 +1405,11 @@ KERNEL void step_flight_place_calm(const flight_place_calm_constants *c, const f
     /* length_times_rate_times_rate = length * rate_times_rate */
     s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
         s->length, s->rate_times_rate);
-    /* swing_torque = external_torque + (-(c->kp * (angle - (c->touchdown_angle_plus_more_angle -
-     * c->retraction_rate * placing))) - c->kd * (rate + c->retraction_rate)) */
-    s->swing_torque[k] = with_constant(k, s->external_torque[k] - c->kp * s->angle[k]
-        - c->kp * c->retraction_rate * s->placing[k] - c->kd * s->rate[k],
-        c->kp * c->touchdown_angle_plus_more_angle - c->kd * c->retraction_rate);
+    /* swing_torque = external_torque + (-(c->share_times_kp * (angle - (c->first - c->turn * placing))) -
+     * c->share_times_kd * (rate + c->turn)) */
+    s->swing_torque[k] = with_constant(k, s->external_torque[k] - c->share_times_kp * s->angle[k]
+        - c->share_times_kp * c->turn * s->placing[k] - c->share_times_kd * s->rate[k],
+        c->share_times_kp * c->first - c->share_times_kd * c->turn);
     /* length_rate_times_length_rate = length_rate * length_rate */
     s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
         s->length_rate);
@@ -1432,12 +1430,11 @@ KERNEL void step_flight_place_calm(const flight_place_calm_constants *c, const f
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_place_calm(const real *constants, int order, real *series) {
-    const flight_place_calm_constants copy = *(const flight_place_calm_constants *)(const void *)constants,
-        *c = &copy;
-    flight_place_calm_series *s = (void *)series;
-    static const flight_place_calm_sums none;
-    flight_place_calm_sums sum = none;
+static void expand_flight_calm(const real *constants, int order, real *series) {
+    const flight_calm_constants copy = *(const flight_calm_constants *)(const void *)constants, *c = &copy;
+    flight_calm_series *s = (void *)series;
+    static const flight_calm_sums none;
+    flight_calm_sums sum = none;
     s->extension[1] = c->extension_rate;
     s->external_fx[1] = c->external_fx_rate;
     s->external_fy[1] = c->external_fy_rate;
@@ -1446,30 +1443,30 @@ static void expand_flight_place_calm(const real *constants, int order, real *ser
     s->time[1] = broadcast(1.0);
     s->com_x[1] = c->com_vx;
     s->com_vy[1] = c->minus_gravity;
-    s->placing[1] = broadcast(1.0);
+    s->placing[1] = c->is_placing;
     s->square[0] = s->length[0] * s->length[0];
-    const flight_place_calm_factors factors = {1.0 / s->square[0]}, *by = &factors;
-    step_flight_place_calm(c, by, 0, &sum, 0, s);
-    begin_flight_place_calm_sums(s, 0, &sum);
-    step_flight_place_calm(c, by, 1, &sum, 1, s);
+    const flight_calm_factors factors = {1.0 / s->square[0]}, *by = &factors;
+    step_flight_calm(c, by, 0, &sum, 0, s);
+    begin_flight_calm_sums(s, 0, &sum);
+    step_flight_calm(c, by, 1, &sum, 1, s);
     for (int k = 2; k < order; k += 2) {
-        begin_flight_place_calm_sums(s, k / 2, &sum);
+        begin_flight_calm_sums(s, k / 2, &sum);
         for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_flight_place_calm_sums(s, i, j, &sum);
+            add_flight_calm_sums(s, i, j, &sum);
         }
-        step_flight_place_calm(c, by, k, &sum, 0, s);
-        add_flight_place_calm_sums(s, 1, k, &sum);
-        step_flight_place_calm(c, by, k + 1, &sum, 1, s);
+        step_flight_calm(c, by, k, &sum, 0, s);
+        add_flight_calm_sums(s, 1, k, &sum);
+        step_flight_calm(c, by, k + 1, &sum, 1, s);
     }
 }
 
 /* First variation of the series. */
-static void vary_flight_place_calm(const real *constants, const real *series, const real *d_constants,
-    int order, real *varied) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
-    const flight_place_calm_constants *d = (const void *)d_constants;
-    flight_place_calm_series *t = (void *)varied;
+static void vary_flight_calm(const real *constants, const real *series, const real *d_constants, int order,
+    real *varied) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
+    const flight_calm_constants *d = (const void *)d_constants;
+    flight_calm_series *t = (void *)varied;
     real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
         length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
         length_times_d_rate_times_rate[TERMS], length_rate_times_length_rate_2[TERMS],
@@ -1487,12 +1484,12 @@ static void vary_flight_place_calm(const real *constants, const real *series, co
         rate_times_d_rate[k] = product(s->rate, d_rate, k);
         d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
         length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
-        d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->kp * s->angle[k]
-            - (d->kp * c->retraction_rate + c->kp * d->retraction_rate) * s->placing[k]
-            - c->kp * t->angle[k] - c->kp * c->retraction_rate * t->placing[k] - d->kd * s->rate[k]
-            - c->kd * d_rate[k], -(-(d->kp * c->touchdown_angle_plus_more_angle)
-            - c->kp * d->touchdown_angle_plus_more_angle) - (d->kd * c->retraction_rate
-            + c->kd * d->retraction_rate));
+        d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->share_times_kp * s->angle[k]
+            - (d->share_times_kp * c->turn + c->share_times_kp * d->turn) * s->placing[k]
+            - c->share_times_kp * t->angle[k] - c->share_times_kp * c->turn * t->placing[k]
+            - d->share_times_kd * s->rate[k] - c->share_times_kd * d_rate[k],
+            -(-(d->share_times_kp * c->first) - c->share_times_kp * d->first) - (d->share_times_kd * c->turn
+            + c->share_times_kd * d->turn));
         length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
         d_swing_torque_times_rate[k] = product(d_swing_torque, s->rate, k);
         swing_torque_times_d_rate[k] = product(s->swing_torque, d_rate, k);
@@ -1528,14 +1525,14 @@ static void vary_flight_place_calm(const real *constants, const real *series, co
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->com_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->com_vx));
         t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
-        t->placing[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
+        t->placing[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->is_placing));
     }
 }
 
 /* First variation of power_of_hip. */
-static void d_observed_flight_place_calm_power_of_hip(const real *constants, const real *series,
+static void d_observed_flight_calm_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_place_calm_series *t = (const void *)d_series;
+    const flight_calm_series *t = (const void *)d_series;
     (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
         dg[k] = (double)(k + 1) * t->work[k + 1];
@@ -1543,48 +1540,50 @@ static void d_observed_flight_place_calm_power_of_hip(const real *constants, con
 }
 
 /* First variation of height_of_foot. */
-static void d_observed_flight_place_calm_height_of_foot(const real *constants, const real *series,
+static void d_observed_flight_calm_height_of_foot(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
-    const flight_place_calm_constants *d = (const void *)d_constants;
-    const flight_place_calm_series *t = (const void *)d_series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS],
-        own_sum_times_cos_of_angle_minus_slope[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_product_3[TERMS], own_share_times_length_times_product_3[TERMS], own_angle_minus_slope[TERMS],
-        own_share_times_length[TERMS], own_sum_2[TERMS], own_angle_minus_slope_2[TERMS];
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
+    const flight_calm_constants *d = (const void *)d_constants;
+    const flight_calm_series *t = (const void *)d_series;
+    real own_cos_of_angle_minus_slope[TERMS], own_product_times_cos_of_angle_minus_slope[TERMS],
+        own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS], own_product_3[TERMS],
+        own_product_times_product_3[TERMS], own_angle_minus_slope[TERMS], own_product_4[TERMS],
+        own_product_plus_product[TERMS], own_angle_minus_slope_2[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
+        own_product_4[k] = c->body_mass_over_body_mass_plus_foot_mass * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
             own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        own_sum_2[k] = d->share * s->length[k] + c->share * t->length[k];
-        own_sum_times_cos_of_angle_minus_slope[k] = product(own_sum_2, own_cos_of_angle_minus_slope, k);
+        own_product_times_cos_of_angle_minus_slope[k] = product(own_product_4, own_cos_of_angle_minus_slope,
+            k);
+        own_product_plus_product[k] = d->body_mass_over_body_mass_plus_foot_mass * s->length[k]
+            + c->body_mass_over_body_mass_plus_foot_mass * t->length[k];
+        own_product_2[k] = product(own_product_plus_product, own_cos_of_angle_minus_slope, k);
         own_angle_minus_slope_2[k] = with_constant(k, t->angle[k], -d->slope);
         own_product_3[k] = product(own_sin_of_angle_minus_slope, own_angle_minus_slope_2, k);
-        own_share_times_length_times_product_3[k] = product(own_share_times_length, own_product_3, k);
+        own_product_times_product_3[k] = product(own_product_4, own_product_3, k);
         dg[k] = with_constant(k, (d->inverse_cos_of_slope * c->cos_of_slope
             + c->inverse_cos_of_slope * d->cos_of_slope) * s->com_y[k]
             + (-(d->inverse_cos_of_slope * c->sin_of_slope)
             - c->inverse_cos_of_slope * d->sin_of_slope) * s->com_x[k]
-            - d->inverse_cos_of_slope * own_product_2[k]
+            - d->inverse_cos_of_slope * own_product_times_cos_of_angle_minus_slope[k]
             + c->inverse_cos_of_slope * c->cos_of_slope * t->com_y[k]
             - c->inverse_cos_of_slope * c->sin_of_slope * t->com_x[k]
-            - c->inverse_cos_of_slope * own_sum_times_cos_of_angle_minus_slope[k]
-            + c->inverse_cos_of_slope * own_share_times_length_times_product_3[k],
+            - c->inverse_cos_of_slope * own_product_2[k]
+            + c->inverse_cos_of_slope * own_product_times_product_3[k],
             c->inverse_cos_of_slope * (-(d->cos_of_slope * c->height) - c->cos_of_slope * d->height)
             - d->inverse_cos_of_slope * (c->cos_of_slope * c->height));
     }
 }
 
 /* First variation of square_of_torque. */
-static void d_observed_flight_place_calm_square_of_torque(const real *constants, const real *series,
+static void d_observed_flight_calm_square_of_torque(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
-    const flight_place_calm_constants *d = (const void *)d_constants;
-    const flight_place_calm_series *t = (const void *)d_series;
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
+    const flight_calm_constants *d = (const void *)d_constants;
+    const flight_calm_series *t = (const void *)d_series;
     real own_length_times_length[TERMS], own_rate_times_d_square[TERMS], own_d_rate[TERMS],
         own_swing_torque_times_d_swing_torque[TERMS], own_d_square[TERMS], own_d_swing_torque[TERMS];
     for (int k = 0; k < order; ++k) {
@@ -1593,45 +1592,45 @@ static void d_observed_flight_place_calm_square_of_torque(const real *constants,
         own_rate_times_d_square[k] = product(s->rate, own_d_square, k);
         own_d_rate[k] = (t->momentum[k] - own_rate_times_d_square[k] - product_so_far(own_d_rate, s->square,
             k)) / s->square[0];
-        own_d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->kp * s->angle[k]
-            - (d->kp * c->retraction_rate + c->kp * d->retraction_rate) * s->placing[k]
-            - c->kp * t->angle[k] - c->kp * c->retraction_rate * t->placing[k] - d->kd * s->rate[k]
-            - c->kd * own_d_rate[k], -(-(d->kp * c->touchdown_angle_plus_more_angle)
-            - c->kp * d->touchdown_angle_plus_more_angle) - (d->kd * c->retraction_rate
-            + c->kd * d->retraction_rate));
+        own_d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->share_times_kp * s->angle[k]
+            - (d->share_times_kp * c->turn + c->share_times_kp * d->turn) * s->placing[k]
+            - c->share_times_kp * t->angle[k] - c->share_times_kp * c->turn * t->placing[k]
+            - d->share_times_kd * s->rate[k] - c->share_times_kd * own_d_rate[k],
+            -(-(d->share_times_kp * c->first) - c->share_times_kp * d->first) - (d->share_times_kd * c->turn
+            + c->share_times_kd * d->turn));
         own_swing_torque_times_d_swing_torque[k] = product(s->swing_torque, own_d_swing_torque, k);
         dg[k] = 2.0 * own_swing_torque_times_d_swing_torque[k];
     }
 }
 
 /* passes_end: The foot is above the next segment. */
-static void guard_flight_place_calm_passes_end(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
+static void guard_flight_calm_passes_end(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
     real own_sine[TERMS], own_length_times_sine[TERMS], own_cosine[TERMS];
     for (int k = 0; k < order; ++k) {
         sine_and_cosine_of(k, s->angle, own_sine, own_cosine);
         own_length_times_sine[k] = product(s->length, own_sine, k);
-        g[k] = with_constant(k, -s->com_x[k] - c->share * own_length_times_sine[k], c->segment_end);
+        g[k] = with_constant(k, -s->com_x[k]
+            - c->body_mass_over_body_mass_plus_foot_mass * own_length_times_sine[k], c->segment_end);
     }
 }
 
 /* passes_begin: The foot is above the segment before. */
-static void guard_flight_place_calm_passes_begin(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
+static void guard_flight_calm_passes_begin(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
     real own_sine[TERMS], own_length_times_sine[TERMS], own_cosine[TERMS];
     for (int k = 0; k < order; ++k) {
         sine_and_cosine_of(k, s->angle, own_sine, own_cosine);
         own_length_times_sine[k] = product(s->length, own_sine, k);
-        g[k] = with_constant(k, s->com_x[k] + c->share * own_length_times_sine[k], -c->segment_begin);
+        g[k] = with_constant(k, s->com_x[k]
+            + c->body_mass_over_body_mass_plus_foot_mass * own_length_times_sine[k], -c->segment_begin);
     }
 }
 
 /* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
-static void guard_flight_place_calm_next_segment_comes(const real *constants, const real *series, int order,
+static void guard_flight_calm_next_segment_comes(const real *constants, const real *series, int order,
     real *g) {
     (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
@@ -1640,8 +1639,8 @@ static void guard_flight_place_calm_next_segment_comes(const real *constants, co
 }
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
-static void guard_flight_place_calm_ramp_ends(const real *constants, const real *series, int order, real *g) {
-    const flight_place_calm_series *s = (const void *)series;
+static void guard_flight_calm_ramp_ends(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->friction[k];
@@ -1649,8 +1648,7 @@ static void guard_flight_place_calm_ramp_ends(const real *constants, const real 
 }
 
 /* wind_rises: An external force acts, so flight is no longer ballistic. */
-static void guard_flight_place_calm_wind_rises(const real *constants, const real *series, int order,
-    real *g) {
+static void guard_flight_calm_wind_rises(const real *constants, const real *series, int order, real *g) {
     (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
         g[k] = constant_of(k, broadcast(-1.0));
@@ -1658,53 +1656,51 @@ static void guard_flight_place_calm_wind_rises(const real *constants, const real
 }
 
 /* new_ground: The foot is above the pending ground line, which comes into force. */
-static void guard_flight_place_calm_new_ground(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
+static void guard_flight_calm_new_ground(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
     real own_cos_of_angle_minus_set_slope[TERMS], own_product_2[TERMS],
-        own_sin_of_angle_minus_set_slope[TERMS], own_angle_minus_set_slope[TERMS],
-        own_share_times_length[TERMS];
+        own_sin_of_angle_minus_set_slope[TERMS], own_angle_minus_set_slope[TERMS], own_product_4[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
+        own_product_4[k] = c->body_mass_over_body_mass_plus_foot_mass * s->length[k];
         own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
         sine_and_cosine_of(k, own_angle_minus_set_slope, own_sin_of_angle_minus_set_slope,
             own_cos_of_angle_minus_set_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_set_slope, k);
+        own_product_2[k] = product(own_product_4, own_cos_of_angle_minus_set_slope, k);
         g[k] = with_constant(k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k]
             + own_product_2[k], c->cos_of_set_slope * c->set_height);
     }
 }
 
 /* falls: The body reaches the ground. */
-static void guard_flight_place_calm_falls(const real *constants, const real *series, int order, real *g) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
+static void guard_flight_calm_falls(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
     real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_by_1_minus_share_times_length[TERMS];
+        own_angle_minus_slope[TERMS], own_sum_2_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
+        own_sum_2_times_length[k] = c->sum_2 * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
             own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_by_1_minus_share_times_length, own_cos_of_angle_minus_slope, k);
+        own_product_2[k] = product(own_sum_2_times_length, own_cos_of_angle_minus_slope, k);
         g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
             + own_product_2[k], -(c->cos_of_slope * c->height));
     }
 }
 
 /* collapses: The leg is shorter than leg.min_length. */
-static void guard_flight_place_calm_collapses(const real *constants, const real *series, int order, real *g) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
+static void guard_flight_calm_collapses(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, s->length[k], -c->least_length);
     }
 }
 
 /* apex: A stride closes and place begins. An external force can cause further apices in place. */
-static void guard_flight_place_calm_apex(const real *constants, const real *series, int order, real *g) {
-    const flight_place_calm_series *s = (const void *)series;
+static void guard_flight_calm_apex(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = (double)(k + 1) * s->com_y[k + 1];
@@ -1712,26 +1708,46 @@ static void guard_flight_place_calm_apex(const real *constants, const real *seri
 }
 
 /* touchdown: The foot reaches the ground. */
-static void guard_flight_place_calm_touchdown(const real *constants, const real *series, int order, real *g) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
+static void guard_flight_calm_touchdown(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
+    real own_cos_of_angle_minus_slope[TERMS], own_product_times_cos_of_angle_minus_slope[TERMS],
+        own_sin_of_angle_minus_slope[TERMS], own_angle_minus_slope[TERMS], own_product_4[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
+        own_product_4[k] = c->body_mass_over_body_mass_plus_foot_mass * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
             own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
+        own_product_times_cos_of_angle_minus_slope[k] = product(own_product_4, own_cos_of_angle_minus_slope,
+            k);
         g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
-            - own_product_2[k], -(c->cos_of_slope * c->height));
+            - own_product_times_cos_of_angle_minus_slope[k], -(c->cos_of_slope * c->height));
+    }
+}
+
+/* clamp: The clamp of (12) holds the retracting torque at 0. */
+static void guard_flight_calm_clamp(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = with_constant(k, -(c->kp * s->angle[k]) - c->kd * s->rate[k],
+            c->kp * c->liftoff_factor_times_liftoff_angle);
+    }
+}
+
+/* release: The clamp of (12) releases the retracting torque. */
+static void guard_flight_calm_release(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = with_constant(k, c->kp * s->angle[k] + c->kd * s->rate[k],
+            -(c->kp * c->liftoff_factor_times_liftoff_angle));
     }
 }
 
 /* power_of_hip: Power of the total hip torque. */
-static void guard_flight_place_calm_power_of_hip(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_place_calm_series *s = (const void *)series;
+static void guard_flight_calm_power_of_hip(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = (double)(k + 1) * s->work[k + 1];
@@ -1739,29 +1755,29 @@ static void guard_flight_place_calm_power_of_hip(const real *constants, const re
 }
 
 /* height_of_foot: Height of the foot above the ground vertically below. */
-static void guard_flight_place_calm_height_of_foot(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
+static void guard_flight_calm_height_of_foot(const real *constants, const real *series, int order, real *g) {
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
+    real own_cos_of_angle_minus_slope[TERMS], own_product_times_cos_of_angle_minus_slope[TERMS],
+        own_sin_of_angle_minus_slope[TERMS], own_angle_minus_slope[TERMS], own_product_4[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
+        own_product_4[k] = c->body_mass_over_body_mass_plus_foot_mass * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
             own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
+        own_product_times_cos_of_angle_minus_slope[k] = product(own_product_4, own_cos_of_angle_minus_slope,
+            k);
         g[k] = with_constant(k, c->inverse_cos_of_slope * c->cos_of_slope * s->com_y[k]
             - c->inverse_cos_of_slope * c->sin_of_slope * s->com_x[k]
-            - c->inverse_cos_of_slope * own_product_2[k],
+            - c->inverse_cos_of_slope * own_product_times_cos_of_angle_minus_slope[k],
             -(c->inverse_cos_of_slope * (c->cos_of_slope * c->height)));
     }
 }
 
 /* square_of_torque: Square of the total hip torque. */
-static void guard_flight_place_calm_square_of_torque(const real *constants, const real *series, int order,
+static void guard_flight_calm_square_of_torque(const real *constants, const real *series, int order,
     real *g) {
-    const flight_place_calm_series *s = (const void *)series;
+    const flight_calm_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = product(s->swing_torque, s->swing_torque, k);
@@ -1769,10 +1785,10 @@ static void guard_flight_place_calm_square_of_torque(const real *constants, cons
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_place_calm(const real *constants, const real *series, const real *power, int order,
+static void bounds_flight_calm(const real *constants, const real *series, const real *power, int order,
     uint64_t watched, interval *bounds) {
-    const flight_place_calm_constants *c = (const void *)constants;
-    const flight_place_calm_series *s = (const void *)series;
+    const flight_calm_constants *c = (const void *)constants;
+    const flight_calm_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
     const interval span_1 = interval_of_series(s->com_y, power, 3);
     const interval span_2 = interval_at(c->height, c->height);
@@ -1782,7 +1798,7 @@ static void bounds_flight_place_calm(const real *constants, const real *series, 
     const interval span_6 = interval_of_series(s->com_x, power, 2);
     const interval span_7 = interval_product(span_5, span_6);
     const interval span_8 = interval_difference(span_4, span_7);
-    const interval span_9 = interval_at(c->by_1_minus_share, c->by_1_minus_share);
+    const interval span_9 = interval_at(c->sum_2, c->sum_2);
     const interval span_10 = interval_of_series(s->length, power, order);
     const interval span_11 = interval_product(span_9, span_10);
     const interval span_12 = interval_at(broadcast(-1.0), broadcast(1.0));
@@ -1792,7 +1808,8 @@ static void bounds_flight_place_calm(const real *constants, const real *series, 
     const interval span_15 = interval_at(c->least_length, c->least_length);
     const interval span_16 = interval_difference(span_10, span_15);
     bounds[7] = span_16;
-    const interval span_17 = interval_at(c->share, c->share);
+    const interval span_17 = interval_at(c->body_mass_over_body_mass_plus_foot_mass,
+        c->body_mass_over_body_mass_plus_foot_mass);
     const interval span_18 = interval_product(span_17, span_10);
     const interval span_19 = interval_product(span_18, span_12);
     const interval span_20 = interval_difference(span_8, span_19);
@@ -1847,1040 +1864,44 @@ static void bounds_flight_place_calm(const real *constants, const real *series, 
         const interval span_21 = interval_of_rate(s->com_y, power, 2);
         bounds[8] = span_21;
     }
+    if (watched >> 10 & 1) {
+        const interval span_21 = interval_at(c->kp, c->kp);
+        const interval span_22 = interval_of_series(s->angle, power, order);
+        const interval span_23 = interval_at(c->liftoff_factor_times_liftoff_angle,
+            c->liftoff_factor_times_liftoff_angle);
+        const interval span_24 = interval_difference(span_22, span_23);
+        const interval span_25 = interval_product(span_21, span_24);
+        const interval span_26 = interval_at(-span_25.high, -span_25.low);
+        const interval span_27 = interval_at(c->kd, c->kd);
+        const interval span_28 = interval_of_series(s->rate, power, order);
+        const interval span_29 = interval_product(span_27, span_28);
+        const interval span_30 = interval_difference(span_26, span_29);
+        bounds[10] = span_30;
+    }
     if (watched >> 11 & 1) {
+        const interval span_21 = interval_at(c->kp, c->kp);
+        const interval span_22 = interval_of_series(s->angle, power, order);
+        const interval span_23 = interval_at(c->liftoff_factor_times_liftoff_angle,
+            c->liftoff_factor_times_liftoff_angle);
+        const interval span_24 = interval_difference(span_22, span_23);
+        const interval span_25 = interval_product(span_21, span_24);
+        const interval span_26 = interval_at(-span_25.high, -span_25.low);
+        const interval span_27 = interval_at(c->kd, c->kd);
+        const interval span_28 = interval_of_series(s->rate, power, order);
+        const interval span_29 = interval_product(span_27, span_28);
+        const interval span_30 = interval_difference(span_26, span_29);
+        const interval span_31 = interval_at(-span_30.high, -span_30.low);
+        bounds[11] = span_31;
+    }
+    if (watched >> 13 & 1) {
         const interval span_21 = interval_at(c->inverse_cos_of_slope, c->inverse_cos_of_slope);
         const interval span_22 = interval_product(span_21, span_20);
-        bounds[11] = span_22;
+        bounds[13] = span_22;
     }
-    if (watched >> 12 & 1) {
+    if (watched >> 14 & 1) {
         const interval span_21 = interval_of_series(s->swing_torque, power, order);
         const interval span_22 = interval_product(span_21, span_21);
-        bounds[12] = span_22;
-    }
-}
-
-/* ---- flight_rest_calm */
-
-/* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
-typedef struct {
-    real length[TERMS], angle[TERMS], length_rate[TERMS], com_y[TERMS], momentum[TERMS], leg_work[TERMS],
-        damper_loss[TERMS], work[TERMS], extension[TERMS], external_fx[TERMS], external_fy[TERMS],
-        friction[TERMS], external_torque[TERMS], time[TERMS], com_x[TERMS], com_vy[TERMS], square[TERMS],
-        rate[TERMS], rate_times_rate[TERMS], length_times_rate_times_rate[TERMS],
-        length_rate_times_length_rate[TERMS], power_of_hip[TERMS];
-} flight_rest_calm_series;
-
-typedef struct {
-    pair square, rate, rate_times_rate, length_times_rate_times_rate, length_rate_times_length_rate;
-} flight_rest_calm_sums;
-
-typedef struct {
-    real inverse_square;
-} flight_rest_calm_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_flight_rest_calm_sums(const flight_rest_calm_series *s, int i, int j,
-    flight_rest_calm_sums *sum) {
-    add_products(&sum->square, s->length + i - 1, s->length[j]);
-    add_both_products(&sum->rate, s->rate, s->square, i, j);
-    add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
-    add_both_products(&sum->length_times_rate_times_rate, s->length, s->rate_times_rate, i, j);
-    add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_flight_rest_calm_sums(const flight_rest_calm_series *s, int i, flight_rest_calm_sums *sum) {
-    sum->square = middle_of_square(s->length, i);
-    sum->rate = middle_of_product(s->rate, s->square, i);
-    sum->rate_times_rate = middle_of_square(s->rate, i);
-    sum->length_times_rate_times_rate = middle_of_product(s->length, s->rate_times_rate, i);
-    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_flight_rest_calm(const flight_rest_calm_constants *c, const flight_rest_calm_factors *by,
-    int k, const flight_rest_calm_sums *sum, int odd, flight_rest_calm_series *s) {
-    s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
-    s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
-    /* square = length * length */
-    s->square[k] = square_of(k, part_of(sum->square, odd), s->length);
-    /* rate = momentum / square */
-    s->rate[k] = quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square,
-        by->inverse_square);
-    /* rate_times_rate = rate * rate */
-    s->rate_times_rate[k] = square_of(k, part_of(sum->rate_times_rate, odd), s->rate);
-    /* length_times_rate_times_rate = length * rate_times_rate */
-    s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
-        s->length, s->rate_times_rate);
-    /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
-        s->length_rate);
-    /* power_of_hip = external_torque * rate */
-    s->power_of_hip[k] = drift_times(k, s->external_torque[0], s->external_torque[1], s->rate);
-    s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
-    s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
-        + c->mobility * c->stiffness * s->extension[k] - c->mobility * c->stiffness * s->length[k]
-        - c->mobility * c->damping * s->length_rate[k], c->mobility * (c->stiffness * (c->free_length
-        + c->thrusting_times_longer_or_by_0))));
-    s->momentum[k + 1] = series_reciprocal[k + 1] * (c->mobility * s->external_torque[k]);
-    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->stiffness_times_extension_rate * s->extension[k]
-        - c->stiffness_times_extension_rate * s->length[k],
-        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
-    s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
-    s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_rest_calm(const real *constants, int order, real *series) {
-    const flight_rest_calm_constants copy = *(const flight_rest_calm_constants *)(const void *)constants,
-        *c = &copy;
-    flight_rest_calm_series *s = (void *)series;
-    static const flight_rest_calm_sums none;
-    flight_rest_calm_sums sum = none;
-    s->extension[1] = c->extension_rate;
-    s->external_fx[1] = c->external_fx_rate;
-    s->external_fy[1] = c->external_fy_rate;
-    s->friction[1] = c->friction_rate;
-    s->external_torque[1] = c->external_torque_rate;
-    s->time[1] = broadcast(1.0);
-    s->com_x[1] = c->com_vx;
-    s->com_vy[1] = c->minus_gravity;
-    s->square[0] = s->length[0] * s->length[0];
-    const flight_rest_calm_factors factors = {1.0 / s->square[0]}, *by = &factors;
-    step_flight_rest_calm(c, by, 0, &sum, 0, s);
-    begin_flight_rest_calm_sums(s, 0, &sum);
-    step_flight_rest_calm(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_flight_rest_calm_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_flight_rest_calm_sums(s, i, j, &sum);
-        }
-        step_flight_rest_calm(c, by, k, &sum, 0, s);
-        add_flight_rest_calm_sums(s, 1, k, &sum);
-        step_flight_rest_calm(c, by, k + 1, &sum, 1, s);
-    }
-}
-
-/* First variation of the series. */
-static void vary_flight_rest_calm(const real *constants, const real *series, const real *d_constants,
-    int order, real *varied) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    const flight_rest_calm_constants *d = (const void *)d_constants;
-    flight_rest_calm_series *t = (void *)varied;
-    real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
-        length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
-        length_times_d_rate_times_rate[TERMS], length_rate_times_length_rate_2[TERMS],
-        external_torque_times_rate[TERMS], external_torque_times_d_rate[TERMS], d_square[TERMS],
-        d_rate_times_rate[TERMS];
-    for (int k = 0; k < order; ++k) {
-        t->length[k + 1] = t->length_rate[k] * series_reciprocal[k + 1];
-        t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
-        length_times_length[k] = product(s->length, t->length, k);
-        d_square[k] = 2.0 * length_times_length[k];
-        rate_times_d_square[k] = product(s->rate, d_square, k);
-        d_rate[k] = (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square,
-            k)) / s->square[0];
-        length_times_rate_times_rate_2[k] = product(t->length, s->rate_times_rate, k);
-        rate_times_d_rate[k] = product(s->rate, d_rate, k);
-        d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
-        length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
-        length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
-        external_torque_times_rate[k] = product(t->external_torque, s->rate, k);
-        external_torque_times_d_rate[k] = drift_times(k, s->external_torque[0], s->external_torque[1],
-            d_rate);
-        t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
-        t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
-            + (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k]
-            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
-            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
-            + c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k]
-            - c->mobility * c->damping * t->length_rate[k], d->mobility * (c->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0)) + c->mobility * (d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0))));
-        t->momentum[k + 1] = series_reciprocal[k + 1] * (d->mobility * s->external_torque[k]
-            + c->mobility * t->external_torque[k]);
-        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->stiffness_times_extension_rate * s->extension[k]
-            - d->stiffness_times_extension_rate * s->length[k]
-            + c->stiffness_times_extension_rate * t->extension[k]
-            - c->stiffness_times_extension_rate * t->length[k],
-            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
-            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] * (external_torque_times_rate[k]
-            + external_torque_times_d_rate[k]);
-        t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
-        t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
-        t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
-        t->friction[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->friction_rate));
-        t->external_torque[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_torque_rate));
-        t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
-        t->com_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->com_vx));
-        t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
-    }
-}
-
-/* First variation of power_of_hip. */
-static void d_observed_flight_rest_calm_power_of_hip(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_rest_calm_series *t = (const void *)d_series;
-    (void)constants, (void)series, (void)d_constants;
-    for (int k = 0; k < order; ++k) {
-        dg[k] = (double)(k + 1) * t->work[k + 1];
-    }
-}
-
-/* First variation of height_of_foot. */
-static void d_observed_flight_rest_calm_height_of_foot(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    const flight_rest_calm_constants *d = (const void *)d_constants;
-    const flight_rest_calm_series *t = (const void *)d_series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS],
-        own_sum_times_cos_of_angle_minus_slope[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_product_3[TERMS], own_share_times_length_times_product_3[TERMS], own_angle_minus_slope[TERMS],
-        own_share_times_length[TERMS], own_sum_2[TERMS], own_angle_minus_slope_2[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
-        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-            own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        own_sum_2[k] = d->share * s->length[k] + c->share * t->length[k];
-        own_sum_times_cos_of_angle_minus_slope[k] = product(own_sum_2, own_cos_of_angle_minus_slope, k);
-        own_angle_minus_slope_2[k] = with_constant(k, t->angle[k], -d->slope);
-        own_product_3[k] = product(own_sin_of_angle_minus_slope, own_angle_minus_slope_2, k);
-        own_share_times_length_times_product_3[k] = product(own_share_times_length, own_product_3, k);
-        dg[k] = with_constant(k, (d->inverse_cos_of_slope * c->cos_of_slope
-            + c->inverse_cos_of_slope * d->cos_of_slope) * s->com_y[k]
-            + (-(d->inverse_cos_of_slope * c->sin_of_slope)
-            - c->inverse_cos_of_slope * d->sin_of_slope) * s->com_x[k]
-            - d->inverse_cos_of_slope * own_product_2[k]
-            + c->inverse_cos_of_slope * c->cos_of_slope * t->com_y[k]
-            - c->inverse_cos_of_slope * c->sin_of_slope * t->com_x[k]
-            - c->inverse_cos_of_slope * own_sum_times_cos_of_angle_minus_slope[k]
-            + c->inverse_cos_of_slope * own_share_times_length_times_product_3[k],
-            c->inverse_cos_of_slope * (-(d->cos_of_slope * c->height) - c->cos_of_slope * d->height)
-            - d->inverse_cos_of_slope * (c->cos_of_slope * c->height));
-    }
-}
-
-/* First variation of square_of_torque. */
-static void d_observed_flight_rest_calm_square_of_torque(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_rest_calm_series *s = (const void *)series;
-    const flight_rest_calm_series *t = (const void *)d_series;
-    (void)constants, (void)d_constants;
-    real own_external_torque_times_external_torque[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_external_torque_times_external_torque[k] = drift_times(k, s->external_torque[0],
-            s->external_torque[1], t->external_torque);
-        dg[k] = 2.0 * own_external_torque_times_external_torque[k];
-    }
-}
-
-/* passes_end: The foot is above the next segment. */
-static void guard_flight_rest_calm_passes_end(const real *constants, const real *series, int order, real *g) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    real own_sine[TERMS], own_length_times_sine[TERMS], own_cosine[TERMS];
-    for (int k = 0; k < order; ++k) {
-        sine_and_cosine_of(k, s->angle, own_sine, own_cosine);
-        own_length_times_sine[k] = product(s->length, own_sine, k);
-        g[k] = with_constant(k, -s->com_x[k] - c->share * own_length_times_sine[k], c->segment_end);
-    }
-}
-
-/* passes_begin: The foot is above the segment before. */
-static void guard_flight_rest_calm_passes_begin(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    real own_sine[TERMS], own_length_times_sine[TERMS], own_cosine[TERMS];
-    for (int k = 0; k < order; ++k) {
-        sine_and_cosine_of(k, s->angle, own_sine, own_cosine);
-        own_length_times_sine[k] = product(s->length, own_sine, k);
-        g[k] = with_constant(k, s->com_x[k] + c->share * own_length_times_sine[k], -c->segment_begin);
-    }
-}
-
-/* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
-static void guard_flight_rest_calm_next_segment_comes(const real *constants, const real *series, int order,
-    real *g) {
-    (void)constants, (void)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = constant_of(k, broadcast(-1.0));
-    }
-}
-
-/* ramp_ends: A ramp of the friction coefficient ends at 0. */
-static void guard_flight_rest_calm_ramp_ends(const real *constants, const real *series, int order, real *g) {
-    const flight_rest_calm_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = s->friction[k];
-    }
-}
-
-/* wind_rises: An external force acts, so flight is no longer ballistic. */
-static void guard_flight_rest_calm_wind_rises(const real *constants, const real *series, int order, real *g) {
-    (void)constants, (void)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = constant_of(k, broadcast(-1.0));
-    }
-}
-
-/* new_ground: The foot is above the pending ground line, which comes into force. */
-static void guard_flight_rest_calm_new_ground(const real *constants, const real *series, int order, real *g) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_set_slope[TERMS], own_product_2[TERMS],
-        own_sin_of_angle_minus_set_slope[TERMS], own_angle_minus_set_slope[TERMS],
-        own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
-        sine_and_cosine_of(k, own_angle_minus_set_slope, own_sin_of_angle_minus_set_slope,
-            own_cos_of_angle_minus_set_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_set_slope, k);
-        g[k] = with_constant(k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k]
-            + own_product_2[k], c->cos_of_set_slope * c->set_height);
-    }
-}
-
-/* falls: The body reaches the ground. */
-static void guard_flight_rest_calm_falls(const real *constants, const real *series, int order, real *g) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_by_1_minus_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
-        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
-        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-            own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_by_1_minus_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
-            + own_product_2[k], -(c->cos_of_slope * c->height));
-    }
-}
-
-/* collapses: The leg is shorter than leg.min_length. */
-static void guard_flight_rest_calm_collapses(const real *constants, const real *series, int order, real *g) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, s->length[k], -c->least_length);
-    }
-}
-
-/* apex: A stride closes and place begins. An external force can cause further apices in place. */
-static void guard_flight_rest_calm_apex(const real *constants, const real *series, int order, real *g) {
-    const flight_rest_calm_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->com_y[k + 1];
-    }
-}
-
-/* touchdown: The foot reaches the ground. */
-static void guard_flight_rest_calm_touchdown(const real *constants, const real *series, int order, real *g) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
-        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-            own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
-            - own_product_2[k], -(c->cos_of_slope * c->height));
-    }
-}
-
-/* release: The clamp of (12) releases the retracting torque. */
-static void guard_flight_rest_calm_release(const real *constants, const real *series, int order, real *g) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->kp * s->angle[k] + c->kd * s->rate[k],
-            -(c->kp * c->liftoff_factor_times_liftoff_angle));
-    }
-}
-
-/* power_of_hip: Power of the total hip torque. */
-static void guard_flight_rest_calm_power_of_hip(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_rest_calm_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->work[k + 1];
-    }
-}
-
-/* height_of_foot: Height of the foot above the ground vertically below. */
-static void guard_flight_rest_calm_height_of_foot(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
-        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-            own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] = with_constant(k, c->inverse_cos_of_slope * c->cos_of_slope * s->com_y[k]
-            - c->inverse_cos_of_slope * c->sin_of_slope * s->com_x[k]
-            - c->inverse_cos_of_slope * own_product_2[k],
-            -(c->inverse_cos_of_slope * (c->cos_of_slope * c->height)));
-    }
-}
-
-/* square_of_torque: Square of the total hip torque. */
-static void guard_flight_rest_calm_square_of_torque(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_rest_calm_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = drift_times(k, s->external_torque[0], s->external_torque[1], s->external_torque);
-    }
-}
-
-/* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_rest_calm(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
-    const flight_rest_calm_constants *c = (const void *)constants;
-    const flight_rest_calm_series *s = (const void *)series;
-    const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
-    const interval span_1 = interval_of_series(s->com_y, power, 3);
-    const interval span_2 = interval_at(c->height, c->height);
-    const interval span_3 = interval_difference(span_1, span_2);
-    const interval span_4 = interval_product(span_0, span_3);
-    const interval span_5 = interval_at(c->sin_of_slope, c->sin_of_slope);
-    const interval span_6 = interval_of_series(s->com_x, power, 2);
-    const interval span_7 = interval_product(span_5, span_6);
-    const interval span_8 = interval_difference(span_4, span_7);
-    const interval span_9 = interval_at(c->by_1_minus_share, c->by_1_minus_share);
-    const interval span_10 = interval_of_series(s->length, power, order);
-    const interval span_11 = interval_product(span_9, span_10);
-    const interval span_12 = interval_at(broadcast(-1.0), broadcast(1.0));
-    const interval span_13 = interval_product(span_11, span_12);
-    const interval span_14 = interval_sum(span_8, span_13);
-    bounds[6] = span_14;
-    const interval span_15 = interval_at(c->least_length, c->least_length);
-    const interval span_16 = interval_difference(span_10, span_15);
-    bounds[7] = span_16;
-    const interval span_17 = interval_of_rate(s->com_y, power, 2);
-    bounds[8] = span_17;
-    const interval span_18 = interval_at(c->share, c->share);
-    const interval span_19 = interval_product(span_18, span_10);
-    const interval span_20 = interval_product(span_19, span_12);
-    const interval span_21 = interval_difference(span_8, span_20);
-    bounds[9] = span_21;
-    const interval span_22 = interval_at(c->kp, c->kp);
-    const interval span_23 = interval_of_series(s->angle, power, order);
-    const interval span_24 = interval_at(c->liftoff_factor_times_liftoff_angle,
-        c->liftoff_factor_times_liftoff_angle);
-    const interval span_25 = interval_difference(span_23, span_24);
-    const interval span_26 = interval_product(span_22, span_25);
-    const interval span_27 = interval_at(-span_26.high, -span_26.low);
-    const interval span_28 = interval_at(c->kd, c->kd);
-    const interval span_29 = interval_of_series(s->rate, power, order);
-    const interval span_30 = interval_product(span_28, span_29);
-    const interval span_31 = interval_difference(span_27, span_30);
-    const interval span_32 = interval_at(-span_31.high, -span_31.low);
-    bounds[10] = span_32;
-    if (watched >> 0 & 1) {
-        const interval span_33 = interval_at(c->segment_end, c->segment_end);
-        const interval span_34 = interval_of_turn(s->angle[0], span_23, true);
-        const interval span_35 = interval_product(span_10, span_34);
-        const interval span_36 = interval_product(span_18, span_35);
-        const interval span_37 = interval_sum(span_6, span_36);
-        const interval span_38 = interval_difference(span_33, span_37);
-        bounds[0] = span_38;
-    }
-    if (watched >> 1 & 1) {
-        const interval span_33 = interval_of_turn(s->angle[0], span_23, true);
-        const interval span_34 = interval_product(span_10, span_33);
-        const interval span_35 = interval_product(span_18, span_34);
-        const interval span_36 = interval_sum(span_6, span_35);
-        const interval span_37 = interval_at(c->segment_begin, c->segment_begin);
-        const interval span_38 = interval_difference(span_36, span_37);
-        bounds[1] = span_38;
-    }
-    if (watched >> 2 & 1) {
-        const interval span_33 = interval_at(broadcast(-1.0), broadcast(-1.0));
-        bounds[2] = span_33;
-    }
-    if (watched >> 3 & 1) {
-        const interval span_33 = interval_of_series(s->friction, power, 2);
-        bounds[3] = span_33;
-    }
-    if (watched >> 4 & 1) {
-        const interval span_33 = interval_at(broadcast(-1.0), broadcast(-1.0));
-        bounds[4] = span_33;
-    }
-    if (watched >> 5 & 1) {
-        const interval span_33 = interval_at(c->cos_of_set_slope, c->cos_of_set_slope);
-        const interval span_34 = interval_at(c->set_height, c->set_height);
-        const interval span_35 = interval_difference(span_1, span_34);
-        const interval span_36 = interval_product(span_33, span_35);
-        const interval span_37 = interval_at(c->sin_of_set_slope, c->sin_of_set_slope);
-        const interval span_38 = interval_product(span_37, span_6);
-        const interval span_39 = interval_difference(span_36, span_38);
-        const interval span_40 = interval_at(broadcast(-1.0), broadcast(1.0));
-        const interval span_41 = interval_product(span_19, span_40);
-        const interval span_42 = interval_difference(span_39, span_41);
-        const interval span_43 = interval_at(-span_42.high, -span_42.low);
-        bounds[5] = span_43;
-    }
-    if (watched >> 12 & 1) {
-        const interval span_33 = interval_at(c->inverse_cos_of_slope, c->inverse_cos_of_slope);
-        const interval span_34 = interval_product(span_33, span_21);
-        bounds[12] = span_34;
-    }
-    if (watched >> 13 & 1) {
-        const interval span_33 = interval_of_series(s->external_torque, power, 2);
-        const interval span_34 = interval_product(span_33, span_33);
-        bounds[13] = span_34;
-    }
-}
-
-/* ---- flight_retract_calm */
-
-/* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
-typedef struct {
-    real length[TERMS], angle[TERMS], length_rate[TERMS], com_y[TERMS], momentum[TERMS], leg_work[TERMS],
-        damper_loss[TERMS], work[TERMS], extension[TERMS], external_fx[TERMS], external_fy[TERMS],
-        friction[TERMS], external_torque[TERMS], time[TERMS], com_x[TERMS], com_vy[TERMS], square[TERMS],
-        rate[TERMS], rate_times_rate[TERMS], length_times_rate_times_rate[TERMS], swing_torque[TERMS],
-        length_rate_times_length_rate[TERMS], power_of_hip[TERMS];
-} flight_retract_calm_series;
-
-typedef struct {
-    pair square, rate, rate_times_rate, length_times_rate_times_rate, length_rate_times_length_rate,
-        power_of_hip;
-} flight_retract_calm_sums;
-
-typedef struct {
-    real inverse_square;
-} flight_retract_calm_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_flight_retract_calm_sums(const flight_retract_calm_series *s, int i, int j,
-    flight_retract_calm_sums *sum) {
-    add_products(&sum->square, s->length + i - 1, s->length[j]);
-    add_both_products(&sum->rate, s->rate, s->square, i, j);
-    add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
-    add_both_products(&sum->length_times_rate_times_rate, s->length, s->rate_times_rate, i, j);
-    add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_both_products(&sum->power_of_hip, s->swing_torque, s->rate, i, j);
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_flight_retract_calm_sums(const flight_retract_calm_series *s, int i,
-    flight_retract_calm_sums *sum) {
-    sum->square = middle_of_square(s->length, i);
-    sum->rate = middle_of_product(s->rate, s->square, i);
-    sum->rate_times_rate = middle_of_square(s->rate, i);
-    sum->length_times_rate_times_rate = middle_of_product(s->length, s->rate_times_rate, i);
-    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
-    sum->power_of_hip = middle_of_product(s->swing_torque, s->rate, i);
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_flight_retract_calm(const flight_retract_calm_constants *c,
-    const flight_retract_calm_factors *by, int k, const flight_retract_calm_sums *sum, int odd,
-    flight_retract_calm_series *s) {
-    s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
-    s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
-    /* square = length * length */
-    s->square[k] = square_of(k, part_of(sum->square, odd), s->length);
-    /* rate = momentum / square */
-    s->rate[k] = quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square,
-        by->inverse_square);
-    /* rate_times_rate = rate * rate */
-    s->rate_times_rate[k] = square_of(k, part_of(sum->rate_times_rate, odd), s->rate);
-    /* length_times_rate_times_rate = length * rate_times_rate */
-    s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
-        s->length, s->rate_times_rate);
-    /* swing_torque = external_torque + (-(c->kp * (angle - c->liftoff_factor_times_liftoff_angle)) - c->kd *
-     * rate) */
-    s->swing_torque[k] = with_constant(k, s->external_torque[k] - c->kp * s->angle[k] - c->kd * s->rate[k],
-        c->kp * c->liftoff_factor_times_liftoff_angle);
-    /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
-        s->length_rate);
-    /* power_of_hip = swing_torque * rate */
-    s->power_of_hip[k] = product_of(k, part_of(sum->power_of_hip, odd), s->swing_torque, s->rate);
-    s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
-    s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
-        + c->mobility * c->stiffness * s->extension[k] - c->mobility * c->stiffness * s->length[k]
-        - c->mobility * c->damping * s->length_rate[k], c->mobility * (c->stiffness * (c->free_length
-        + c->thrusting_times_longer_or_by_0))));
-    s->momentum[k + 1] = series_reciprocal[k + 1] * (c->mobility * s->swing_torque[k]);
-    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->stiffness_times_extension_rate * s->extension[k]
-        - c->stiffness_times_extension_rate * s->length[k],
-        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
-    s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
-    s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_retract_calm(const real *constants, int order, real *series) {
-    const flight_retract_calm_constants copy = *(const flight_retract_calm_constants *)(const void
-        *)constants, *c = &copy;
-    flight_retract_calm_series *s = (void *)series;
-    static const flight_retract_calm_sums none;
-    flight_retract_calm_sums sum = none;
-    s->extension[1] = c->extension_rate;
-    s->external_fx[1] = c->external_fx_rate;
-    s->external_fy[1] = c->external_fy_rate;
-    s->friction[1] = c->friction_rate;
-    s->external_torque[1] = c->external_torque_rate;
-    s->time[1] = broadcast(1.0);
-    s->com_x[1] = c->com_vx;
-    s->com_vy[1] = c->minus_gravity;
-    s->square[0] = s->length[0] * s->length[0];
-    const flight_retract_calm_factors factors = {1.0 / s->square[0]}, *by = &factors;
-    step_flight_retract_calm(c, by, 0, &sum, 0, s);
-    begin_flight_retract_calm_sums(s, 0, &sum);
-    step_flight_retract_calm(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_flight_retract_calm_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_flight_retract_calm_sums(s, i, j, &sum);
-        }
-        step_flight_retract_calm(c, by, k, &sum, 0, s);
-        add_flight_retract_calm_sums(s, 1, k, &sum);
-        step_flight_retract_calm(c, by, k + 1, &sum, 1, s);
-    }
-}
-
-/* First variation of the series. */
-static void vary_flight_retract_calm(const real *constants, const real *series, const real *d_constants,
-    int order, real *varied) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    const flight_retract_calm_constants *d = (const void *)d_constants;
-    flight_retract_calm_series *t = (void *)varied;
-    real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
-        length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
-        length_times_d_rate_times_rate[TERMS], length_rate_times_length_rate_2[TERMS],
-        d_swing_torque_times_rate[TERMS], swing_torque_times_d_rate[TERMS], d_square[TERMS],
-        d_rate_times_rate[TERMS], d_swing_torque[TERMS];
-    for (int k = 0; k < order; ++k) {
-        t->length[k + 1] = t->length_rate[k] * series_reciprocal[k + 1];
-        t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
-        length_times_length[k] = product(s->length, t->length, k);
-        d_square[k] = 2.0 * length_times_length[k];
-        rate_times_d_square[k] = product(s->rate, d_square, k);
-        d_rate[k] = (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square,
-            k)) / s->square[0];
-        length_times_rate_times_rate_2[k] = product(t->length, s->rate_times_rate, k);
-        rate_times_d_rate[k] = product(s->rate, d_rate, k);
-        d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
-        length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
-        d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->kp * s->angle[k]
-            - c->kp * t->angle[k] - d->kd * s->rate[k] - c->kd * d_rate[k],
-            -(-(d->kp * c->liftoff_factor_times_liftoff_angle)
-            - c->kp * d->liftoff_factor_times_liftoff_angle));
-        length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
-        d_swing_torque_times_rate[k] = product(d_swing_torque, s->rate, k);
-        swing_torque_times_d_rate[k] = product(s->swing_torque, d_rate, k);
-        t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
-        t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
-            + (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k]
-            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
-            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
-            + c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k]
-            - c->mobility * c->damping * t->length_rate[k], d->mobility * (c->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0)) + c->mobility * (d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0))));
-        t->momentum[k + 1] = series_reciprocal[k + 1] * (d->mobility * s->swing_torque[k]
-            + c->mobility * d_swing_torque[k]);
-        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->stiffness_times_extension_rate * s->extension[k]
-            - d->stiffness_times_extension_rate * s->length[k]
-            + c->stiffness_times_extension_rate * t->extension[k]
-            - c->stiffness_times_extension_rate * t->length[k],
-            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
-            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] * (d_swing_torque_times_rate[k]
-            + swing_torque_times_d_rate[k]);
-        t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
-        t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
-        t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
-        t->friction[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->friction_rate));
-        t->external_torque[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_torque_rate));
-        t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
-        t->com_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->com_vx));
-        t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
-    }
-}
-
-/* First variation of power_of_hip. */
-static void d_observed_flight_retract_calm_power_of_hip(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_retract_calm_series *t = (const void *)d_series;
-    (void)constants, (void)series, (void)d_constants;
-    for (int k = 0; k < order; ++k) {
-        dg[k] = (double)(k + 1) * t->work[k + 1];
-    }
-}
-
-/* First variation of height_of_foot. */
-static void d_observed_flight_retract_calm_height_of_foot(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    const flight_retract_calm_constants *d = (const void *)d_constants;
-    const flight_retract_calm_series *t = (const void *)d_series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS],
-        own_sum_times_cos_of_angle_minus_slope[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_product_3[TERMS], own_share_times_length_times_product_3[TERMS], own_angle_minus_slope[TERMS],
-        own_share_times_length[TERMS], own_sum_2[TERMS], own_angle_minus_slope_2[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
-        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-            own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        own_sum_2[k] = d->share * s->length[k] + c->share * t->length[k];
-        own_sum_times_cos_of_angle_minus_slope[k] = product(own_sum_2, own_cos_of_angle_minus_slope, k);
-        own_angle_minus_slope_2[k] = with_constant(k, t->angle[k], -d->slope);
-        own_product_3[k] = product(own_sin_of_angle_minus_slope, own_angle_minus_slope_2, k);
-        own_share_times_length_times_product_3[k] = product(own_share_times_length, own_product_3, k);
-        dg[k] = with_constant(k, (d->inverse_cos_of_slope * c->cos_of_slope
-            + c->inverse_cos_of_slope * d->cos_of_slope) * s->com_y[k]
-            + (-(d->inverse_cos_of_slope * c->sin_of_slope)
-            - c->inverse_cos_of_slope * d->sin_of_slope) * s->com_x[k]
-            - d->inverse_cos_of_slope * own_product_2[k]
-            + c->inverse_cos_of_slope * c->cos_of_slope * t->com_y[k]
-            - c->inverse_cos_of_slope * c->sin_of_slope * t->com_x[k]
-            - c->inverse_cos_of_slope * own_sum_times_cos_of_angle_minus_slope[k]
-            + c->inverse_cos_of_slope * own_share_times_length_times_product_3[k],
-            c->inverse_cos_of_slope * (-(d->cos_of_slope * c->height) - c->cos_of_slope * d->height)
-            - d->inverse_cos_of_slope * (c->cos_of_slope * c->height));
-    }
-}
-
-/* First variation of square_of_torque. */
-static void d_observed_flight_retract_calm_square_of_torque(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    const flight_retract_calm_constants *d = (const void *)d_constants;
-    const flight_retract_calm_series *t = (const void *)d_series;
-    real own_length_times_length[TERMS], own_rate_times_d_square[TERMS], own_d_rate[TERMS],
-        own_swing_torque_times_d_swing_torque[TERMS], own_d_square[TERMS], own_d_swing_torque[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_length_times_length[k] = product(s->length, t->length, k);
-        own_d_square[k] = 2.0 * own_length_times_length[k];
-        own_rate_times_d_square[k] = product(s->rate, own_d_square, k);
-        own_d_rate[k] = (t->momentum[k] - own_rate_times_d_square[k] - product_so_far(own_d_rate, s->square,
-            k)) / s->square[0];
-        own_d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->kp * s->angle[k]
-            - c->kp * t->angle[k] - d->kd * s->rate[k] - c->kd * own_d_rate[k],
-            -(-(d->kp * c->liftoff_factor_times_liftoff_angle)
-            - c->kp * d->liftoff_factor_times_liftoff_angle));
-        own_swing_torque_times_d_swing_torque[k] = product(s->swing_torque, own_d_swing_torque, k);
-        dg[k] = 2.0 * own_swing_torque_times_d_swing_torque[k];
-    }
-}
-
-/* passes_end: The foot is above the next segment. */
-static void guard_flight_retract_calm_passes_end(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    real own_sine[TERMS], own_length_times_sine[TERMS], own_cosine[TERMS];
-    for (int k = 0; k < order; ++k) {
-        sine_and_cosine_of(k, s->angle, own_sine, own_cosine);
-        own_length_times_sine[k] = product(s->length, own_sine, k);
-        g[k] = with_constant(k, -s->com_x[k] - c->share * own_length_times_sine[k], c->segment_end);
-    }
-}
-
-/* passes_begin: The foot is above the segment before. */
-static void guard_flight_retract_calm_passes_begin(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    real own_sine[TERMS], own_length_times_sine[TERMS], own_cosine[TERMS];
-    for (int k = 0; k < order; ++k) {
-        sine_and_cosine_of(k, s->angle, own_sine, own_cosine);
-        own_length_times_sine[k] = product(s->length, own_sine, k);
-        g[k] = with_constant(k, s->com_x[k] + c->share * own_length_times_sine[k], -c->segment_begin);
-    }
-}
-
-/* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
-static void guard_flight_retract_calm_next_segment_comes(const real *constants, const real *series, int order,
-    real *g) {
-    (void)constants, (void)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = constant_of(k, broadcast(-1.0));
-    }
-}
-
-/* ramp_ends: A ramp of the friction coefficient ends at 0. */
-static void guard_flight_retract_calm_ramp_ends(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_calm_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = s->friction[k];
-    }
-}
-
-/* wind_rises: An external force acts, so flight is no longer ballistic. */
-static void guard_flight_retract_calm_wind_rises(const real *constants, const real *series, int order,
-    real *g) {
-    (void)constants, (void)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = constant_of(k, broadcast(-1.0));
-    }
-}
-
-/* new_ground: The foot is above the pending ground line, which comes into force. */
-static void guard_flight_retract_calm_new_ground(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_set_slope[TERMS], own_product_2[TERMS],
-        own_sin_of_angle_minus_set_slope[TERMS], own_angle_minus_set_slope[TERMS],
-        own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
-        sine_and_cosine_of(k, own_angle_minus_set_slope, own_sin_of_angle_minus_set_slope,
-            own_cos_of_angle_minus_set_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_set_slope, k);
-        g[k] = with_constant(k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k]
-            + own_product_2[k], c->cos_of_set_slope * c->set_height);
-    }
-}
-
-/* falls: The body reaches the ground. */
-static void guard_flight_retract_calm_falls(const real *constants, const real *series, int order, real *g) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_by_1_minus_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
-        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
-        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-            own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_by_1_minus_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
-            + own_product_2[k], -(c->cos_of_slope * c->height));
-    }
-}
-
-/* collapses: The leg is shorter than leg.min_length. */
-static void guard_flight_retract_calm_collapses(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, s->length[k], -c->least_length);
-    }
-}
-
-/* apex: A stride closes and place begins. An external force can cause further apices in place. */
-static void guard_flight_retract_calm_apex(const real *constants, const real *series, int order, real *g) {
-    const flight_retract_calm_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->com_y[k + 1];
-    }
-}
-
-/* touchdown: The foot reaches the ground. */
-static void guard_flight_retract_calm_touchdown(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
-        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-            own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
-            - own_product_2[k], -(c->cos_of_slope * c->height));
-    }
-}
-
-/* clamp: The clamp of (12) holds the retracting torque at 0. */
-static void guard_flight_retract_calm_clamp(const real *constants, const real *series, int order, real *g) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, -(c->kp * s->angle[k]) - c->kd * s->rate[k],
-            c->kp * c->liftoff_factor_times_liftoff_angle);
-    }
-}
-
-/* power_of_hip: Power of the total hip torque. */
-static void guard_flight_retract_calm_power_of_hip(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_calm_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->work[k + 1];
-    }
-}
-
-/* height_of_foot: Height of the foot above the ground vertically below. */
-static void guard_flight_retract_calm_height_of_foot(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
-        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-            own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] = with_constant(k, c->inverse_cos_of_slope * c->cos_of_slope * s->com_y[k]
-            - c->inverse_cos_of_slope * c->sin_of_slope * s->com_x[k]
-            - c->inverse_cos_of_slope * own_product_2[k],
-            -(c->inverse_cos_of_slope * (c->cos_of_slope * c->height)));
-    }
-}
-
-/* square_of_torque: Square of the total hip torque. */
-static void guard_flight_retract_calm_square_of_torque(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_calm_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = product(s->swing_torque, s->swing_torque, k);
-    }
-}
-
-/* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_retract_calm(const real *constants, const real *series, const real *power,
-    int order, uint64_t watched, interval *bounds) {
-    const flight_retract_calm_constants *c = (const void *)constants;
-    const flight_retract_calm_series *s = (const void *)series;
-    const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
-    const interval span_1 = interval_of_series(s->com_y, power, 3);
-    const interval span_2 = interval_at(c->height, c->height);
-    const interval span_3 = interval_difference(span_1, span_2);
-    const interval span_4 = interval_product(span_0, span_3);
-    const interval span_5 = interval_at(c->sin_of_slope, c->sin_of_slope);
-    const interval span_6 = interval_of_series(s->com_x, power, 2);
-    const interval span_7 = interval_product(span_5, span_6);
-    const interval span_8 = interval_difference(span_4, span_7);
-    const interval span_9 = interval_at(c->by_1_minus_share, c->by_1_minus_share);
-    const interval span_10 = interval_of_series(s->length, power, order);
-    const interval span_11 = interval_product(span_9, span_10);
-    const interval span_12 = interval_at(broadcast(-1.0), broadcast(1.0));
-    const interval span_13 = interval_product(span_11, span_12);
-    const interval span_14 = interval_sum(span_8, span_13);
-    bounds[6] = span_14;
-    const interval span_15 = interval_at(c->least_length, c->least_length);
-    const interval span_16 = interval_difference(span_10, span_15);
-    bounds[7] = span_16;
-    const interval span_17 = interval_of_rate(s->com_y, power, 2);
-    bounds[8] = span_17;
-    const interval span_18 = interval_at(c->share, c->share);
-    const interval span_19 = interval_product(span_18, span_10);
-    const interval span_20 = interval_product(span_19, span_12);
-    const interval span_21 = interval_difference(span_8, span_20);
-    bounds[9] = span_21;
-    if (watched >> 0 & 1) {
-        const interval span_22 = interval_of_series(s->angle, power, order);
-        const interval span_23 = interval_at(c->segment_end, c->segment_end);
-        const interval span_24 = interval_of_turn(s->angle[0], span_22, true);
-        const interval span_25 = interval_product(span_10, span_24);
-        const interval span_26 = interval_product(span_18, span_25);
-        const interval span_27 = interval_sum(span_6, span_26);
-        const interval span_28 = interval_difference(span_23, span_27);
-        bounds[0] = span_28;
-    }
-    if (watched >> 1 & 1) {
-        const interval span_22 = interval_of_series(s->angle, power, order);
-        const interval span_23 = interval_of_turn(s->angle[0], span_22, true);
-        const interval span_24 = interval_product(span_10, span_23);
-        const interval span_25 = interval_product(span_18, span_24);
-        const interval span_26 = interval_sum(span_6, span_25);
-        const interval span_27 = interval_at(c->segment_begin, c->segment_begin);
-        const interval span_28 = interval_difference(span_26, span_27);
-        bounds[1] = span_28;
-    }
-    if (watched >> 2 & 1) {
-        const interval span_22 = interval_at(broadcast(-1.0), broadcast(-1.0));
-        bounds[2] = span_22;
-    }
-    if (watched >> 3 & 1) {
-        const interval span_22 = interval_of_series(s->friction, power, 2);
-        bounds[3] = span_22;
-    }
-    if (watched >> 4 & 1) {
-        const interval span_22 = interval_at(broadcast(-1.0), broadcast(-1.0));
-        bounds[4] = span_22;
-    }
-    if (watched >> 5 & 1) {
-        const interval span_22 = interval_at(c->cos_of_set_slope, c->cos_of_set_slope);
-        const interval span_23 = interval_at(c->set_height, c->set_height);
-        const interval span_24 = interval_difference(span_1, span_23);
-        const interval span_25 = interval_product(span_22, span_24);
-        const interval span_26 = interval_at(c->sin_of_set_slope, c->sin_of_set_slope);
-        const interval span_27 = interval_product(span_26, span_6);
-        const interval span_28 = interval_difference(span_25, span_27);
-        const interval span_29 = interval_at(broadcast(-1.0), broadcast(1.0));
-        const interval span_30 = interval_product(span_19, span_29);
-        const interval span_31 = interval_difference(span_28, span_30);
-        const interval span_32 = interval_at(-span_31.high, -span_31.low);
-        bounds[5] = span_32;
-    }
-    if (watched >> 10 & 1) {
-        const interval span_22 = interval_at(c->kp, c->kp);
-        const interval span_23 = interval_of_series(s->angle, power, order);
-        const interval span_24 = interval_at(c->liftoff_factor_times_liftoff_angle,
-            c->liftoff_factor_times_liftoff_angle);
-        const interval span_25 = interval_difference(span_23, span_24);
-        const interval span_26 = interval_product(span_22, span_25);
-        const interval span_27 = interval_at(-span_26.high, -span_26.low);
-        const interval span_28 = interval_at(c->kd, c->kd);
-        const interval span_29 = interval_of_series(s->rate, power, order);
-        const interval span_30 = interval_product(span_28, span_29);
-        const interval span_31 = interval_difference(span_27, span_30);
-        bounds[10] = span_31;
-    }
-    if (watched >> 12 & 1) {
-        const interval span_22 = interval_at(c->inverse_cos_of_slope, c->inverse_cos_of_slope);
-        const interval span_23 = interval_product(span_22, span_21);
-        bounds[12] = span_23;
-    }
-    if (watched >> 13 & 1) {
-        const interval span_22 = interval_of_series(s->swing_torque, power, order);
-        const interval span_23 = interval_product(span_22, span_22);
-        bounds[13] = span_23;
+        bounds[14] = span_22;
     }
 }
 
@@ -2902,7 +1923,7 @@ static void vary_fallen(const real *constants, const real *series, const real *d
     (void)constants, (void)series, (void)d_constants, (void)order, (void)varied;
 }
 
-/* ---- graze_place */
+/* ---- graze */
 
 /* The foot touches the ground without force, under the torque tau_eq between both hip laws. */
 typedef struct {
@@ -2915,20 +1936,20 @@ typedef struct {
         sum_times_foot_vx_plus_vx[TERMS], sum_times_vy[TERMS], length_rate_times_length_rate[TERMS],
         product_3[TERMS], x__times_vy[TERMS], y__times_vx[TERMS], angle_rate[TERMS],
         product_3_times_angle_rate[TERMS];
-} graze_place_series;
+} graze_series;
 
 typedef struct {
     pair x__times_x_, y__times_y_, length, axial, axial_times_x_, axial_times_y_,
         axial_times_y__plus_off_over_x_, product_2, length_rate_times_length_rate, product_3, x__times_vy,
         y__times_vx, angle_rate, product_3_times_angle_rate;
-} graze_place_sums;
+} graze_sums;
 
 typedef struct {
     real inverse_length, inverse_x_, inverse_square;
-} graze_place_factors;
+} graze_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_graze_place_sums(const graze_place_series *s, int i, int j, graze_place_sums *sum) {
+KERNEL void add_graze_sums(const graze_series *s, int i, int j, graze_sums *sum) {
     add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
     add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
     add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
@@ -2946,7 +1967,7 @@ KERNEL void add_graze_place_sums(const graze_place_series *s, int i, int j, graz
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_graze_place_sums(const graze_place_series *s, int i, graze_place_sums *sum) {
+KERNEL void begin_graze_sums(const graze_series *s, int i, graze_sums *sum) {
     sum->x__times_x_ = next_middle_of_square(s->x_, i);
     sum->y__times_y_ = next_middle_of_square(s->y_, i);
     sum->length = next_middle_of_square(s->length, i);
@@ -2964,8 +1985,8 @@ KERNEL void begin_graze_place_sums(const graze_place_series *s, int i, graze_pla
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_graze_place(const graze_place_constants *c, const graze_place_factors *by, int k,
-    const graze_place_sums *sum, int odd, graze_place_series *s) {
+KERNEL void step_graze(const graze_constants *c, const graze_factors *by, int k, const graze_sums *sum,
+    int odd, graze_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
     s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
     s->foot_x[k + 1] = s->foot_vx[k] * series_reciprocal[k + 1];
@@ -3044,46 +2065,45 @@ KERNEL void step_graze_place(const graze_place_constants *c, const graze_place_f
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_graze_place(const real *constants, int order, real *series) {
-    const graze_place_constants copy = *(const graze_place_constants *)(const void *)constants, *c = &copy;
-    graze_place_series *s = (void *)series;
-    static const graze_place_sums none;
-    graze_place_sums sum = none;
+static void expand_graze(const real *constants, int order, real *series) {
+    const graze_constants copy = *(const graze_constants *)(const void *)constants, *c = &copy;
+    graze_series *s = (void *)series;
+    static const graze_sums none;
+    graze_sums sum = none;
     s->extension[1] = c->extension_rate;
     s->external_fx[1] = c->external_fx_rate;
     s->external_fy[1] = c->external_fy_rate;
     s->friction[1] = c->friction_rate;
     s->external_torque[1] = c->external_torque_rate;
     s->time[1] = broadcast(1.0);
-    s->placing[1] = broadcast(1.0);
+    s->placing[1] = c->is_placing;
     s->seen_angle[0] = real_atan2(-s->x_[0], s->y_[0]);
     s->x__times_x_[0] = s->x_[0] * s->x_[0];
     s->y__times_y_[0] = s->y_[0] * s->y_[0];
     s->square[0] = s->x__times_x_[0] + s->y__times_y_[0];
     s->length[0] = real_sqrt(s->square[0]);
-    const graze_place_factors factors = {1.0 / s->length[0], 1.0 / s->x_[0], 1.0 / s->square[0]},
-        *by = &factors;
-    step_graze_place(c, by, 0, &sum, 0, s);
-    begin_graze_place_sums(s, 0, &sum);
-    step_graze_place(c, by, 1, &sum, 1, s);
+    const graze_factors factors = {1.0 / s->length[0], 1.0 / s->x_[0], 1.0 / s->square[0]}, *by = &factors;
+    step_graze(c, by, 0, &sum, 0, s);
+    begin_graze_sums(s, 0, &sum);
+    step_graze(c, by, 1, &sum, 1, s);
     for (int k = 2; k < order; k += 2) {
-        begin_graze_place_sums(s, k / 2, &sum);
+        begin_graze_sums(s, k / 2, &sum);
         for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_graze_place_sums(s, i, j, &sum);
+            add_graze_sums(s, i, j, &sum);
         }
-        step_graze_place(c, by, k, &sum, 0, s);
-        add_graze_place_sums(s, 1, k, &sum);
-        step_graze_place(c, by, k + 1, &sum, 1, s);
+        step_graze(c, by, k, &sum, 0, s);
+        add_graze_sums(s, 1, k, &sum);
+        step_graze(c, by, k + 1, &sum, 1, s);
     }
 }
 
 /* First variation of the series. */
-static void vary_graze_place(const real *constants, const real *series, const real *d_constants, int order,
+static void vary_graze(const real *constants, const real *series, const real *d_constants, int order,
     real *varied) {
-    const graze_place_constants *c = (const void *)constants;
-    const graze_place_series *s = (const void *)series;
-    const graze_place_constants *d = (const void *)d_constants;
-    graze_place_series *t = (void *)varied;
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
+    const graze_constants *d = (const void *)d_constants;
+    graze_series *t = (void *)varied;
     real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
         axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
         d_axial_times_y_[TERMS], axial_times_y__2[TERMS], product_4[TERMS],
@@ -3185,15 +2205,15 @@ static void vary_graze_place(const real *constants, const real *series, const re
         t->friction[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->friction_rate));
         t->external_torque[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_torque_rate));
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
-        t->placing[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
+        t->placing[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->is_placing));
         t->seen_angle[k + 1] = series_reciprocal[k + 1] * (d_angle_rate[k]);
     }
 }
 
 /* First variation of power_of_hip. */
-static void d_observed_graze_place_power_of_hip(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const graze_place_series *t = (const void *)d_series;
+static void d_observed_graze_power_of_hip(const real *constants, const real *series, const real *d_constants,
+    const real *d_series, int order, real *dg) {
+    const graze_series *t = (const void *)d_series;
     (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
         dg[k] = (double)(k + 1) * t->work[k + 1];
@@ -3201,12 +2221,12 @@ static void d_observed_graze_place_power_of_hip(const real *constants, const rea
 }
 
 /* First variation of square_of_torque. */
-static void d_observed_graze_place_square_of_torque(const real *constants, const real *series,
+static void d_observed_graze_square_of_torque(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    const graze_place_constants *c = (const void *)constants;
-    const graze_place_series *s = (const void *)series;
-    const graze_place_constants *d = (const void *)d_constants;
-    const graze_place_series *t = (const void *)d_series;
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
+    const graze_constants *d = (const void *)d_constants;
+    const graze_series *t = (const void *)d_series;
     real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
         own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
         own_axial_times_y__2[TERMS], own_product_4[TERMS], own_d_axial_times_y__plus_off_over_x_[TERMS],
@@ -3245,26 +2265,26 @@ static void d_observed_graze_place_square_of_torque(const real *constants, const
 }
 
 /* passes_end: The foot is above the next segment. */
-static void guard_graze_place_passes_end(const real *constants, const real *series, int order, real *g) {
-    const graze_place_constants *c = (const void *)constants;
-    const graze_place_series *s = (const void *)series;
+static void guard_graze_passes_end(const real *constants, const real *series, int order, real *g) {
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, -(c->cosine * s->foot_x[k]), c->segment_end);
     }
 }
 
 /* passes_begin: The foot is above the segment before. */
-static void guard_graze_place_passes_begin(const real *constants, const real *series, int order, real *g) {
-    const graze_place_constants *c = (const void *)constants;
-    const graze_place_series *s = (const void *)series;
+static void guard_graze_passes_begin(const real *constants, const real *series, int order, real *g) {
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, c->cosine * s->foot_x[k], -c->segment_begin);
     }
 }
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
-static void guard_graze_place_ramp_ends(const real *constants, const real *series, int order, real *g) {
-    const graze_place_series *s = (const void *)series;
+static void guard_graze_ramp_ends(const real *constants, const real *series, int order, real *g) {
+    const graze_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->friction[k];
@@ -3272,8 +2292,8 @@ static void guard_graze_place_ramp_ends(const real *constants, const real *serie
 }
 
 /* falls: The body reaches the ground. */
-static void guard_graze_place_falls(const real *constants, const real *series, int order, real *g) {
-    const graze_place_series *s = (const void *)series;
+static void guard_graze_falls(const real *constants, const real *series, int order, real *g) {
+    const graze_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->y_[k];
@@ -3281,28 +2301,56 @@ static void guard_graze_place_falls(const real *constants, const real *series, i
 }
 
 /* collapses: The leg is shorter than leg.min_length. */
-static void guard_graze_place_collapses(const real *constants, const real *series, int order, real *g) {
-    const graze_place_constants *c = (const void *)constants;
-    const graze_place_series *s = (const void *)series;
+static void guard_graze_collapses(const real *constants, const real *series, int order, real *g) {
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, s->length[k], -c->least_length);
     }
 }
 
+/* apex_in_graze: Place begins. No stride closes, because the foot is on the ground. */
+static void guard_graze_apex_in_graze(const real *constants, const real *series, int order, real *g) {
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = c->sine * s->foot_vx[k] + c->sine * c->share * s->vx[k] + c->cosine * c->share * s->vy[k];
+    }
+}
+
+/* clamp: The clamp of (12) holds the retracting torque at 0. */
+static void guard_graze_clamp(const real *constants, const real *series, int order, real *g) {
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = with_constant(k, -(c->kp * s->seen_angle[k]) - c->kd * s->angle_rate[k],
+            -(c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle)));
+    }
+}
+
+/* release: The clamp of (12) releases the retracting torque. */
+static void guard_graze_release(const real *constants, const real *series, int order, real *g) {
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = with_constant(k, c->kp * s->seen_angle[k] + c->kd * s->angle_rate[k], c->kp * (c->winding
+            - c->liftoff_factor_times_liftoff_angle));
+    }
+}
+
 /* mid_stance: Drive ends where the leg is upright, once per stance. */
-static void guard_graze_place_mid_stance(const real *constants, const real *series, int order, real *g) {
-    const graze_place_constants *c = (const void *)constants;
-    const graze_place_series *s = (const void *)series;
+static void guard_graze_mid_stance(const real *constants, const real *series, int order, real *g) {
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, s->seen_angle[k], c->winding);
     }
 }
 
 /* graze_to_contact: The stance law presses the foot on the ground again. */
-static void guard_graze_place_graze_to_contact(const real *constants, const real *series, int order,
-    real *g) {
-    const graze_place_constants *c = (const void *)constants;
-    const graze_place_series *s = (const void *)series;
+static void guard_graze_graze_to_contact(const real *constants, const real *series, int order, real *g) {
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
     real own_turning[TERMS], own_turning_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
         own_turning[k] = (with_constant(k, s->external_torque[k], -c->product_2) - product_so_far(own_turning,
@@ -3313,23 +2361,25 @@ static void guard_graze_place_graze_to_contact(const real *constants, const real
 }
 
 /* graze_to_flight: The flight law lifts the foot. */
-static void guard_graze_place_graze_to_flight(const real *constants, const real *series, int order, real *g) {
-    const graze_place_constants *c = (const void *)constants;
-    const graze_place_series *s = (const void *)series;
+static void guard_graze_graze_to_flight(const real *constants, const real *series, int order, real *g) {
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
     real own_swing_torque_over_square[TERMS], own_swing_torque_over_square_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_swing_torque_over_square[k] = (with_constant(k, s->external_torque[k] - c->kp * s->seen_angle[k]
-            - c->kp * c->retraction_rate * s->placing[k] - c->kd * s->angle_rate[k], -(c->kp * (c->winding
-            - c->touchdown_angle_plus_more_angle)) - c->kd * c->retraction_rate)
-            - product_so_far(own_swing_torque_over_square, s->square, k)) / s->square[0];
+        own_swing_torque_over_square[k] = (with_constant(k, s->external_torque[k]
+            - c->by_1_or_by_0_times_kp * s->seen_angle[k]
+            - c->by_1_or_by_0_times_kp * c->turn * s->placing[k]
+            - c->by_1_or_by_0_times_kd * s->angle_rate[k], -(c->by_1_or_by_0_times_kp * (c->winding
+            - c->first)) - c->by_1_or_by_0_times_kd * c->turn) - product_so_far(own_swing_torque_over_square,
+            s->square, k)) / s->square[0];
         own_swing_torque_over_square_times_x_[k] = product(own_swing_torque_over_square, s->x_, k);
         g[k] = with_constant(k, s->axial_times_y_[k] + own_swing_torque_over_square_times_x_[k], c->off);
     }
 }
 
 /* power_of_hip: Power of the total hip torque. */
-static void guard_graze_place_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    const graze_place_series *s = (const void *)series;
+static void guard_graze_power_of_hip(const real *constants, const real *series, int order, real *g) {
+    const graze_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = (double)(k + 1) * s->work[k + 1];
@@ -3337,9 +2387,8 @@ static void guard_graze_place_power_of_hip(const real *constants, const real *se
 }
 
 /* square_of_torque: Square of the total hip torque. */
-static void guard_graze_place_square_of_torque(const real *constants, const real *series, int order,
-    real *g) {
-    const graze_place_series *s = (const void *)series;
+static void guard_graze_square_of_torque(const real *constants, const real *series, int order, real *g) {
+    const graze_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = product(s->product_3, s->product_3, k);
@@ -3347,18 +2396,18 @@ static void guard_graze_place_square_of_torque(const real *constants, const real
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_graze_place(const real *constants, const real *series, const real *power, int order,
+static void bounds_graze(const real *constants, const real *series, const real *power, int order,
     uint64_t watched, interval *bounds) {
-    const graze_place_constants *c = (const void *)constants;
-    const graze_place_series *s = (const void *)series;
+    const graze_constants *c = (const void *)constants;
+    const graze_series *s = (const void *)series;
     const interval span_0 = interval_of_series(s->y_, power, 4);
     bounds[3] = span_0;
     const interval span_1 = interval_of_series(s->length, power, order);
     const interval span_2 = interval_at(c->least_length, c->least_length);
     const interval span_3 = interval_difference(span_1, span_2);
     bounds[4] = span_3;
-    bounds[6] = unbounded();
-    bounds[7] = unbounded();
+    bounds[9] = unbounded();
+    bounds[10] = unbounded();
     if (watched >> 0 & 1) {
         const interval span_4 = interval_at(c->segment_end, c->segment_end);
         const interval span_5 = interval_at(c->cosine, c->cosine);
@@ -3380,1074 +2429,63 @@ static void bounds_graze_place(const real *constants, const real *series, const 
         bounds[2] = span_4;
     }
     if (watched >> 5 & 1) {
+        const interval span_4 = interval_at(c->sine, c->sine);
+        const interval span_5 = interval_of_series(s->foot_vx, power, order);
+        const interval span_6 = interval_at(c->share, c->share);
+        const interval span_7 = interval_of_series(s->vx, power, order);
+        const interval span_8 = interval_product(span_6, span_7);
+        const interval span_9 = interval_sum(span_5, span_8);
+        const interval span_10 = interval_product(span_4, span_9);
+        const interval span_11 = interval_at(c->cosine, c->cosine);
+        const interval span_12 = interval_of_series(s->vy, power, 3);
+        const interval span_13 = interval_product(span_6, span_12);
+        const interval span_14 = interval_product(span_11, span_13);
+        const interval span_15 = interval_sum(span_10, span_14);
+        bounds[5] = span_15;
+    }
+    if (watched >> 6 & 1) {
+        const interval span_4 = interval_at(c->kp, c->kp);
+        const interval span_5 = interval_of_series(s->seen_angle, power, order);
+        const interval span_6 = interval_at(c->winding, c->winding);
+        const interval span_7 = interval_sum(span_5, span_6);
+        const interval span_8 = interval_at(c->liftoff_factor_times_liftoff_angle,
+            c->liftoff_factor_times_liftoff_angle);
+        const interval span_9 = interval_difference(span_7, span_8);
+        const interval span_10 = interval_product(span_4, span_9);
+        const interval span_11 = interval_at(-span_10.high, -span_10.low);
+        const interval span_12 = interval_at(c->kd, c->kd);
+        const interval span_13 = interval_of_series(s->angle_rate, power, order);
+        const interval span_14 = interval_product(span_12, span_13);
+        const interval span_15 = interval_difference(span_11, span_14);
+        bounds[6] = span_15;
+    }
+    if (watched >> 7 & 1) {
+        const interval span_4 = interval_at(c->kp, c->kp);
+        const interval span_5 = interval_of_series(s->seen_angle, power, order);
+        const interval span_6 = interval_at(c->winding, c->winding);
+        const interval span_7 = interval_sum(span_5, span_6);
+        const interval span_8 = interval_at(c->liftoff_factor_times_liftoff_angle,
+            c->liftoff_factor_times_liftoff_angle);
+        const interval span_9 = interval_difference(span_7, span_8);
+        const interval span_10 = interval_product(span_4, span_9);
+        const interval span_11 = interval_at(-span_10.high, -span_10.low);
+        const interval span_12 = interval_at(c->kd, c->kd);
+        const interval span_13 = interval_of_series(s->angle_rate, power, order);
+        const interval span_14 = interval_product(span_12, span_13);
+        const interval span_15 = interval_difference(span_11, span_14);
+        const interval span_16 = interval_at(-span_15.high, -span_15.low);
+        bounds[7] = span_16;
+    }
+    if (watched >> 8 & 1) {
         const interval span_4 = interval_of_series(s->seen_angle, power, order);
         const interval span_5 = interval_at(c->winding, c->winding);
         const interval span_6 = interval_sum(span_4, span_5);
-        bounds[5] = span_6;
+        bounds[8] = span_6;
     }
-    if (watched >> 9 & 1) {
+    if (watched >> 12 & 1) {
         const interval span_4 = interval_of_series(s->product_3, power, order);
         const interval span_5 = interval_product(span_4, span_4);
-        bounds[9] = span_5;
-    }
-}
-
-/* ---- graze_rest */
-
-/* The foot touches the ground without force, under the torque tau_eq between both hip laws. */
-typedef struct {
-    real x_[TERMS], y_[TERMS], vx[TERMS], vy[TERMS], foot_x[TERMS], foot_vx[TERMS], leg_work[TERMS],
-        external_work[TERMS], damper_loss[TERMS], work[TERMS], extension[TERMS], external_fx[TERMS],
-        external_fy[TERMS], friction[TERMS], external_torque[TERMS], time[TERMS], seen_angle[TERMS],
-        x__times_x_[TERMS], y__times_y_[TERMS], square[TERMS], length[TERMS], length_rate[TERMS],
-        axial[TERMS], axial_times_x_[TERMS], axial_times_y_[TERMS], axial_times_y__plus_off_over_x_[TERMS],
-        product_2[TERMS], foot_vx_plus_vx[TERMS], sum_times_foot_vx_plus_vx[TERMS], sum_times_vy[TERMS],
-        length_rate_times_length_rate[TERMS], product_3[TERMS], x__times_vy[TERMS], y__times_vx[TERMS],
-        angle_rate[TERMS], product_3_times_angle_rate[TERMS];
-} graze_rest_series;
-
-typedef struct {
-    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, axial_times_y_,
-        axial_times_y__plus_off_over_x_, product_2, length_rate_times_length_rate, product_3, x__times_vy,
-        y__times_vx, angle_rate, product_3_times_angle_rate;
-} graze_rest_sums;
-
-typedef struct {
-    real inverse_length, inverse_x_, inverse_square;
-} graze_rest_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_graze_rest_sums(const graze_rest_series *s, int i, int j, graze_rest_sums *sum) {
-    add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
-    add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
-    add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_both_products(&sum->axial, s->axial, s->length, i, j);
-    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
-    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
-    add_both_products(&sum->axial_times_y__plus_off_over_x_, s->axial_times_y__plus_off_over_x_, s->x_, i, j);
-    add_both_products(&sum->product_2, s->axial_times_y__plus_off_over_x_, s->y_, i, j);
-    add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_both_products(&sum->product_3, s->axial_times_y__plus_off_over_x_, s->square, i, j);
-    add_both_products(&sum->x__times_vy, s->x_, s->vy, i, j);
-    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
-    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
-    add_both_products(&sum->product_3_times_angle_rate, s->product_3, s->angle_rate, i, j);
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_graze_rest_sums(const graze_rest_series *s, int i, graze_rest_sums *sum) {
-    sum->x__times_x_ = next_middle_of_square(s->x_, i);
-    sum->y__times_y_ = next_middle_of_square(s->y_, i);
-    sum->length = next_middle_of_square(s->length, i);
-    sum->axial = middle_of_product(s->axial, s->length, i);
-    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
-    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
-    sum->axial_times_y__plus_off_over_x_ = middle_of_product(s->axial_times_y__plus_off_over_x_, s->x_, i);
-    sum->product_2 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->y_, i);
-    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
-    sum->product_3 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->square, i);
-    sum->x__times_vy = middle_of_product(s->x_, s->vy, i);
-    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
-    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
-    sum->product_3_times_angle_rate = middle_of_product(s->product_3, s->angle_rate, i);
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_graze_rest(const graze_rest_constants *c, const graze_rest_factors *by, int k,
-    const graze_rest_sums *sum, int odd, graze_rest_series *s) {
-    s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
-    s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
-    s->foot_x[k + 1] = s->foot_vx[k] * series_reciprocal[k + 1];
-    /* x__times_x_ = x_ * x_ */
-    s->x__times_x_[k + 1] = square_of(k + 1, part_of(sum->x__times_x_, odd), s->x_);
-    /* y__times_y_ = y_ * y_ */
-    s->y__times_y_[k + 1] = square_of(k + 1, part_of(sum->y__times_y_, odd), s->y_);
-    /* square = x__times_x_ + y__times_y_ */
-    s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
-    /* length = real_sqrt(square) */
-    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
-        by->inverse_length);
-    /* length_rate = real_rate(length) */
-    s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
-    /* axial = (c->stiffness * (c->free_length + extension + c->thrusting_times_longer_or_by_0 - length) -
-     * c->damping * length_rate) / length */
-    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, c->stiffness * s->extension[k]
-        - c->stiffness * s->length[k] - c->damping * s->length_rate[k], c->stiffness * (c->free_length
-        + c->thrusting_times_longer_or_by_0)), s->axial, s->length, by->inverse_length);
-    /* axial_times_x_ = axial * x_ */
-    s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
-    /* axial_times_y_ = axial * y_ */
-    s->axial_times_y_[k] = product_of(k, part_of(sum->axial_times_y_, odd), s->axial, s->y_);
-    /* axial_times_y__plus_off_over_x_ = (axial_times_y_ + c->off) / x_ */
-    s->axial_times_y__plus_off_over_x_[k] = quotient_of(k, part_of(sum->axial_times_y__plus_off_over_x_, odd),
-        with_constant(k, s->axial_times_y_[k], c->off), s->axial_times_y__plus_off_over_x_, s->x_,
-        by->inverse_x_);
-    /* product_2 = axial_times_y__plus_off_over_x_ * y_ */
-    s->product_2[k] = product_of(k, part_of(sum->product_2, odd), s->axial_times_y__plus_off_over_x_, s->y_);
-    /* foot_vx_plus_vx = foot_vx + vx */
-    s->foot_vx_plus_vx[k] = s->foot_vx[k] + s->vx[k];
-    /* sum_times_foot_vx_plus_vx = (c->cosine * external_fx + c->sine * external_fy) * foot_vx_plus_vx */
-    s->sum_times_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
-        + c->sine * s->external_fy[0], c->cosine * s->external_fx[1] + c->sine * s->external_fy[1],
-        s->foot_vx_plus_vx);
-    /* sum_times_vy = (c->cosine * external_fy - c->sine * external_fx) * vy */
-    s->sum_times_vy[k] = drift_times(k, c->cosine * s->external_fy[0] - c->sine * s->external_fx[0],
-        c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], s->vy);
-    /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
-        s->length_rate);
-    /* product_3 = axial_times_y__plus_off_over_x_ * square */
-    s->product_3[k] = product_of(k, part_of(sum->product_3, odd), s->axial_times_y__plus_off_over_x_,
-        s->square);
-    /* x__times_vy = x_ * vy */
-    s->x__times_vy[k] = product_of(k, part_of(sum->x__times_vy, odd), s->x_, s->vy);
-    /* y__times_vx = y_ * vx */
-    s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
-    /* angle_rate = (x__times_vy - y__times_vx) / square */
-    s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-        s->angle_rate, s->square, by->inverse_square);
-    /* product_3_times_angle_rate = product_3 * angle_rate */
-    s->product_3_times_angle_rate[k] = product_of(k, part_of(sum->product_3_times_angle_rate, odd),
-        s->product_3, s->angle_rate);
-    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (c->inverse_body_mass
-        + c->inverse_foot_mass) * s->axial_times_x_[k] + (c->inverse_body_mass
-        + c->inverse_foot_mass) * s->product_2[k] + c->inverse_body_mass * c->cosine * s->external_fx[k]
-        + c->inverse_body_mass * c->sine * s->external_fy[k], c->inverse_foot_mass * c->along
-        - c->gravity_times_sine));
-    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->inverse_body_mass * c->cosine * s->external_fy[k]
-        - c->inverse_body_mass * c->sine * s->external_fx[k], -(c->inverse_body_mass * c->off)
-        - c->gravity_times_cosine));
-    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        -(c->inverse_foot_mass * s->axial_times_x_[k]) - c->inverse_foot_mass * s->product_2[k],
-        -(c->inverse_foot_mass * c->along)));
-    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->stiffness_times_extension_rate * s->extension[k]
-        - c->stiffness_times_extension_rate * s->length[k],
-        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
-    s->external_work[k + 1] = series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k]
-        + s->sum_times_vy[k]);
-    s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
-    s->work[k + 1] = series_reciprocal[k + 1] * (-s->product_3_times_angle_rate[k]);
-    s->seen_angle[k + 1] = series_reciprocal[k + 1] * (s->angle_rate[k]);
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_graze_rest(const real *constants, int order, real *series) {
-    const graze_rest_constants copy = *(const graze_rest_constants *)(const void *)constants, *c = &copy;
-    graze_rest_series *s = (void *)series;
-    static const graze_rest_sums none;
-    graze_rest_sums sum = none;
-    s->extension[1] = c->extension_rate;
-    s->external_fx[1] = c->external_fx_rate;
-    s->external_fy[1] = c->external_fy_rate;
-    s->friction[1] = c->friction_rate;
-    s->external_torque[1] = c->external_torque_rate;
-    s->time[1] = broadcast(1.0);
-    s->seen_angle[0] = real_atan2(-s->x_[0], s->y_[0]);
-    s->x__times_x_[0] = s->x_[0] * s->x_[0];
-    s->y__times_y_[0] = s->y_[0] * s->y_[0];
-    s->square[0] = s->x__times_x_[0] + s->y__times_y_[0];
-    s->length[0] = real_sqrt(s->square[0]);
-    const graze_rest_factors factors = {1.0 / s->length[0], 1.0 / s->x_[0], 1.0 / s->square[0]},
-        *by = &factors;
-    step_graze_rest(c, by, 0, &sum, 0, s);
-    begin_graze_rest_sums(s, 0, &sum);
-    step_graze_rest(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_graze_rest_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_graze_rest_sums(s, i, j, &sum);
-        }
-        step_graze_rest(c, by, k, &sum, 0, s);
-        add_graze_rest_sums(s, 1, k, &sum);
-        step_graze_rest(c, by, k + 1, &sum, 1, s);
-    }
-}
-
-/* First variation of the series. */
-static void vary_graze_rest(const real *constants, const real *series, const real *d_constants, int order,
-    real *varied) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
-    const graze_rest_constants *d = (const void *)d_constants;
-    graze_rest_series *t = (void *)varied;
-    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
-        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
-        d_axial_times_y_[TERMS], axial_times_y__2[TERMS], product_4[TERMS],
-        d_axial_times_y__plus_off_over_x_[TERMS], product_5[TERMS], product_6[TERMS],
-        sum_plus_sum_times_foot_vx_plus_vx[TERMS], sum_times_d_foot_vx_plus_vx[TERMS],
-        sum_minus_sum_times_vy[TERMS], sum_times_vy_2[TERMS], length_rate_times_d_length_rate[TERMS],
-        product_7[TERMS], product_8[TERMS], d_product_3_times_angle_rate[TERMS], x__times_vy_2[TERMS],
-        x__times_vy_3[TERMS], y__times_vx_2[TERMS], y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS],
-        d_angle_rate[TERMS], product_3_times_d_angle_rate[TERMS], sum_plus_sum[TERMS],
-        d_foot_vx_plus_vx[TERMS], sum_minus_sum[TERMS], d_square[TERMS], d_product_3[TERMS];
-    t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
-    x__times_x__2[0] = product(s->x_, t->x_, 0);
-    y__times_y__2[0] = product(s->y_, t->y_, 0);
-    d_square[0] = 2.0 * x__times_x__2[0] + 2.0 * y__times_y__2[0];
-    d_length[0] = (0.5 * d_square[0]) / s->length[0];
-    for (int k = 0; k < order; ++k) {
-        t->x_[k + 1] = t->vx[k] * series_reciprocal[k + 1];
-        t->y_[k + 1] = t->vy[k] * series_reciprocal[k + 1];
-        t->foot_x[k + 1] = t->foot_vx[k] * series_reciprocal[k + 1];
-        x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
-        y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
-        d_square[k + 1] = 2.0 * x__times_x__2[k + 1] + 2.0 * y__times_y__2[k + 1];
-        d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
-        d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
-        axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
-            + c->stiffness * t->extension[k] - c->stiffness * d_length[k] - d->damping * s->length_rate[k]
-            - c->damping * d_length_rate[k] - axial_times_d_length[k], d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0)) - product_so_far(d_axial, s->length, k)) / s->length[0];
-        d_axial_times_x_[k] = product(d_axial, s->x_, k);
-        axial_times_x__2[k] = product(s->axial, t->x_, k);
-        d_axial_times_y_[k] = product(d_axial, s->y_, k);
-        axial_times_y__2[k] = product(s->axial, t->y_, k);
-        product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
-        d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k]
-            - product_4[k], d->off) - product_so_far(d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
-        product_5[k] = product(d_axial_times_y__plus_off_over_x_, s->y_, k);
-        product_6[k] = product(s->axial_times_y__plus_off_over_x_, t->y_, k);
-        sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k]
-            + d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
-        sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k]
-            - d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
-        sum_plus_sum_times_foot_vx_plus_vx[k] = product(sum_plus_sum, s->foot_vx_plus_vx, k);
-        d_foot_vx_plus_vx[k] = t->foot_vx[k] + t->vx[k];
-        sum_times_d_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
-            + c->sine * s->external_fy[0], c->cosine * s->external_fx[1] + c->sine * s->external_fy[1],
-            d_foot_vx_plus_vx);
-        sum_minus_sum_times_vy[k] = product(sum_minus_sum, s->vy, k);
-        sum_times_vy_2[k] = drift_times(k, c->cosine * s->external_fy[0] - c->sine * s->external_fx[0],
-            c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], t->vy);
-        length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
-        product_7[k] = product(d_axial_times_y__plus_off_over_x_, s->square, k);
-        product_8[k] = product(s->axial_times_y__plus_off_over_x_, d_square, k);
-        d_product_3[k] = product_7[k] + product_8[k];
-        d_product_3_times_angle_rate[k] = product(d_product_3, s->angle_rate, k);
-        x__times_vy_2[k] = product(t->x_, s->vy, k);
-        x__times_vy_3[k] = product(s->x_, t->vy, k);
-        y__times_vx_2[k] = product(t->y_, s->vx, k);
-        y__times_vx_3[k] = product(s->y_, t->vx, k);
-        angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
-            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
-        product_3_times_d_angle_rate[k] = product(s->product_3, d_angle_rate, k);
-        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (d->inverse_body_mass
-            + d->inverse_foot_mass) * s->axial_times_x_[k] + (d->inverse_body_mass
-            + d->inverse_foot_mass) * s->product_2[k] + d->inverse_body_mass * c->cosine * s->external_fx[k]
-            + d->inverse_body_mass * c->sine * s->external_fy[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * axial_times_x__2[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * product_5[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * product_6[k] + c->inverse_body_mass * sum_plus_sum[k],
-            d->inverse_foot_mass * c->along + c->inverse_foot_mass * d->along - d->gravity_times_sine));
-        t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_body_mass * c->cosine * s->external_fy[k]
-            - d->inverse_body_mass * c->sine * s->external_fx[k] + c->inverse_body_mass * sum_minus_sum[k],
-            -(d->inverse_body_mass * c->off) - c->inverse_body_mass * d->off - d->gravity_times_cosine));
-        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            -(d->inverse_foot_mass * s->axial_times_x_[k]) - d->inverse_foot_mass * s->product_2[k]
-            - c->inverse_foot_mass * d_axial_times_x_[k] - c->inverse_foot_mass * axial_times_x__2[k]
-            - c->inverse_foot_mass * product_5[k] - c->inverse_foot_mass * product_6[k],
-            -(d->inverse_foot_mass * c->along + c->inverse_foot_mass * d->along)));
-        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->stiffness_times_extension_rate * s->extension[k]
-            - d->stiffness_times_extension_rate * s->length[k]
-            + c->stiffness_times_extension_rate * t->extension[k]
-            - c->stiffness_times_extension_rate * d_length[k],
-            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
-            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->external_work[k + 1] = series_reciprocal[k + 1] * (sum_plus_sum_times_foot_vx_plus_vx[k]
-            + sum_times_d_foot_vx_plus_vx[k] + sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
-        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k]
-            - product_3_times_d_angle_rate[k]);
-        t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
-        t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
-        t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
-        t->friction[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->friction_rate));
-        t->external_torque[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_torque_rate));
-        t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
-        t->seen_angle[k + 1] = series_reciprocal[k + 1] * (d_angle_rate[k]);
-    }
-}
-
-/* First variation of power_of_hip. */
-static void d_observed_graze_rest_power_of_hip(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const graze_rest_series *t = (const void *)d_series;
-    (void)constants, (void)series, (void)d_constants;
-    for (int k = 0; k < order; ++k) {
-        dg[k] = (double)(k + 1) * t->work[k + 1];
-    }
-}
-
-/* First variation of square_of_torque. */
-static void d_observed_graze_rest_square_of_torque(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
-    const graze_rest_constants *d = (const void *)d_constants;
-    const graze_rest_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
-        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
-        own_axial_times_y__2[TERMS], own_product_4[TERMS], own_d_axial_times_y__plus_off_over_x_[TERMS],
-        own_product_7[TERMS], own_product_8[TERMS], own_product_3_times_d_product_3[TERMS],
-        own_d_square[TERMS], own_d_product_3[TERMS];
-    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
-    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
-    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
-    own_d_length[0] = (0.5 * own_d_square[0]) / s->length[0];
-    for (int k = 0; k < order; ++k) {
-        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
-        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
-        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
-        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
-            + 1)) / s->length[0];
-        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
-        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
-            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
-            - own_axial_times_d_length[k], d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
-        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
-        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
-        own_product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
-        own_d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, own_d_axial_times_y_[k]
-            + own_axial_times_y__2[k] - own_product_4[k], d->off)
-            - product_so_far(own_d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
-        own_product_7[k] = product(own_d_axial_times_y__plus_off_over_x_, s->square, k);
-        own_product_8[k] = product(s->axial_times_y__plus_off_over_x_, own_d_square, k);
-        own_d_product_3[k] = own_product_7[k] + own_product_8[k];
-        own_product_3_times_d_product_3[k] = product(s->product_3, own_d_product_3, k);
-        dg[k] = 2.0 * own_product_3_times_d_product_3[k];
-    }
-}
-
-/* passes_end: The foot is above the next segment. */
-static void guard_graze_rest_passes_end(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, -(c->cosine * s->foot_x[k]), c->segment_end);
-    }
-}
-
-/* passes_begin: The foot is above the segment before. */
-static void guard_graze_rest_passes_begin(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->cosine * s->foot_x[k], -c->segment_begin);
-    }
-}
-
-/* ramp_ends: A ramp of the friction coefficient ends at 0. */
-static void guard_graze_rest_ramp_ends(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = s->friction[k];
-    }
-}
-
-/* falls: The body reaches the ground. */
-static void guard_graze_rest_falls(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = s->y_[k];
-    }
-}
-
-/* collapses: The leg is shorter than leg.min_length. */
-static void guard_graze_rest_collapses(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, s->length[k], -c->least_length);
-    }
-}
-
-/* apex_in_graze: Place begins. No stride closes, because the foot is on the ground. */
-static void guard_graze_rest_apex_in_graze(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = c->sine * s->foot_vx[k] + c->sine * c->share * s->vx[k] + c->cosine * c->share * s->vy[k];
-    }
-}
-
-/* release: The clamp of (12) releases the retracting torque. */
-static void guard_graze_rest_release(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->kp * s->seen_angle[k] + c->kd * s->angle_rate[k], c->kp * (c->winding
-            - c->liftoff_factor_times_liftoff_angle));
-    }
-}
-
-/* mid_stance: Drive ends where the leg is upright, once per stance. */
-static void guard_graze_rest_mid_stance(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, s->seen_angle[k], c->winding);
-    }
-}
-
-/* graze_to_contact: The stance law presses the foot on the ground again. */
-static void guard_graze_rest_graze_to_contact(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
-    real own_turning[TERMS], own_turning_times_x_[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_turning[k] = (with_constant(k, s->external_torque[k], -c->product_2) - product_so_far(own_turning,
-            s->square, k)) / s->square[0];
-        own_turning_times_x_[k] = product(own_turning, s->x_, k);
-        g[k] = with_constant(k, -s->axial_times_y_[k] - own_turning_times_x_[k], -c->off);
-    }
-}
-
-/* graze_to_flight: The flight law lifts the foot. */
-static void guard_graze_rest_graze_to_flight(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
-    real own_external_torque_over_square[TERMS], own_external_torque_over_square_times_x_[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_external_torque_over_square[k] = (s->external_torque[k]
-            - product_so_far(own_external_torque_over_square, s->square, k)) / s->square[0];
-        own_external_torque_over_square_times_x_[k] = product(own_external_torque_over_square, s->x_, k);
-        g[k] = with_constant(k, s->axial_times_y_[k] + own_external_torque_over_square_times_x_[k], c->off);
-    }
-}
-
-/* power_of_hip: Power of the total hip torque. */
-static void guard_graze_rest_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->work[k + 1];
-    }
-}
-
-/* square_of_torque: Square of the total hip torque. */
-static void guard_graze_rest_square_of_torque(const real *constants, const real *series, int order, real *g) {
-    const graze_rest_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = product(s->product_3, s->product_3, k);
-    }
-}
-
-/* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_graze_rest(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
-    const graze_rest_constants *c = (const void *)constants;
-    const graze_rest_series *s = (const void *)series;
-    const interval span_0 = interval_of_series(s->y_, power, 4);
-    bounds[3] = span_0;
-    const interval span_1 = interval_of_series(s->length, power, order);
-    const interval span_2 = interval_at(c->least_length, c->least_length);
-    const interval span_3 = interval_difference(span_1, span_2);
-    bounds[4] = span_3;
-    const interval span_4 = interval_at(c->sine, c->sine);
-    const interval span_5 = interval_of_series(s->foot_vx, power, order);
-    const interval span_6 = interval_at(c->share, c->share);
-    const interval span_7 = interval_of_series(s->vx, power, order);
-    const interval span_8 = interval_product(span_6, span_7);
-    const interval span_9 = interval_sum(span_5, span_8);
-    const interval span_10 = interval_product(span_4, span_9);
-    const interval span_11 = interval_at(c->cosine, c->cosine);
-    const interval span_12 = interval_of_series(s->vy, power, 3);
-    const interval span_13 = interval_product(span_6, span_12);
-    const interval span_14 = interval_product(span_11, span_13);
-    const interval span_15 = interval_sum(span_10, span_14);
-    bounds[5] = span_15;
-    const interval span_16 = interval_at(c->kp, c->kp);
-    const interval span_17 = interval_of_series(s->seen_angle, power, order);
-    const interval span_18 = interval_at(c->winding, c->winding);
-    const interval span_19 = interval_sum(span_17, span_18);
-    const interval span_20 = interval_at(c->liftoff_factor_times_liftoff_angle,
-        c->liftoff_factor_times_liftoff_angle);
-    const interval span_21 = interval_difference(span_19, span_20);
-    const interval span_22 = interval_product(span_16, span_21);
-    const interval span_23 = interval_at(-span_22.high, -span_22.low);
-    const interval span_24 = interval_at(c->kd, c->kd);
-    const interval span_25 = interval_of_series(s->angle_rate, power, order);
-    const interval span_26 = interval_product(span_24, span_25);
-    const interval span_27 = interval_difference(span_23, span_26);
-    const interval span_28 = interval_at(-span_27.high, -span_27.low);
-    bounds[6] = span_28;
-    bounds[8] = unbounded();
-    bounds[9] = unbounded();
-    if (watched >> 0 & 1) {
-        const interval span_29 = interval_at(c->segment_end, c->segment_end);
-        const interval span_30 = interval_of_series(s->foot_x, power, order);
-        const interval span_31 = interval_product(span_11, span_30);
-        const interval span_32 = interval_difference(span_29, span_31);
-        bounds[0] = span_32;
-    }
-    if (watched >> 1 & 1) {
-        const interval span_29 = interval_of_series(s->foot_x, power, order);
-        const interval span_30 = interval_product(span_11, span_29);
-        const interval span_31 = interval_at(c->segment_begin, c->segment_begin);
-        const interval span_32 = interval_difference(span_30, span_31);
-        bounds[1] = span_32;
-    }
-    if (watched >> 2 & 1) {
-        const interval span_29 = interval_of_series(s->friction, power, 2);
-        bounds[2] = span_29;
-    }
-    if (watched >> 7 & 1) {
-        bounds[7] = span_19;
-    }
-    if (watched >> 11 & 1) {
-        const interval span_29 = interval_of_series(s->product_3, power, order);
-        const interval span_30 = interval_product(span_29, span_29);
-        bounds[11] = span_30;
-    }
-}
-
-/* ---- graze_retract */
-
-/* The foot touches the ground without force, under the torque tau_eq between both hip laws. */
-typedef struct {
-    real x_[TERMS], y_[TERMS], vx[TERMS], vy[TERMS], foot_x[TERMS], foot_vx[TERMS], leg_work[TERMS],
-        external_work[TERMS], damper_loss[TERMS], work[TERMS], extension[TERMS], external_fx[TERMS],
-        external_fy[TERMS], friction[TERMS], external_torque[TERMS], time[TERMS], seen_angle[TERMS],
-        x__times_x_[TERMS], y__times_y_[TERMS], square[TERMS], length[TERMS], length_rate[TERMS],
-        axial[TERMS], axial_times_x_[TERMS], axial_times_y_[TERMS], axial_times_y__plus_off_over_x_[TERMS],
-        product_2[TERMS], foot_vx_plus_vx[TERMS], sum_times_foot_vx_plus_vx[TERMS], sum_times_vy[TERMS],
-        length_rate_times_length_rate[TERMS], product_3[TERMS], x__times_vy[TERMS], y__times_vx[TERMS],
-        angle_rate[TERMS], product_3_times_angle_rate[TERMS];
-} graze_retract_series;
-
-typedef struct {
-    pair x__times_x_, y__times_y_, length, axial, axial_times_x_, axial_times_y_,
-        axial_times_y__plus_off_over_x_, product_2, length_rate_times_length_rate, product_3, x__times_vy,
-        y__times_vx, angle_rate, product_3_times_angle_rate;
-} graze_retract_sums;
-
-typedef struct {
-    real inverse_length, inverse_x_, inverse_square;
-} graze_retract_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_graze_retract_sums(const graze_retract_series *s, int i, int j, graze_retract_sums *sum) {
-    add_products(&sum->x__times_x_, s->x_ + i - 1, s->x_[j + 1]);
-    add_products(&sum->y__times_y_, s->y_ + i - 1, s->y_[j + 1]);
-    add_products(&sum->length, s->length + i - 1, s->length[j + 1]);
-    add_both_products(&sum->axial, s->axial, s->length, i, j);
-    add_both_products(&sum->axial_times_x_, s->axial, s->x_, i, j);
-    add_both_products(&sum->axial_times_y_, s->axial, s->y_, i, j);
-    add_both_products(&sum->axial_times_y__plus_off_over_x_, s->axial_times_y__plus_off_over_x_, s->x_, i, j);
-    add_both_products(&sum->product_2, s->axial_times_y__plus_off_over_x_, s->y_, i, j);
-    add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_both_products(&sum->product_3, s->axial_times_y__plus_off_over_x_, s->square, i, j);
-    add_both_products(&sum->x__times_vy, s->x_, s->vy, i, j);
-    add_both_products(&sum->y__times_vx, s->y_, s->vx, i, j);
-    add_both_products(&sum->angle_rate, s->angle_rate, s->square, i, j);
-    add_both_products(&sum->product_3_times_angle_rate, s->product_3, s->angle_rate, i, j);
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_graze_retract_sums(const graze_retract_series *s, int i, graze_retract_sums *sum) {
-    sum->x__times_x_ = next_middle_of_square(s->x_, i);
-    sum->y__times_y_ = next_middle_of_square(s->y_, i);
-    sum->length = next_middle_of_square(s->length, i);
-    sum->axial = middle_of_product(s->axial, s->length, i);
-    sum->axial_times_x_ = middle_of_product(s->axial, s->x_, i);
-    sum->axial_times_y_ = middle_of_product(s->axial, s->y_, i);
-    sum->axial_times_y__plus_off_over_x_ = middle_of_product(s->axial_times_y__plus_off_over_x_, s->x_, i);
-    sum->product_2 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->y_, i);
-    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
-    sum->product_3 = middle_of_product(s->axial_times_y__plus_off_over_x_, s->square, i);
-    sum->x__times_vy = middle_of_product(s->x_, s->vy, i);
-    sum->y__times_vx = middle_of_product(s->y_, s->vx, i);
-    sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
-    sum->product_3_times_angle_rate = middle_of_product(s->product_3, s->angle_rate, i);
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_graze_retract(const graze_retract_constants *c, const graze_retract_factors *by, int k,
-    const graze_retract_sums *sum, int odd, graze_retract_series *s) {
-    s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
-    s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
-    s->foot_x[k + 1] = s->foot_vx[k] * series_reciprocal[k + 1];
-    /* x__times_x_ = x_ * x_ */
-    s->x__times_x_[k + 1] = square_of(k + 1, part_of(sum->x__times_x_, odd), s->x_);
-    /* y__times_y_ = y_ * y_ */
-    s->y__times_y_[k + 1] = square_of(k + 1, part_of(sum->y__times_y_, odd), s->y_);
-    /* square = x__times_x_ + y__times_y_ */
-    s->square[k + 1] = s->x__times_x_[k + 1] + s->y__times_y_[k + 1];
-    /* length = real_sqrt(square) */
-    s->length[k + 1] = root_of(k + 1, part_of(sum->length, odd), s->square[k + 1], s->length,
-        by->inverse_length);
-    /* length_rate = real_rate(length) */
-    s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
-    /* axial = (c->stiffness * (c->free_length + extension + c->thrusting_times_longer_or_by_0 - length) -
-     * c->damping * length_rate) / length */
-    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, c->stiffness * s->extension[k]
-        - c->stiffness * s->length[k] - c->damping * s->length_rate[k], c->stiffness * (c->free_length
-        + c->thrusting_times_longer_or_by_0)), s->axial, s->length, by->inverse_length);
-    /* axial_times_x_ = axial * x_ */
-    s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
-    /* axial_times_y_ = axial * y_ */
-    s->axial_times_y_[k] = product_of(k, part_of(sum->axial_times_y_, odd), s->axial, s->y_);
-    /* axial_times_y__plus_off_over_x_ = (axial_times_y_ + c->off) / x_ */
-    s->axial_times_y__plus_off_over_x_[k] = quotient_of(k, part_of(sum->axial_times_y__plus_off_over_x_, odd),
-        with_constant(k, s->axial_times_y_[k], c->off), s->axial_times_y__plus_off_over_x_, s->x_,
-        by->inverse_x_);
-    /* product_2 = axial_times_y__plus_off_over_x_ * y_ */
-    s->product_2[k] = product_of(k, part_of(sum->product_2, odd), s->axial_times_y__plus_off_over_x_, s->y_);
-    /* foot_vx_plus_vx = foot_vx + vx */
-    s->foot_vx_plus_vx[k] = s->foot_vx[k] + s->vx[k];
-    /* sum_times_foot_vx_plus_vx = (c->cosine * external_fx + c->sine * external_fy) * foot_vx_plus_vx */
-    s->sum_times_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
-        + c->sine * s->external_fy[0], c->cosine * s->external_fx[1] + c->sine * s->external_fy[1],
-        s->foot_vx_plus_vx);
-    /* sum_times_vy = (c->cosine * external_fy - c->sine * external_fx) * vy */
-    s->sum_times_vy[k] = drift_times(k, c->cosine * s->external_fy[0] - c->sine * s->external_fx[0],
-        c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], s->vy);
-    /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
-        s->length_rate);
-    /* product_3 = axial_times_y__plus_off_over_x_ * square */
-    s->product_3[k] = product_of(k, part_of(sum->product_3, odd), s->axial_times_y__plus_off_over_x_,
-        s->square);
-    /* x__times_vy = x_ * vy */
-    s->x__times_vy[k] = product_of(k, part_of(sum->x__times_vy, odd), s->x_, s->vy);
-    /* y__times_vx = y_ * vx */
-    s->y__times_vx[k] = product_of(k, part_of(sum->y__times_vx, odd), s->y_, s->vx);
-    /* angle_rate = (x__times_vy - y__times_vx) / square */
-    s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
-        s->angle_rate, s->square, by->inverse_square);
-    /* product_3_times_angle_rate = product_3 * angle_rate */
-    s->product_3_times_angle_rate[k] = product_of(k, part_of(sum->product_3_times_angle_rate, odd),
-        s->product_3, s->angle_rate);
-    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (c->inverse_body_mass
-        + c->inverse_foot_mass) * s->axial_times_x_[k] + (c->inverse_body_mass
-        + c->inverse_foot_mass) * s->product_2[k] + c->inverse_body_mass * c->cosine * s->external_fx[k]
-        + c->inverse_body_mass * c->sine * s->external_fy[k], c->inverse_foot_mass * c->along
-        - c->gravity_times_sine));
-    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->inverse_body_mass * c->cosine * s->external_fy[k]
-        - c->inverse_body_mass * c->sine * s->external_fx[k], -(c->inverse_body_mass * c->off)
-        - c->gravity_times_cosine));
-    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        -(c->inverse_foot_mass * s->axial_times_x_[k]) - c->inverse_foot_mass * s->product_2[k],
-        -(c->inverse_foot_mass * c->along)));
-    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->stiffness_times_extension_rate * s->extension[k]
-        - c->stiffness_times_extension_rate * s->length[k],
-        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
-    s->external_work[k + 1] = series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k]
-        + s->sum_times_vy[k]);
-    s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
-    s->work[k + 1] = series_reciprocal[k + 1] * (-s->product_3_times_angle_rate[k]);
-    s->seen_angle[k + 1] = series_reciprocal[k + 1] * (s->angle_rate[k]);
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_graze_retract(const real *constants, int order, real *series) {
-    const graze_retract_constants copy = *(const graze_retract_constants *)(const void *)constants,
-        *c = &copy;
-    graze_retract_series *s = (void *)series;
-    static const graze_retract_sums none;
-    graze_retract_sums sum = none;
-    s->extension[1] = c->extension_rate;
-    s->external_fx[1] = c->external_fx_rate;
-    s->external_fy[1] = c->external_fy_rate;
-    s->friction[1] = c->friction_rate;
-    s->external_torque[1] = c->external_torque_rate;
-    s->time[1] = broadcast(1.0);
-    s->seen_angle[0] = real_atan2(-s->x_[0], s->y_[0]);
-    s->x__times_x_[0] = s->x_[0] * s->x_[0];
-    s->y__times_y_[0] = s->y_[0] * s->y_[0];
-    s->square[0] = s->x__times_x_[0] + s->y__times_y_[0];
-    s->length[0] = real_sqrt(s->square[0]);
-    const graze_retract_factors factors = {1.0 / s->length[0], 1.0 / s->x_[0], 1.0 / s->square[0]},
-        *by = &factors;
-    step_graze_retract(c, by, 0, &sum, 0, s);
-    begin_graze_retract_sums(s, 0, &sum);
-    step_graze_retract(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_graze_retract_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_graze_retract_sums(s, i, j, &sum);
-        }
-        step_graze_retract(c, by, k, &sum, 0, s);
-        add_graze_retract_sums(s, 1, k, &sum);
-        step_graze_retract(c, by, k + 1, &sum, 1, s);
-    }
-}
-
-/* First variation of the series. */
-static void vary_graze_retract(const real *constants, const real *series, const real *d_constants, int order,
-    real *varied) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    const graze_retract_constants *d = (const void *)d_constants;
-    graze_retract_series *t = (void *)varied;
-    real x__times_x__2[TERMS], y__times_y__2[TERMS], d_length[TERMS], d_length_rate[TERMS],
-        axial_times_d_length[TERMS], d_axial[TERMS], d_axial_times_x_[TERMS], axial_times_x__2[TERMS],
-        d_axial_times_y_[TERMS], axial_times_y__2[TERMS], product_4[TERMS],
-        d_axial_times_y__plus_off_over_x_[TERMS], product_5[TERMS], product_6[TERMS],
-        sum_plus_sum_times_foot_vx_plus_vx[TERMS], sum_times_d_foot_vx_plus_vx[TERMS],
-        sum_minus_sum_times_vy[TERMS], sum_times_vy_2[TERMS], length_rate_times_d_length_rate[TERMS],
-        product_7[TERMS], product_8[TERMS], d_product_3_times_angle_rate[TERMS], x__times_vy_2[TERMS],
-        x__times_vy_3[TERMS], y__times_vx_2[TERMS], y__times_vx_3[TERMS], angle_rate_times_d_square[TERMS],
-        d_angle_rate[TERMS], product_3_times_d_angle_rate[TERMS], sum_plus_sum[TERMS],
-        d_foot_vx_plus_vx[TERMS], sum_minus_sum[TERMS], d_square[TERMS], d_product_3[TERMS];
-    t->seen_angle[0] = (s->x_[0] * t->y_[0] - s->y_[0] * t->x_[0]) / s->square[0];
-    x__times_x__2[0] = product(s->x_, t->x_, 0);
-    y__times_y__2[0] = product(s->y_, t->y_, 0);
-    d_square[0] = 2.0 * x__times_x__2[0] + 2.0 * y__times_y__2[0];
-    d_length[0] = (0.5 * d_square[0]) / s->length[0];
-    for (int k = 0; k < order; ++k) {
-        t->x_[k + 1] = t->vx[k] * series_reciprocal[k + 1];
-        t->y_[k + 1] = t->vy[k] * series_reciprocal[k + 1];
-        t->foot_x[k + 1] = t->foot_vx[k] * series_reciprocal[k + 1];
-        x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
-        y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
-        d_square[k + 1] = 2.0 * x__times_x__2[k + 1] + 2.0 * y__times_y__2[k + 1];
-        d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
-        d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
-        axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
-            + c->stiffness * t->extension[k] - c->stiffness * d_length[k] - d->damping * s->length_rate[k]
-            - c->damping * d_length_rate[k] - axial_times_d_length[k], d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0)) - product_so_far(d_axial, s->length, k)) / s->length[0];
-        d_axial_times_x_[k] = product(d_axial, s->x_, k);
-        axial_times_x__2[k] = product(s->axial, t->x_, k);
-        d_axial_times_y_[k] = product(d_axial, s->y_, k);
-        axial_times_y__2[k] = product(s->axial, t->y_, k);
-        product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
-        d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k]
-            - product_4[k], d->off) - product_so_far(d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
-        product_5[k] = product(d_axial_times_y__plus_off_over_x_, s->y_, k);
-        product_6[k] = product(s->axial_times_y__plus_off_over_x_, t->y_, k);
-        sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k]
-            + d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
-        sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k]
-            - d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
-        sum_plus_sum_times_foot_vx_plus_vx[k] = product(sum_plus_sum, s->foot_vx_plus_vx, k);
-        d_foot_vx_plus_vx[k] = t->foot_vx[k] + t->vx[k];
-        sum_times_d_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
-            + c->sine * s->external_fy[0], c->cosine * s->external_fx[1] + c->sine * s->external_fy[1],
-            d_foot_vx_plus_vx);
-        sum_minus_sum_times_vy[k] = product(sum_minus_sum, s->vy, k);
-        sum_times_vy_2[k] = drift_times(k, c->cosine * s->external_fy[0] - c->sine * s->external_fx[0],
-            c->cosine * s->external_fy[1] - c->sine * s->external_fx[1], t->vy);
-        length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
-        product_7[k] = product(d_axial_times_y__plus_off_over_x_, s->square, k);
-        product_8[k] = product(s->axial_times_y__plus_off_over_x_, d_square, k);
-        d_product_3[k] = product_7[k] + product_8[k];
-        d_product_3_times_angle_rate[k] = product(d_product_3, s->angle_rate, k);
-        x__times_vy_2[k] = product(t->x_, s->vy, k);
-        x__times_vy_3[k] = product(s->x_, t->vy, k);
-        y__times_vx_2[k] = product(t->y_, s->vx, k);
-        y__times_vx_3[k] = product(s->y_, t->vx, k);
-        angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
-            - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
-        product_3_times_d_angle_rate[k] = product(s->product_3, d_angle_rate, k);
-        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (d->inverse_body_mass
-            + d->inverse_foot_mass) * s->axial_times_x_[k] + (d->inverse_body_mass
-            + d->inverse_foot_mass) * s->product_2[k] + d->inverse_body_mass * c->cosine * s->external_fx[k]
-            + d->inverse_body_mass * c->sine * s->external_fy[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * axial_times_x__2[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * product_5[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * product_6[k] + c->inverse_body_mass * sum_plus_sum[k],
-            d->inverse_foot_mass * c->along + c->inverse_foot_mass * d->along - d->gravity_times_sine));
-        t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_body_mass * c->cosine * s->external_fy[k]
-            - d->inverse_body_mass * c->sine * s->external_fx[k] + c->inverse_body_mass * sum_minus_sum[k],
-            -(d->inverse_body_mass * c->off) - c->inverse_body_mass * d->off - d->gravity_times_cosine));
-        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            -(d->inverse_foot_mass * s->axial_times_x_[k]) - d->inverse_foot_mass * s->product_2[k]
-            - c->inverse_foot_mass * d_axial_times_x_[k] - c->inverse_foot_mass * axial_times_x__2[k]
-            - c->inverse_foot_mass * product_5[k] - c->inverse_foot_mass * product_6[k],
-            -(d->inverse_foot_mass * c->along + c->inverse_foot_mass * d->along)));
-        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->stiffness_times_extension_rate * s->extension[k]
-            - d->stiffness_times_extension_rate * s->length[k]
-            + c->stiffness_times_extension_rate * t->extension[k]
-            - c->stiffness_times_extension_rate * d_length[k],
-            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
-            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->external_work[k + 1] = series_reciprocal[k + 1] * (sum_plus_sum_times_foot_vx_plus_vx[k]
-            + sum_times_d_foot_vx_plus_vx[k] + sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
-        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k]
-            - product_3_times_d_angle_rate[k]);
-        t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
-        t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
-        t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
-        t->friction[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->friction_rate));
-        t->external_torque[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_torque_rate));
-        t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
-        t->seen_angle[k + 1] = series_reciprocal[k + 1] * (d_angle_rate[k]);
-    }
-}
-
-/* First variation of power_of_hip. */
-static void d_observed_graze_retract_power_of_hip(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const graze_retract_series *t = (const void *)d_series;
-    (void)constants, (void)series, (void)d_constants;
-    for (int k = 0; k < order; ++k) {
-        dg[k] = (double)(k + 1) * t->work[k + 1];
-    }
-}
-
-/* First variation of square_of_torque. */
-static void d_observed_graze_retract_square_of_torque(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    const graze_retract_constants *d = (const void *)d_constants;
-    const graze_retract_series *t = (const void *)d_series;
-    real own_x__times_x__2[TERMS], own_y__times_y__2[TERMS], own_d_length[TERMS], own_d_length_rate[TERMS],
-        own_axial_times_d_length[TERMS], own_d_axial[TERMS], own_d_axial_times_y_[TERMS],
-        own_axial_times_y__2[TERMS], own_product_4[TERMS], own_d_axial_times_y__plus_off_over_x_[TERMS],
-        own_product_7[TERMS], own_product_8[TERMS], own_product_3_times_d_product_3[TERMS],
-        own_d_square[TERMS], own_d_product_3[TERMS];
-    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
-    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
-    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
-    own_d_length[0] = (0.5 * own_d_square[0]) / s->length[0];
-    for (int k = 0; k < order; ++k) {
-        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
-        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
-        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
-        own_d_length[k + 1] = (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k
-            + 1)) / s->length[0];
-        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
-        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
-            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
-            - own_axial_times_d_length[k], d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
-        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
-        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
-        own_product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
-        own_d_axial_times_y__plus_off_over_x_[k] = (with_constant(k, own_d_axial_times_y_[k]
-            + own_axial_times_y__2[k] - own_product_4[k], d->off)
-            - product_so_far(own_d_axial_times_y__plus_off_over_x_, s->x_, k)) / s->x_[0];
-        own_product_7[k] = product(own_d_axial_times_y__plus_off_over_x_, s->square, k);
-        own_product_8[k] = product(s->axial_times_y__plus_off_over_x_, own_d_square, k);
-        own_d_product_3[k] = own_product_7[k] + own_product_8[k];
-        own_product_3_times_d_product_3[k] = product(s->product_3, own_d_product_3, k);
-        dg[k] = 2.0 * own_product_3_times_d_product_3[k];
-    }
-}
-
-/* passes_end: The foot is above the next segment. */
-static void guard_graze_retract_passes_end(const real *constants, const real *series, int order, real *g) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, -(c->cosine * s->foot_x[k]), c->segment_end);
-    }
-}
-
-/* passes_begin: The foot is above the segment before. */
-static void guard_graze_retract_passes_begin(const real *constants, const real *series, int order, real *g) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->cosine * s->foot_x[k], -c->segment_begin);
-    }
-}
-
-/* ramp_ends: A ramp of the friction coefficient ends at 0. */
-static void guard_graze_retract_ramp_ends(const real *constants, const real *series, int order, real *g) {
-    const graze_retract_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = s->friction[k];
-    }
-}
-
-/* falls: The body reaches the ground. */
-static void guard_graze_retract_falls(const real *constants, const real *series, int order, real *g) {
-    const graze_retract_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = s->y_[k];
-    }
-}
-
-/* collapses: The leg is shorter than leg.min_length. */
-static void guard_graze_retract_collapses(const real *constants, const real *series, int order, real *g) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, s->length[k], -c->least_length);
-    }
-}
-
-/* apex_in_graze: Place begins. No stride closes, because the foot is on the ground. */
-static void guard_graze_retract_apex_in_graze(const real *constants, const real *series, int order, real *g) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = c->sine * s->foot_vx[k] + c->sine * c->share * s->vx[k] + c->cosine * c->share * s->vy[k];
-    }
-}
-
-/* clamp: The clamp of (12) holds the retracting torque at 0. */
-static void guard_graze_retract_clamp(const real *constants, const real *series, int order, real *g) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, -(c->kp * s->seen_angle[k]) - c->kd * s->angle_rate[k],
-            -(c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle)));
-    }
-}
-
-/* mid_stance: Drive ends where the leg is upright, once per stance. */
-static void guard_graze_retract_mid_stance(const real *constants, const real *series, int order, real *g) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, s->seen_angle[k], c->winding);
-    }
-}
-
-/* graze_to_contact: The stance law presses the foot on the ground again. */
-static void guard_graze_retract_graze_to_contact(const real *constants, const real *series, int order,
-    real *g) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    real own_turning[TERMS], own_turning_times_x_[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_turning[k] = (with_constant(k, s->external_torque[k], -c->product_2) - product_so_far(own_turning,
-            s->square, k)) / s->square[0];
-        own_turning_times_x_[k] = product(own_turning, s->x_, k);
-        g[k] = with_constant(k, -s->axial_times_y_[k] - own_turning_times_x_[k], -c->off);
-    }
-}
-
-/* graze_to_flight: The flight law lifts the foot. */
-static void guard_graze_retract_graze_to_flight(const real *constants, const real *series, int order,
-    real *g) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    real own_swing_torque_over_square[TERMS], own_swing_torque_over_square_times_x_[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_swing_torque_over_square[k] = (with_constant(k, s->external_torque[k] - c->kp * s->seen_angle[k]
-            - c->kd * s->angle_rate[k], -(c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle)))
-            - product_so_far(own_swing_torque_over_square, s->square, k)) / s->square[0];
-        own_swing_torque_over_square_times_x_[k] = product(own_swing_torque_over_square, s->x_, k);
-        g[k] = with_constant(k, s->axial_times_y_[k] + own_swing_torque_over_square_times_x_[k], c->off);
-    }
-}
-
-/* power_of_hip: Power of the total hip torque. */
-static void guard_graze_retract_power_of_hip(const real *constants, const real *series, int order, real *g) {
-    const graze_retract_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->work[k + 1];
-    }
-}
-
-/* square_of_torque: Square of the total hip torque. */
-static void guard_graze_retract_square_of_torque(const real *constants, const real *series, int order,
-    real *g) {
-    const graze_retract_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = product(s->product_3, s->product_3, k);
-    }
-}
-
-/* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_graze_retract(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
-    const graze_retract_constants *c = (const void *)constants;
-    const graze_retract_series *s = (const void *)series;
-    const interval span_0 = interval_of_series(s->y_, power, 4);
-    bounds[3] = span_0;
-    const interval span_1 = interval_of_series(s->length, power, order);
-    const interval span_2 = interval_at(c->least_length, c->least_length);
-    const interval span_3 = interval_difference(span_1, span_2);
-    bounds[4] = span_3;
-    const interval span_4 = interval_at(c->sine, c->sine);
-    const interval span_5 = interval_of_series(s->foot_vx, power, order);
-    const interval span_6 = interval_at(c->share, c->share);
-    const interval span_7 = interval_of_series(s->vx, power, order);
-    const interval span_8 = interval_product(span_6, span_7);
-    const interval span_9 = interval_sum(span_5, span_8);
-    const interval span_10 = interval_product(span_4, span_9);
-    const interval span_11 = interval_at(c->cosine, c->cosine);
-    const interval span_12 = interval_of_series(s->vy, power, 3);
-    const interval span_13 = interval_product(span_6, span_12);
-    const interval span_14 = interval_product(span_11, span_13);
-    const interval span_15 = interval_sum(span_10, span_14);
-    bounds[5] = span_15;
-    bounds[8] = unbounded();
-    bounds[9] = unbounded();
-    if (watched >> 0 & 1) {
-        const interval span_16 = interval_at(c->segment_end, c->segment_end);
-        const interval span_17 = interval_of_series(s->foot_x, power, order);
-        const interval span_18 = interval_product(span_11, span_17);
-        const interval span_19 = interval_difference(span_16, span_18);
-        bounds[0] = span_19;
-    }
-    if (watched >> 1 & 1) {
-        const interval span_16 = interval_of_series(s->foot_x, power, order);
-        const interval span_17 = interval_product(span_11, span_16);
-        const interval span_18 = interval_at(c->segment_begin, c->segment_begin);
-        const interval span_19 = interval_difference(span_17, span_18);
-        bounds[1] = span_19;
-    }
-    if (watched >> 2 & 1) {
-        const interval span_16 = interval_of_series(s->friction, power, 2);
-        bounds[2] = span_16;
-    }
-    if (watched >> 6 & 1) {
-        const interval span_16 = interval_at(c->kp, c->kp);
-        const interval span_17 = interval_of_series(s->seen_angle, power, order);
-        const interval span_18 = interval_at(c->winding, c->winding);
-        const interval span_19 = interval_sum(span_17, span_18);
-        const interval span_20 = interval_at(c->liftoff_factor_times_liftoff_angle,
-            c->liftoff_factor_times_liftoff_angle);
-        const interval span_21 = interval_difference(span_19, span_20);
-        const interval span_22 = interval_product(span_16, span_21);
-        const interval span_23 = interval_at(-span_22.high, -span_22.low);
-        const interval span_24 = interval_at(c->kd, c->kd);
-        const interval span_25 = interval_of_series(s->angle_rate, power, order);
-        const interval span_26 = interval_product(span_24, span_25);
-        const interval span_27 = interval_difference(span_23, span_26);
-        bounds[6] = span_27;
-    }
-    if (watched >> 7 & 1) {
-        const interval span_16 = interval_of_series(s->seen_angle, power, order);
-        const interval span_17 = interval_at(c->winding, c->winding);
-        const interval span_18 = interval_sum(span_16, span_17);
-        bounds[7] = span_18;
-    }
-    if (watched >> 11 & 1) {
-        const interval span_16 = interval_of_series(s->product_3, power, order);
-        const interval span_17 = interval_product(span_16, span_16);
-        bounds[11] = span_17;
+        bounds[12] = span_5;
     }
 }
 
@@ -5151,7 +3189,7 @@ static void bounds_slip_falling(const real *constants, const real *series, const
     }
 }
 
-/* ---- flight_place_pushed */
+/* ---- flight_pushed */
 
 /* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
 typedef struct {
@@ -5165,20 +3203,19 @@ typedef struct {
         length_times_sum[TERMS], external_fx_times_com_vx[TERMS], external_fy_times_com_vy[TERMS],
         length_rate_times_axial[TERMS], rate_times_length_times_sum[TERMS],
         length_rate_times_length_rate[TERMS], power_of_hip[TERMS];
-} flight_place_pushed_series;
+} flight_pushed_series;
 
 typedef struct {
     pair square, rate, rate_times_rate, length_times_rate_times_rate, length_times_sum,
         length_rate_times_axial, rate_times_length_times_sum, length_rate_times_length_rate, power_of_hip;
-} flight_place_pushed_sums;
+} flight_pushed_sums;
 
 typedef struct {
     real inverse_square;
-} flight_place_pushed_factors;
+} flight_pushed_factors;
 
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_flight_place_pushed_sums(const flight_place_pushed_series *s, int i, int j,
-    flight_place_pushed_sums *sum) {
+KERNEL void add_flight_pushed_sums(const flight_pushed_series *s, int i, int j, flight_pushed_sums *sum) {
     add_products(&sum->square, s->length + i - 1, s->length[j]);
     add_both_products(&sum->rate, s->rate, s->square, i, j);
     add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
@@ -5191,8 +3228,7 @@ KERNEL void add_flight_place_pushed_sums(const flight_place_pushed_series *s, in
 }
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_flight_place_pushed_sums(const flight_place_pushed_series *s, int i,
-    flight_place_pushed_sums *sum) {
+KERNEL void begin_flight_pushed_sums(const flight_pushed_series *s, int i, flight_pushed_sums *sum) {
     sum->square = middle_of_square(s->length, i);
     sum->rate = middle_of_product(s->rate, s->square, i);
     sum->rate_times_rate = middle_of_square(s->rate, i);
@@ -5205,9 +3241,8 @@ KERNEL void begin_flight_place_pushed_sums(const flight_place_pushed_series *s, 
 }
 
 /* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_flight_place_pushed(const flight_place_pushed_constants *c,
-    const flight_place_pushed_factors *by, int k, const flight_place_pushed_sums *sum, int odd,
-    flight_place_pushed_series *s) {
+KERNEL void step_flight_pushed(const flight_pushed_constants *c, const flight_pushed_factors *by, int k,
+    const flight_pushed_sums *sum, int odd, flight_pushed_series *s) {
     s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
     s->com_x[k + 1] = s->com_vx[k] * series_reciprocal[k + 1];
     s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
@@ -5228,11 +3263,11 @@ KERNEL void step_flight_place_pushed(const flight_place_pushed_constants *c,
     s->external_fx_times_sine[k] = drift_times(k, s->external_fx[0], s->external_fx[1], s->sine);
     /* axial = external_fy_times_cosine - external_fx_times_sine */
     s->axial[k] = s->external_fy_times_cosine[k] - s->external_fx_times_sine[k];
-    /* swing_torque = external_torque + (-(c->kp * (angle - (c->touchdown_angle_plus_more_angle -
-     * c->retraction_rate * placing))) - c->kd * (rate + c->retraction_rate)) */
-    s->swing_torque[k] = with_constant(k, s->external_torque[k] - c->kp * s->angle[k]
-        - c->kp * c->retraction_rate * s->placing[k] - c->kd * s->rate[k],
-        c->kp * c->touchdown_angle_plus_more_angle - c->kd * c->retraction_rate);
+    /* swing_torque = external_torque + (-(c->share_times_kp * (angle - (c->first - c->turn * placing))) -
+     * c->share_times_kd * (rate + c->turn)) */
+    s->swing_torque[k] = with_constant(k, s->external_torque[k] - c->share_times_kp * s->angle[k]
+        - c->share_times_kp * c->turn * s->placing[k] - c->share_times_kd * s->rate[k],
+        c->share_times_kp * c->first - c->share_times_kd * c->turn);
     /* external_fx_times_cosine = external_fx * cosine */
     s->external_fx_times_cosine[k] = drift_times(k, s->external_fx[0], s->external_fx[1], s->cosine);
     /* external_fy_times_sine = external_fy * sine */
@@ -5271,49 +3306,50 @@ KERNEL void step_flight_place_pushed(const flight_place_pushed_constants *c,
         - c->stiffness_times_extension_rate * s->length[k],
         c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
     s->external_work[k + 1] = series_reciprocal[k + 1] * (s->external_fx_times_com_vx[k]
-        + s->external_fy_times_com_vy[k] + c->by_1_minus_share * s->length_rate_times_axial[k]
-        - c->by_1_minus_share * s->rate_times_length_times_sum[k]);
+        + s->external_fy_times_com_vy[k]
+        + c->by_1_minus_body_mass_over_total_mass * s->length_rate_times_axial[k]
+        - c->by_1_minus_body_mass_over_total_mass * s->rate_times_length_times_sum[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
 }
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_place_pushed(const real *constants, int order, real *series) {
-    const flight_place_pushed_constants copy = *(const flight_place_pushed_constants *)(const void
-        *)constants, *c = &copy;
-    flight_place_pushed_series *s = (void *)series;
-    static const flight_place_pushed_sums none;
-    flight_place_pushed_sums sum = none;
+static void expand_flight_pushed(const real *constants, int order, real *series) {
+    const flight_pushed_constants copy = *(const flight_pushed_constants *)(const void *)constants,
+        *c = &copy;
+    flight_pushed_series *s = (void *)series;
+    static const flight_pushed_sums none;
+    flight_pushed_sums sum = none;
     s->extension[1] = c->extension_rate;
     s->external_fx[1] = c->external_fx_rate;
     s->external_fy[1] = c->external_fy_rate;
     s->friction[1] = c->friction_rate;
     s->external_torque[1] = c->external_torque_rate;
     s->time[1] = broadcast(1.0);
-    s->placing[1] = broadcast(1.0);
+    s->placing[1] = c->is_placing;
     s->square[0] = s->length[0] * s->length[0];
-    const flight_place_pushed_factors factors = {1.0 / s->square[0]}, *by = &factors;
-    step_flight_place_pushed(c, by, 0, &sum, 0, s);
-    begin_flight_place_pushed_sums(s, 0, &sum);
-    step_flight_place_pushed(c, by, 1, &sum, 1, s);
+    const flight_pushed_factors factors = {1.0 / s->square[0]}, *by = &factors;
+    step_flight_pushed(c, by, 0, &sum, 0, s);
+    begin_flight_pushed_sums(s, 0, &sum);
+    step_flight_pushed(c, by, 1, &sum, 1, s);
     for (int k = 2; k < order; k += 2) {
-        begin_flight_place_pushed_sums(s, k / 2, &sum);
+        begin_flight_pushed_sums(s, k / 2, &sum);
         for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_flight_place_pushed_sums(s, i, j, &sum);
+            add_flight_pushed_sums(s, i, j, &sum);
         }
-        step_flight_place_pushed(c, by, k, &sum, 0, s);
-        add_flight_place_pushed_sums(s, 1, k, &sum);
-        step_flight_place_pushed(c, by, k + 1, &sum, 1, s);
+        step_flight_pushed(c, by, k, &sum, 0, s);
+        add_flight_pushed_sums(s, 1, k, &sum);
+        step_flight_pushed(c, by, k + 1, &sum, 1, s);
     }
 }
 
 /* First variation of the series. */
-static void vary_flight_place_pushed(const real *constants, const real *series, const real *d_constants,
-    int order, real *varied) {
-    const flight_place_pushed_constants *c = (const void *)constants;
-    const flight_place_pushed_series *s = (const void *)series;
-    const flight_place_pushed_constants *d = (const void *)d_constants;
-    flight_place_pushed_series *t = (void *)varied;
+static void vary_flight_pushed(const real *constants, const real *series, const real *d_constants, int order,
+    real *varied) {
+    const flight_pushed_constants *c = (const void *)constants;
+    const flight_pushed_series *s = (const void *)series;
+    const flight_pushed_constants *d = (const void *)d_constants;
+    flight_pushed_series *t = (void *)varied;
     real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
         length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
         length_times_d_rate_times_rate[TERMS], external_fy_times_cosine_2[TERMS], sine_times_angle[TERMS],
@@ -5349,12 +3385,12 @@ static void vary_flight_place_pushed(const real *constants, const real *series, 
         external_fx_times_d_sine[k] = drift_times(k, s->external_fx[0], s->external_fx[1], d_sine);
         d_axial[k] = external_fy_times_cosine_2[k] - external_fy_times_sine_times_angle[k]
             - external_fx_times_sine_2[k] - external_fx_times_d_sine[k];
-        d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->kp * s->angle[k]
-            - (d->kp * c->retraction_rate + c->kp * d->retraction_rate) * s->placing[k]
-            - c->kp * t->angle[k] - c->kp * c->retraction_rate * t->placing[k] - d->kd * s->rate[k]
-            - c->kd * d_rate[k], -(-(d->kp * c->touchdown_angle_plus_more_angle)
-            - c->kp * d->touchdown_angle_plus_more_angle) - (d->kd * c->retraction_rate
-            + c->kd * d->retraction_rate));
+        d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->share_times_kp * s->angle[k]
+            - (d->share_times_kp * c->turn + c->share_times_kp * d->turn) * s->placing[k]
+            - c->share_times_kp * t->angle[k] - c->share_times_kp * c->turn * t->placing[k]
+            - d->share_times_kd * s->rate[k] - c->share_times_kd * d_rate[k],
+            -(-(d->share_times_kp * c->first) - c->share_times_kp * d->first) - (d->share_times_kd * c->turn
+            + c->share_times_kd * d->turn));
         length_times_sum_2[k] = product(t->length, s->sum_2, k);
         external_fx_times_cosine_2[k] = product(t->external_fx, s->cosine, k);
         external_fx_times_sine_times_angle[k] = drift_times(k, s->external_fx[0], s->external_fx[1],
@@ -5405,12 +3441,12 @@ static void vary_flight_place_pushed(const real *constants, const real *series, 
             + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
         t->external_work[k + 1] = series_reciprocal[k + 1] * (external_fx_times_com_vx_2[k]
             + external_fx_times_com_vx_3[k] + external_fy_times_com_vy_2[k] + external_fy_times_com_vy_3[k]
-            + d->by_1_minus_share * s->length_rate_times_axial[k]
-            - d->by_1_minus_share * s->rate_times_length_times_sum[k]
-            + c->by_1_minus_share * length_rate_times_axial_2[k]
-            + c->by_1_minus_share * length_rate_times_d_axial[k]
-            - c->by_1_minus_share * d_rate_times_length_times_sum[k]
-            - c->by_1_minus_share * rate_times_d_length_times_sum[k]);
+            + d->by_1_minus_body_mass_over_total_mass * s->length_rate_times_axial[k]
+            - d->by_1_minus_body_mass_over_total_mass * s->rate_times_length_times_sum[k]
+            + c->by_1_minus_body_mass_over_total_mass * length_rate_times_axial_2[k]
+            + c->by_1_minus_body_mass_over_total_mass * length_rate_times_d_axial[k]
+            - c->by_1_minus_body_mass_over_total_mass * d_rate_times_length_times_sum[k]
+            - c->by_1_minus_body_mass_over_total_mass * rate_times_d_length_times_sum[k]);
         t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
             + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
         t->work[k + 1] = series_reciprocal[k + 1] * (d_swing_torque_times_rate[k]
@@ -5421,14 +3457,14 @@ static void vary_flight_place_pushed(const real *constants, const real *series, 
         t->friction[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->friction_rate));
         t->external_torque[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_torque_rate));
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
-        t->placing[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
+        t->placing[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->is_placing));
     }
 }
 
 /* First variation of power_of_hip. */
-static void d_observed_flight_place_pushed_power_of_hip(const real *constants, const real *series,
+static void d_observed_flight_pushed_power_of_hip(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_place_pushed_series *t = (const void *)d_series;
+    const flight_pushed_series *t = (const void *)d_series;
     (void)constants, (void)series, (void)d_constants;
     for (int k = 0; k < order; ++k) {
         dg[k] = (double)(k + 1) * t->work[k + 1];
@@ -5436,27 +3472,29 @@ static void d_observed_flight_place_pushed_power_of_hip(const real *constants, c
 }
 
 /* First variation of height_of_foot. */
-static void d_observed_flight_place_pushed_height_of_foot(const real *constants, const real *series,
+static void d_observed_flight_pushed_height_of_foot(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_place_pushed_constants *c = (const void *)constants;
-    const flight_place_pushed_series *s = (const void *)series;
-    const flight_place_pushed_constants *d = (const void *)d_constants;
-    const flight_place_pushed_series *t = (const void *)d_series;
+    const flight_pushed_constants *c = (const void *)constants;
+    const flight_pushed_series *s = (const void *)series;
+    const flight_pushed_constants *d = (const void *)d_constants;
+    const flight_pushed_series *t = (const void *)d_series;
     real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS],
         own_sum_times_cos_of_angle_minus_slope[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_product_3[TERMS], own_share_times_length_times_product_3[TERMS], own_angle_minus_slope[TERMS],
-        own_share_times_length[TERMS], own_sum_3[TERMS], own_angle_minus_slope_2[TERMS];
+        own_product_3[TERMS], own_product_4[TERMS], own_angle_minus_slope[TERMS],
+        own_body_mass_over_total_mass_times_length[TERMS], own_sum_3[TERMS], own_angle_minus_slope_2[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
+        own_body_mass_over_total_mass_times_length[k] = c->body_mass_over_total_mass * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
             own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        own_sum_3[k] = d->share * s->length[k] + c->share * t->length[k];
+        own_product_2[k] = product(own_body_mass_over_total_mass_times_length, own_cos_of_angle_minus_slope,
+            k);
+        own_sum_3[k] = d->body_mass_over_total_mass * s->length[k]
+            + c->body_mass_over_total_mass * t->length[k];
         own_sum_times_cos_of_angle_minus_slope[k] = product(own_sum_3, own_cos_of_angle_minus_slope, k);
         own_angle_minus_slope_2[k] = with_constant(k, t->angle[k], -d->slope);
         own_product_3[k] = product(own_sin_of_angle_minus_slope, own_angle_minus_slope_2, k);
-        own_share_times_length_times_product_3[k] = product(own_share_times_length, own_product_3, k);
+        own_product_4[k] = product(own_body_mass_over_total_mass_times_length, own_product_3, k);
         dg[k] = with_constant(k, (d->inverse_cos_of_slope * c->cos_of_slope
             + c->inverse_cos_of_slope * d->cos_of_slope) * s->com_y[k]
             + (-(d->inverse_cos_of_slope * c->sin_of_slope)
@@ -5465,19 +3503,19 @@ static void d_observed_flight_place_pushed_height_of_foot(const real *constants,
             + c->inverse_cos_of_slope * c->cos_of_slope * t->com_y[k]
             - c->inverse_cos_of_slope * c->sin_of_slope * t->com_x[k]
             - c->inverse_cos_of_slope * own_sum_times_cos_of_angle_minus_slope[k]
-            + c->inverse_cos_of_slope * own_share_times_length_times_product_3[k],
+            + c->inverse_cos_of_slope * own_product_4[k],
             c->inverse_cos_of_slope * (-(d->cos_of_slope * c->height) - c->cos_of_slope * d->height)
             - d->inverse_cos_of_slope * (c->cos_of_slope * c->height));
     }
 }
 
 /* First variation of square_of_torque. */
-static void d_observed_flight_place_pushed_square_of_torque(const real *constants, const real *series,
+static void d_observed_flight_pushed_square_of_torque(const real *constants, const real *series,
     const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_place_pushed_constants *c = (const void *)constants;
-    const flight_place_pushed_series *s = (const void *)series;
-    const flight_place_pushed_constants *d = (const void *)d_constants;
-    const flight_place_pushed_series *t = (const void *)d_series;
+    const flight_pushed_constants *c = (const void *)constants;
+    const flight_pushed_series *s = (const void *)series;
+    const flight_pushed_constants *d = (const void *)d_constants;
+    const flight_pushed_series *t = (const void *)d_series;
     real own_length_times_length[TERMS], own_rate_times_d_square[TERMS], own_d_rate[TERMS],
         own_swing_torque_times_d_swing_torque[TERMS], own_d_square[TERMS], own_d_swing_torque[TERMS];
     for (int k = 0; k < order; ++k) {
@@ -5486,43 +3524,43 @@ static void d_observed_flight_place_pushed_square_of_torque(const real *constant
         own_rate_times_d_square[k] = product(s->rate, own_d_square, k);
         own_d_rate[k] = (t->momentum[k] - own_rate_times_d_square[k] - product_so_far(own_d_rate, s->square,
             k)) / s->square[0];
-        own_d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->kp * s->angle[k]
-            - (d->kp * c->retraction_rate + c->kp * d->retraction_rate) * s->placing[k]
-            - c->kp * t->angle[k] - c->kp * c->retraction_rate * t->placing[k] - d->kd * s->rate[k]
-            - c->kd * own_d_rate[k], -(-(d->kp * c->touchdown_angle_plus_more_angle)
-            - c->kp * d->touchdown_angle_plus_more_angle) - (d->kd * c->retraction_rate
-            + c->kd * d->retraction_rate));
+        own_d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->share_times_kp * s->angle[k]
+            - (d->share_times_kp * c->turn + c->share_times_kp * d->turn) * s->placing[k]
+            - c->share_times_kp * t->angle[k] - c->share_times_kp * c->turn * t->placing[k]
+            - d->share_times_kd * s->rate[k] - c->share_times_kd * own_d_rate[k],
+            -(-(d->share_times_kp * c->first) - c->share_times_kp * d->first) - (d->share_times_kd * c->turn
+            + c->share_times_kd * d->turn));
         own_swing_torque_times_d_swing_torque[k] = product(s->swing_torque, own_d_swing_torque, k);
         dg[k] = 2.0 * own_swing_torque_times_d_swing_torque[k];
     }
 }
 
 /* passes_end: The foot is above the next segment. */
-static void guard_flight_place_pushed_passes_end(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_place_pushed_constants *c = (const void *)constants;
-    const flight_place_pushed_series *s = (const void *)series;
+static void guard_flight_pushed_passes_end(const real *constants, const real *series, int order, real *g) {
+    const flight_pushed_constants *c = (const void *)constants;
+    const flight_pushed_series *s = (const void *)series;
     real own_length_times_sine[TERMS];
     for (int k = 0; k < order; ++k) {
         own_length_times_sine[k] = product(s->length, s->sine, k);
-        g[k] = with_constant(k, -s->com_x[k] - c->share * own_length_times_sine[k], c->segment_end);
+        g[k] = with_constant(k, -s->com_x[k] - c->body_mass_over_total_mass * own_length_times_sine[k],
+            c->segment_end);
     }
 }
 
 /* passes_begin: The foot is above the segment before. */
-static void guard_flight_place_pushed_passes_begin(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_place_pushed_constants *c = (const void *)constants;
-    const flight_place_pushed_series *s = (const void *)series;
+static void guard_flight_pushed_passes_begin(const real *constants, const real *series, int order, real *g) {
+    const flight_pushed_constants *c = (const void *)constants;
+    const flight_pushed_series *s = (const void *)series;
     real own_length_times_sine[TERMS];
     for (int k = 0; k < order; ++k) {
         own_length_times_sine[k] = product(s->length, s->sine, k);
-        g[k] = with_constant(k, s->com_x[k] + c->share * own_length_times_sine[k], -c->segment_begin);
+        g[k] = with_constant(k, s->com_x[k] + c->body_mass_over_total_mass * own_length_times_sine[k],
+            -c->segment_begin);
     }
 }
 
 /* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
-static void guard_flight_place_pushed_next_segment_comes(const real *constants, const real *series, int order,
+static void guard_flight_pushed_next_segment_comes(const real *constants, const real *series, int order,
     real *g) {
     (void)constants, (void)series;
     for (int k = 0; k < order; ++k) {
@@ -5531,9 +3569,8 @@ static void guard_flight_place_pushed_next_segment_comes(const real *constants, 
 }
 
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
-static void guard_flight_place_pushed_ramp_ends(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_place_pushed_series *s = (const void *)series;
+static void guard_flight_pushed_ramp_ends(const real *constants, const real *series, int order, real *g) {
+    const flight_pushed_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = s->friction[k];
@@ -5541,54 +3578,54 @@ static void guard_flight_place_pushed_ramp_ends(const real *constants, const rea
 }
 
 /* new_ground: The foot is above the pending ground line, which comes into force. */
-static void guard_flight_place_pushed_new_ground(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_place_pushed_constants *c = (const void *)constants;
-    const flight_place_pushed_series *s = (const void *)series;
+static void guard_flight_pushed_new_ground(const real *constants, const real *series, int order, real *g) {
+    const flight_pushed_constants *c = (const void *)constants;
+    const flight_pushed_series *s = (const void *)series;
     real own_cos_of_angle_minus_set_slope[TERMS], own_product_2[TERMS],
         own_sin_of_angle_minus_set_slope[TERMS], own_angle_minus_set_slope[TERMS],
-        own_share_times_length[TERMS];
+        own_body_mass_over_total_mass_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
+        own_body_mass_over_total_mass_times_length[k] = c->body_mass_over_total_mass * s->length[k];
         own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
         sine_and_cosine_of(k, own_angle_minus_set_slope, own_sin_of_angle_minus_set_slope,
             own_cos_of_angle_minus_set_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_set_slope, k);
+        own_product_2[k] = product(own_body_mass_over_total_mass_times_length,
+            own_cos_of_angle_minus_set_slope, k);
         g[k] = with_constant(k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k]
             + own_product_2[k], c->cos_of_set_slope * c->set_height);
     }
 }
 
 /* falls: The body reaches the ground. */
-static void guard_flight_place_pushed_falls(const real *constants, const real *series, int order, real *g) {
-    const flight_place_pushed_constants *c = (const void *)constants;
-    const flight_place_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_by_1_minus_share_times_length[TERMS];
+static void guard_flight_pushed_falls(const real *constants, const real *series, int order, real *g) {
+    const flight_pushed_constants *c = (const void *)constants;
+    const flight_pushed_series *s = (const void *)series;
+    real own_cos_of_angle_minus_slope[TERMS], own_product_times_cos_of_angle_minus_slope[TERMS],
+        own_sin_of_angle_minus_slope[TERMS], own_angle_minus_slope[TERMS], own_product_2[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
+        own_product_2[k] = c->by_1_minus_body_mass_over_total_mass * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
             own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_by_1_minus_share_times_length, own_cos_of_angle_minus_slope, k);
+        own_product_times_cos_of_angle_minus_slope[k] = product(own_product_2, own_cos_of_angle_minus_slope,
+            k);
         g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
-            + own_product_2[k], -(c->cos_of_slope * c->height));
+            + own_product_times_cos_of_angle_minus_slope[k], -(c->cos_of_slope * c->height));
     }
 }
 
 /* collapses: The leg is shorter than leg.min_length. */
-static void guard_flight_place_pushed_collapses(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_place_pushed_constants *c = (const void *)constants;
-    const flight_place_pushed_series *s = (const void *)series;
+static void guard_flight_pushed_collapses(const real *constants, const real *series, int order, real *g) {
+    const flight_pushed_constants *c = (const void *)constants;
+    const flight_pushed_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, s->length[k], -c->least_length);
     }
 }
 
 /* apex: A stride closes and place begins. An external force can cause further apices in place. */
-static void guard_flight_place_pushed_apex(const real *constants, const real *series, int order, real *g) {
-    const flight_place_pushed_series *s = (const void *)series;
+static void guard_flight_pushed_apex(const real *constants, const real *series, int order, real *g) {
+    const flight_pushed_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = (double)(k + 1) * s->com_y[k + 1];
@@ -5596,585 +3633,37 @@ static void guard_flight_place_pushed_apex(const real *constants, const real *se
 }
 
 /* touchdown: The foot reaches the ground. */
-static void guard_flight_place_pushed_touchdown(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_place_pushed_constants *c = (const void *)constants;
-    const flight_place_pushed_series *s = (const void *)series;
+static void guard_flight_pushed_touchdown(const real *constants, const real *series, int order, real *g) {
+    const flight_pushed_constants *c = (const void *)constants;
+    const flight_pushed_series *s = (const void *)series;
     real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
+        own_angle_minus_slope[TERMS], own_body_mass_over_total_mass_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
+        own_body_mass_over_total_mass_times_length[k] = c->body_mass_over_total_mass * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
             own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
+        own_product_2[k] = product(own_body_mass_over_total_mass_times_length, own_cos_of_angle_minus_slope,
+            k);
         g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
             - own_product_2[k], -(c->cos_of_slope * c->height));
     }
 }
 
-/* power_of_hip: Power of the total hip torque. */
-static void guard_flight_place_pushed_power_of_hip(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_place_pushed_series *s = (const void *)series;
-    (void)constants;
+/* clamp: The clamp of (12) holds the retracting torque at 0. */
+static void guard_flight_pushed_clamp(const real *constants, const real *series, int order, real *g) {
+    const flight_pushed_constants *c = (const void *)constants;
+    const flight_pushed_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->work[k + 1];
-    }
-}
-
-/* height_of_foot: Height of the foot above the ground vertically below. */
-static void guard_flight_place_pushed_height_of_foot(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_place_pushed_constants *c = (const void *)constants;
-    const flight_place_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
-        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-            own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] = with_constant(k, c->inverse_cos_of_slope * c->cos_of_slope * s->com_y[k]
-            - c->inverse_cos_of_slope * c->sin_of_slope * s->com_x[k]
-            - c->inverse_cos_of_slope * own_product_2[k],
-            -(c->inverse_cos_of_slope * (c->cos_of_slope * c->height)));
-    }
-}
-
-/* square_of_torque: Square of the total hip torque. */
-static void guard_flight_place_pushed_square_of_torque(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_place_pushed_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = product(s->swing_torque, s->swing_torque, k);
-    }
-}
-
-/* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_place_pushed(const real *constants, const real *series, const real *power,
-    int order, uint64_t watched, interval *bounds) {
-    const flight_place_pushed_constants *c = (const void *)constants;
-    const flight_place_pushed_series *s = (const void *)series;
-    const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
-    const interval span_1 = interval_of_series(s->com_y, power, 4);
-    const interval span_2 = interval_at(c->height, c->height);
-    const interval span_3 = interval_difference(span_1, span_2);
-    const interval span_4 = interval_product(span_0, span_3);
-    const interval span_5 = interval_at(c->sin_of_slope, c->sin_of_slope);
-    const interval span_6 = interval_of_series(s->com_x, power, 4);
-    const interval span_7 = interval_product(span_5, span_6);
-    const interval span_8 = interval_difference(span_4, span_7);
-    const interval span_9 = interval_at(c->by_1_minus_share, c->by_1_minus_share);
-    const interval span_10 = interval_of_series(s->length, power, order);
-    const interval span_11 = interval_product(span_9, span_10);
-    const interval span_12 = interval_at(broadcast(-1.0), broadcast(1.0));
-    const interval span_13 = interval_product(span_11, span_12);
-    const interval span_14 = interval_sum(span_8, span_13);
-    bounds[5] = span_14;
-    const interval span_15 = interval_at(c->least_length, c->least_length);
-    const interval span_16 = interval_difference(span_10, span_15);
-    bounds[6] = span_16;
-    const interval span_17 = interval_of_rate(s->com_y, power, 3);
-    bounds[7] = span_17;
-    const interval span_18 = interval_at(c->share, c->share);
-    const interval span_19 = interval_product(span_18, span_10);
-    const interval span_20 = interval_product(span_19, span_12);
-    const interval span_21 = interval_difference(span_8, span_20);
-    bounds[8] = span_21;
-    if (watched >> 0 & 1) {
-        const interval span_22 = interval_at(c->segment_end, c->segment_end);
-        const interval span_23 = interval_of_series(s->sine, power, order);
-        const interval span_24 = interval_product(span_10, span_23);
-        const interval span_25 = interval_product(span_18, span_24);
-        const interval span_26 = interval_sum(span_6, span_25);
-        const interval span_27 = interval_difference(span_22, span_26);
-        bounds[0] = span_27;
-    }
-    if (watched >> 1 & 1) {
-        const interval span_22 = interval_of_series(s->sine, power, order);
-        const interval span_23 = interval_product(span_10, span_22);
-        const interval span_24 = interval_product(span_18, span_23);
-        const interval span_25 = interval_sum(span_6, span_24);
-        const interval span_26 = interval_at(c->segment_begin, c->segment_begin);
-        const interval span_27 = interval_difference(span_25, span_26);
-        bounds[1] = span_27;
-    }
-    if (watched >> 2 & 1) {
-        const interval span_22 = interval_at(broadcast(-1.0), broadcast(-1.0));
-        bounds[2] = span_22;
-    }
-    if (watched >> 3 & 1) {
-        const interval span_22 = interval_of_series(s->friction, power, 2);
-        bounds[3] = span_22;
-    }
-    if (watched >> 4 & 1) {
-        const interval span_22 = interval_at(c->cos_of_set_slope, c->cos_of_set_slope);
-        const interval span_23 = interval_at(c->set_height, c->set_height);
-        const interval span_24 = interval_difference(span_1, span_23);
-        const interval span_25 = interval_product(span_22, span_24);
-        const interval span_26 = interval_at(c->sin_of_set_slope, c->sin_of_set_slope);
-        const interval span_27 = interval_product(span_26, span_6);
-        const interval span_28 = interval_difference(span_25, span_27);
-        const interval span_29 = interval_at(broadcast(-1.0), broadcast(1.0));
-        const interval span_30 = interval_product(span_19, span_29);
-        const interval span_31 = interval_difference(span_28, span_30);
-        const interval span_32 = interval_at(-span_31.high, -span_31.low);
-        bounds[4] = span_32;
-    }
-    if (watched >> 10 & 1) {
-        const interval span_22 = interval_at(c->inverse_cos_of_slope, c->inverse_cos_of_slope);
-        const interval span_23 = interval_product(span_22, span_21);
-        bounds[10] = span_23;
-    }
-    if (watched >> 11 & 1) {
-        const interval span_22 = interval_of_series(s->swing_torque, power, order);
-        const interval span_23 = interval_product(span_22, span_22);
-        bounds[11] = span_23;
-    }
-}
-
-/* ---- flight_rest_pushed */
-
-/* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
-typedef struct {
-    real length[TERMS], angle[TERMS], length_rate[TERMS], com_x[TERMS], com_y[TERMS], com_vx[TERMS],
-        com_vy[TERMS], momentum[TERMS], leg_work[TERMS], external_work[TERMS], damper_loss[TERMS],
-        work[TERMS], extension[TERMS], external_fx[TERMS], external_fy[TERMS], friction[TERMS],
-        external_torque[TERMS], time[TERMS], square[TERMS], rate[TERMS], rate_times_rate[TERMS],
-        length_times_rate_times_rate[TERMS], cosine[TERMS], external_fy_times_cosine[TERMS], sine[TERMS],
-        external_fx_times_sine[TERMS], axial[TERMS], external_fx_times_cosine[TERMS],
-        external_fy_times_sine[TERMS], sum_2[TERMS], length_times_sum[TERMS], external_fx_times_com_vx[TERMS],
-        external_fy_times_com_vy[TERMS], length_rate_times_axial[TERMS], rate_times_length_times_sum[TERMS],
-        length_rate_times_length_rate[TERMS], power_of_hip[TERMS];
-} flight_rest_pushed_series;
-
-typedef struct {
-    pair square, rate, rate_times_rate, length_times_rate_times_rate, length_times_sum,
-        length_rate_times_axial, rate_times_length_times_sum, length_rate_times_length_rate;
-} flight_rest_pushed_sums;
-
-typedef struct {
-    real inverse_square;
-} flight_rest_pushed_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_flight_rest_pushed_sums(const flight_rest_pushed_series *s, int i, int j,
-    flight_rest_pushed_sums *sum) {
-    add_products(&sum->square, s->length + i - 1, s->length[j]);
-    add_both_products(&sum->rate, s->rate, s->square, i, j);
-    add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
-    add_both_products(&sum->length_times_rate_times_rate, s->length, s->rate_times_rate, i, j);
-    add_both_products(&sum->length_times_sum, s->length, s->sum_2, i, j);
-    add_both_products(&sum->length_rate_times_axial, s->length_rate, s->axial, i, j);
-    add_both_products(&sum->rate_times_length_times_sum, s->rate, s->length_times_sum, i, j);
-    add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_flight_rest_pushed_sums(const flight_rest_pushed_series *s, int i,
-    flight_rest_pushed_sums *sum) {
-    sum->square = middle_of_square(s->length, i);
-    sum->rate = middle_of_product(s->rate, s->square, i);
-    sum->rate_times_rate = middle_of_square(s->rate, i);
-    sum->length_times_rate_times_rate = middle_of_product(s->length, s->rate_times_rate, i);
-    sum->length_times_sum = middle_of_product(s->length, s->sum_2, i);
-    sum->length_rate_times_axial = middle_of_product(s->length_rate, s->axial, i);
-    sum->rate_times_length_times_sum = middle_of_product(s->rate, s->length_times_sum, i);
-    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_flight_rest_pushed(const flight_rest_pushed_constants *c,
-    const flight_rest_pushed_factors *by, int k, const flight_rest_pushed_sums *sum, int odd,
-    flight_rest_pushed_series *s) {
-    s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
-    s->com_x[k + 1] = s->com_vx[k] * series_reciprocal[k + 1];
-    s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
-    /* square = length * length */
-    s->square[k] = square_of(k, part_of(sum->square, odd), s->length);
-    /* rate = momentum / square */
-    s->rate[k] = quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square,
-        by->inverse_square);
-    /* rate_times_rate = rate * rate */
-    s->rate_times_rate[k] = square_of(k, part_of(sum->rate_times_rate, odd), s->rate);
-    /* length_times_rate_times_rate = length * rate_times_rate */
-    s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
-        s->length, s->rate_times_rate);
-    sine_and_cosine_of(k, s->angle, s->sine, s->cosine);
-    /* external_fy_times_cosine = external_fy * cosine */
-    s->external_fy_times_cosine[k] = drift_times(k, s->external_fy[0], s->external_fy[1], s->cosine);
-    /* external_fx_times_sine = external_fx * sine */
-    s->external_fx_times_sine[k] = drift_times(k, s->external_fx[0], s->external_fx[1], s->sine);
-    /* axial = external_fy_times_cosine - external_fx_times_sine */
-    s->axial[k] = s->external_fy_times_cosine[k] - s->external_fx_times_sine[k];
-    /* external_fx_times_cosine = external_fx * cosine */
-    s->external_fx_times_cosine[k] = drift_times(k, s->external_fx[0], s->external_fx[1], s->cosine);
-    /* external_fy_times_sine = external_fy * sine */
-    s->external_fy_times_sine[k] = drift_times(k, s->external_fy[0], s->external_fy[1], s->sine);
-    /* sum_2 = external_fx_times_cosine + external_fy_times_sine */
-    s->sum_2[k] = s->external_fx_times_cosine[k] + s->external_fy_times_sine[k];
-    /* length_times_sum = length * sum_2 */
-    s->length_times_sum[k] = product_of(k, part_of(sum->length_times_sum, odd), s->length, s->sum_2);
-    /* external_fx_times_com_vx = external_fx * com_vx */
-    s->external_fx_times_com_vx[k] = drift_times(k, s->external_fx[0], s->external_fx[1], s->com_vx);
-    /* external_fy_times_com_vy = external_fy * com_vy */
-    s->external_fy_times_com_vy[k] = drift_times(k, s->external_fy[0], s->external_fy[1], s->com_vy);
-    /* length_rate_times_axial = length_rate * axial */
-    s->length_rate_times_axial[k] = product_of(k, part_of(sum->length_rate_times_axial, odd), s->length_rate,
-        s->axial);
-    /* rate_times_length_times_sum = rate * length_times_sum */
-    s->rate_times_length_times_sum[k] = product_of(k, part_of(sum->rate_times_length_times_sum, odd), s->rate,
-        s->length_times_sum);
-    /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
-        s->length_rate);
-    /* power_of_hip = external_torque * rate */
-    s->power_of_hip[k] = drift_times(k, s->external_torque[0], s->external_torque[1], s->rate);
-    s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
-    s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
-        + c->mobility * c->stiffness * s->extension[k] - c->mobility * c->stiffness * s->length[k]
-        - c->mobility * c->damping * s->length_rate[k] + c->inverse_body_mass * s->axial[k],
-        c->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0))));
-    s->com_vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_total_mass * s->external_fx[k]);
-    s->com_vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_total_mass * s->external_fy[k],
-        -c->gravity));
-    s->momentum[k + 1] = series_reciprocal[k + 1] * (c->mobility * s->external_torque[k]
-        - c->inverse_body_mass * s->length_times_sum[k]);
-    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->stiffness_times_extension_rate * s->extension[k]
-        - c->stiffness_times_extension_rate * s->length[k],
-        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
-    s->external_work[k + 1] = series_reciprocal[k + 1] * (s->external_fx_times_com_vx[k]
-        + s->external_fy_times_com_vy[k] + c->by_1_minus_share * s->length_rate_times_axial[k]
-        - c->by_1_minus_share * s->rate_times_length_times_sum[k]);
-    s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
-    s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_rest_pushed(const real *constants, int order, real *series) {
-    const flight_rest_pushed_constants copy = *(const flight_rest_pushed_constants *)(const void *)constants,
-        *c = &copy;
-    flight_rest_pushed_series *s = (void *)series;
-    static const flight_rest_pushed_sums none;
-    flight_rest_pushed_sums sum = none;
-    s->extension[1] = c->extension_rate;
-    s->external_fx[1] = c->external_fx_rate;
-    s->external_fy[1] = c->external_fy_rate;
-    s->friction[1] = c->friction_rate;
-    s->external_torque[1] = c->external_torque_rate;
-    s->time[1] = broadcast(1.0);
-    s->square[0] = s->length[0] * s->length[0];
-    const flight_rest_pushed_factors factors = {1.0 / s->square[0]}, *by = &factors;
-    step_flight_rest_pushed(c, by, 0, &sum, 0, s);
-    begin_flight_rest_pushed_sums(s, 0, &sum);
-    step_flight_rest_pushed(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_flight_rest_pushed_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_flight_rest_pushed_sums(s, i, j, &sum);
-        }
-        step_flight_rest_pushed(c, by, k, &sum, 0, s);
-        add_flight_rest_pushed_sums(s, 1, k, &sum);
-        step_flight_rest_pushed(c, by, k + 1, &sum, 1, s);
-    }
-}
-
-/* First variation of the series. */
-static void vary_flight_rest_pushed(const real *constants, const real *series, const real *d_constants,
-    int order, real *varied) {
-    const flight_rest_pushed_constants *c = (const void *)constants;
-    const flight_rest_pushed_series *s = (const void *)series;
-    const flight_rest_pushed_constants *d = (const void *)d_constants;
-    flight_rest_pushed_series *t = (void *)varied;
-    real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
-        length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
-        length_times_d_rate_times_rate[TERMS], external_fy_times_cosine_2[TERMS], sine_times_angle[TERMS],
-        external_fy_times_sine_times_angle[TERMS], external_fx_times_sine_2[TERMS], d_sine[TERMS],
-        external_fx_times_d_sine[TERMS], length_times_sum_2[TERMS], external_fx_times_cosine_2[TERMS],
-        external_fx_times_sine_times_angle[TERMS], external_fy_times_sine_2[TERMS],
-        external_fy_times_d_sine[TERMS], length_times_d_sum_2[TERMS], external_fx_times_com_vx_2[TERMS],
-        external_fx_times_com_vx_3[TERMS], external_fy_times_com_vy_2[TERMS],
-        external_fy_times_com_vy_3[TERMS], length_rate_times_axial_2[TERMS], length_rate_times_d_axial[TERMS],
-        d_rate_times_length_times_sum[TERMS], rate_times_d_length_times_sum[TERMS],
-        length_rate_times_length_rate_2[TERMS], external_torque_times_rate[TERMS],
-        external_torque_times_d_rate[TERMS], d_square[TERMS], d_rate_times_rate[TERMS], d_sum_2[TERMS],
-        d_axial[TERMS], d_length_times_sum[TERMS];
-    for (int k = 0; k < order; ++k) {
-        t->length[k + 1] = t->length_rate[k] * series_reciprocal[k + 1];
-        t->com_x[k + 1] = t->com_vx[k] * series_reciprocal[k + 1];
-        t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
-        length_times_length[k] = product(s->length, t->length, k);
-        d_square[k] = 2.0 * length_times_length[k];
-        rate_times_d_square[k] = product(s->rate, d_square, k);
-        d_rate[k] = (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square,
-            k)) / s->square[0];
-        length_times_rate_times_rate_2[k] = product(t->length, s->rate_times_rate, k);
-        rate_times_d_rate[k] = product(s->rate, d_rate, k);
-        d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
-        length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
-        external_fy_times_cosine_2[k] = product(t->external_fy, s->cosine, k);
-        sine_times_angle[k] = product(s->sine, t->angle, k);
-        external_fy_times_sine_times_angle[k] = drift_times(k, s->external_fy[0], s->external_fy[1],
-            sine_times_angle);
-        external_fx_times_sine_2[k] = product(t->external_fx, s->sine, k);
-        d_sine[k] = product(s->cosine, t->angle, k);
-        external_fx_times_d_sine[k] = drift_times(k, s->external_fx[0], s->external_fx[1], d_sine);
-        d_axial[k] = external_fy_times_cosine_2[k] - external_fy_times_sine_times_angle[k]
-            - external_fx_times_sine_2[k] - external_fx_times_d_sine[k];
-        length_times_sum_2[k] = product(t->length, s->sum_2, k);
-        external_fx_times_cosine_2[k] = product(t->external_fx, s->cosine, k);
-        external_fx_times_sine_times_angle[k] = drift_times(k, s->external_fx[0], s->external_fx[1],
-            sine_times_angle);
-        external_fy_times_sine_2[k] = product(t->external_fy, s->sine, k);
-        external_fy_times_d_sine[k] = drift_times(k, s->external_fy[0], s->external_fy[1], d_sine);
-        d_sum_2[k] = external_fx_times_cosine_2[k] - external_fx_times_sine_times_angle[k]
-            + external_fy_times_sine_2[k] + external_fy_times_d_sine[k];
-        length_times_d_sum_2[k] = product(s->length, d_sum_2, k);
-        d_length_times_sum[k] = length_times_sum_2[k] + length_times_d_sum_2[k];
-        external_fx_times_com_vx_2[k] = product(t->external_fx, s->com_vx, k);
-        external_fx_times_com_vx_3[k] = drift_times(k, s->external_fx[0], s->external_fx[1], t->com_vx);
-        external_fy_times_com_vy_2[k] = product(t->external_fy, s->com_vy, k);
-        external_fy_times_com_vy_3[k] = drift_times(k, s->external_fy[0], s->external_fy[1], t->com_vy);
-        length_rate_times_axial_2[k] = product(t->length_rate, s->axial, k);
-        length_rate_times_d_axial[k] = product(s->length_rate, d_axial, k);
-        d_rate_times_length_times_sum[k] = product(d_rate, s->length_times_sum, k);
-        rate_times_d_length_times_sum[k] = product(s->rate, d_length_times_sum, k);
-        length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
-        external_torque_times_rate[k] = product(t->external_torque, s->rate, k);
-        external_torque_times_d_rate[k] = drift_times(k, s->external_torque[0], s->external_torque[1],
-            d_rate);
-        t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
-        t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
-            + (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k]
-            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
-            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
-            + c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k]
-            - c->mobility * c->damping * t->length_rate[k] + d->inverse_body_mass * s->axial[k]
-            + c->inverse_body_mass * d_axial[k], d->mobility * (c->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0)) + c->mobility * (d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0))));
-        t->com_vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_total_mass * s->external_fx[k]
-            + c->inverse_total_mass * t->external_fx[k]);
-        t->com_vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_total_mass * s->external_fy[k] + c->inverse_total_mass * t->external_fy[k],
-            -d->gravity));
-        t->momentum[k + 1] = series_reciprocal[k + 1] * (d->mobility * s->external_torque[k]
-            + c->mobility * t->external_torque[k] - d->inverse_body_mass * s->length_times_sum[k]
-            - c->inverse_body_mass * d_length_times_sum[k]);
-        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->stiffness_times_extension_rate * s->extension[k]
-            - d->stiffness_times_extension_rate * s->length[k]
-            + c->stiffness_times_extension_rate * t->extension[k]
-            - c->stiffness_times_extension_rate * t->length[k],
-            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
-            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->external_work[k + 1] = series_reciprocal[k + 1] * (external_fx_times_com_vx_2[k]
-            + external_fx_times_com_vx_3[k] + external_fy_times_com_vy_2[k] + external_fy_times_com_vy_3[k]
-            + d->by_1_minus_share * s->length_rate_times_axial[k]
-            - d->by_1_minus_share * s->rate_times_length_times_sum[k]
-            + c->by_1_minus_share * length_rate_times_axial_2[k]
-            + c->by_1_minus_share * length_rate_times_d_axial[k]
-            - c->by_1_minus_share * d_rate_times_length_times_sum[k]
-            - c->by_1_minus_share * rate_times_d_length_times_sum[k]);
-        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] * (external_torque_times_rate[k]
-            + external_torque_times_d_rate[k]);
-        t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
-        t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
-        t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
-        t->friction[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->friction_rate));
-        t->external_torque[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_torque_rate));
-        t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
-    }
-}
-
-/* First variation of power_of_hip. */
-static void d_observed_flight_rest_pushed_power_of_hip(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_rest_pushed_series *t = (const void *)d_series;
-    (void)constants, (void)series, (void)d_constants;
-    for (int k = 0; k < order; ++k) {
-        dg[k] = (double)(k + 1) * t->work[k + 1];
-    }
-}
-
-/* First variation of height_of_foot. */
-static void d_observed_flight_rest_pushed_height_of_foot(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_rest_pushed_constants *c = (const void *)constants;
-    const flight_rest_pushed_series *s = (const void *)series;
-    const flight_rest_pushed_constants *d = (const void *)d_constants;
-    const flight_rest_pushed_series *t = (const void *)d_series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS],
-        own_sum_times_cos_of_angle_minus_slope[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_product_3[TERMS], own_share_times_length_times_product_3[TERMS], own_angle_minus_slope[TERMS],
-        own_share_times_length[TERMS], own_sum_3[TERMS], own_angle_minus_slope_2[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
-        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-            own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        own_sum_3[k] = d->share * s->length[k] + c->share * t->length[k];
-        own_sum_times_cos_of_angle_minus_slope[k] = product(own_sum_3, own_cos_of_angle_minus_slope, k);
-        own_angle_minus_slope_2[k] = with_constant(k, t->angle[k], -d->slope);
-        own_product_3[k] = product(own_sin_of_angle_minus_slope, own_angle_minus_slope_2, k);
-        own_share_times_length_times_product_3[k] = product(own_share_times_length, own_product_3, k);
-        dg[k] = with_constant(k, (d->inverse_cos_of_slope * c->cos_of_slope
-            + c->inverse_cos_of_slope * d->cos_of_slope) * s->com_y[k]
-            + (-(d->inverse_cos_of_slope * c->sin_of_slope)
-            - c->inverse_cos_of_slope * d->sin_of_slope) * s->com_x[k]
-            - d->inverse_cos_of_slope * own_product_2[k]
-            + c->inverse_cos_of_slope * c->cos_of_slope * t->com_y[k]
-            - c->inverse_cos_of_slope * c->sin_of_slope * t->com_x[k]
-            - c->inverse_cos_of_slope * own_sum_times_cos_of_angle_minus_slope[k]
-            + c->inverse_cos_of_slope * own_share_times_length_times_product_3[k],
-            c->inverse_cos_of_slope * (-(d->cos_of_slope * c->height) - c->cos_of_slope * d->height)
-            - d->inverse_cos_of_slope * (c->cos_of_slope * c->height));
-    }
-}
-
-/* First variation of square_of_torque. */
-static void d_observed_flight_rest_pushed_square_of_torque(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_rest_pushed_series *s = (const void *)series;
-    const flight_rest_pushed_series *t = (const void *)d_series;
-    (void)constants, (void)d_constants;
-    real own_external_torque_times_external_torque[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_external_torque_times_external_torque[k] = drift_times(k, s->external_torque[0],
-            s->external_torque[1], t->external_torque);
-        dg[k] = 2.0 * own_external_torque_times_external_torque[k];
-    }
-}
-
-/* passes_end: The foot is above the next segment. */
-static void guard_flight_rest_pushed_passes_end(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_rest_pushed_constants *c = (const void *)constants;
-    const flight_rest_pushed_series *s = (const void *)series;
-    real own_length_times_sine[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_length_times_sine[k] = product(s->length, s->sine, k);
-        g[k] = with_constant(k, -s->com_x[k] - c->share * own_length_times_sine[k], c->segment_end);
-    }
-}
-
-/* passes_begin: The foot is above the segment before. */
-static void guard_flight_rest_pushed_passes_begin(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_rest_pushed_constants *c = (const void *)constants;
-    const flight_rest_pushed_series *s = (const void *)series;
-    real own_length_times_sine[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_length_times_sine[k] = product(s->length, s->sine, k);
-        g[k] = with_constant(k, s->com_x[k] + c->share * own_length_times_sine[k], -c->segment_begin);
-    }
-}
-
-/* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
-static void guard_flight_rest_pushed_next_segment_comes(const real *constants, const real *series, int order,
-    real *g) {
-    (void)constants, (void)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = constant_of(k, broadcast(-1.0));
-    }
-}
-
-/* ramp_ends: A ramp of the friction coefficient ends at 0. */
-static void guard_flight_rest_pushed_ramp_ends(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_rest_pushed_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = s->friction[k];
-    }
-}
-
-/* new_ground: The foot is above the pending ground line, which comes into force. */
-static void guard_flight_rest_pushed_new_ground(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_rest_pushed_constants *c = (const void *)constants;
-    const flight_rest_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_set_slope[TERMS], own_product_2[TERMS],
-        own_sin_of_angle_minus_set_slope[TERMS], own_angle_minus_set_slope[TERMS],
-        own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
-        sine_and_cosine_of(k, own_angle_minus_set_slope, own_sin_of_angle_minus_set_slope,
-            own_cos_of_angle_minus_set_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_set_slope, k);
-        g[k] = with_constant(k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k]
-            + own_product_2[k], c->cos_of_set_slope * c->set_height);
-    }
-}
-
-/* falls: The body reaches the ground. */
-static void guard_flight_rest_pushed_falls(const real *constants, const real *series, int order, real *g) {
-    const flight_rest_pushed_constants *c = (const void *)constants;
-    const flight_rest_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_by_1_minus_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
-        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
-        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-            own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_by_1_minus_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
-            + own_product_2[k], -(c->cos_of_slope * c->height));
-    }
-}
-
-/* collapses: The leg is shorter than leg.min_length. */
-static void guard_flight_rest_pushed_collapses(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_rest_pushed_constants *c = (const void *)constants;
-    const flight_rest_pushed_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, s->length[k], -c->least_length);
-    }
-}
-
-/* apex: A stride closes and place begins. An external force can cause further apices in place. */
-static void guard_flight_rest_pushed_apex(const real *constants, const real *series, int order, real *g) {
-    const flight_rest_pushed_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->com_y[k + 1];
-    }
-}
-
-/* touchdown: The foot reaches the ground. */
-static void guard_flight_rest_pushed_touchdown(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_rest_pushed_constants *c = (const void *)constants;
-    const flight_rest_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
-        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-            own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
-            - own_product_2[k], -(c->cos_of_slope * c->height));
+        g[k] = with_constant(k, -(c->kp * s->angle[k]) - c->kd * s->rate[k],
+            c->kp * c->liftoff_factor_times_liftoff_angle);
     }
 }
 
 /* release: The clamp of (12) releases the retracting torque. */
-static void guard_flight_rest_pushed_release(const real *constants, const real *series, int order, real *g) {
-    const flight_rest_pushed_constants *c = (const void *)constants;
-    const flight_rest_pushed_series *s = (const void *)series;
+static void guard_flight_pushed_release(const real *constants, const real *series, int order, real *g) {
+    const flight_pushed_constants *c = (const void *)constants;
+    const flight_pushed_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
         g[k] = with_constant(k, c->kp * s->angle[k] + c->kd * s->rate[k],
             -(c->kp * c->liftoff_factor_times_liftoff_angle));
@@ -6182,9 +3671,8 @@ static void guard_flight_rest_pushed_release(const real *constants, const real *
 }
 
 /* power_of_hip: Power of the total hip torque. */
-static void guard_flight_rest_pushed_power_of_hip(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_rest_pushed_series *s = (const void *)series;
+static void guard_flight_pushed_power_of_hip(const real *constants, const real *series, int order, real *g) {
+    const flight_pushed_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = (double)(k + 1) * s->work[k + 1];
@@ -6192,18 +3680,19 @@ static void guard_flight_rest_pushed_power_of_hip(const real *constants, const r
 }
 
 /* height_of_foot: Height of the foot above the ground vertically below. */
-static void guard_flight_rest_pushed_height_of_foot(const real *constants, const real *series, int order,
+static void guard_flight_pushed_height_of_foot(const real *constants, const real *series, int order,
     real *g) {
-    const flight_rest_pushed_constants *c = (const void *)constants;
-    const flight_rest_pushed_series *s = (const void *)series;
+    const flight_pushed_constants *c = (const void *)constants;
+    const flight_pushed_series *s = (const void *)series;
     real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
+        own_angle_minus_slope[TERMS], own_body_mass_over_total_mass_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
+        own_body_mass_over_total_mass_times_length[k] = c->body_mass_over_total_mass * s->length[k];
         own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
         sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
             own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
+        own_product_2[k] = product(own_body_mass_over_total_mass_times_length, own_cos_of_angle_minus_slope,
+            k);
         g[k] = with_constant(k, c->inverse_cos_of_slope * c->cos_of_slope * s->com_y[k]
             - c->inverse_cos_of_slope * c->sin_of_slope * s->com_x[k]
             - c->inverse_cos_of_slope * own_product_2[k],
@@ -6212,609 +3701,9 @@ static void guard_flight_rest_pushed_height_of_foot(const real *constants, const
 }
 
 /* square_of_torque: Square of the total hip torque. */
-static void guard_flight_rest_pushed_square_of_torque(const real *constants, const real *series, int order,
+static void guard_flight_pushed_square_of_torque(const real *constants, const real *series, int order,
     real *g) {
-    const flight_rest_pushed_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = drift_times(k, s->external_torque[0], s->external_torque[1], s->external_torque);
-    }
-}
-
-/* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_rest_pushed(const real *constants, const real *series, const real *power, int order,
-    uint64_t watched, interval *bounds) {
-    const flight_rest_pushed_constants *c = (const void *)constants;
-    const flight_rest_pushed_series *s = (const void *)series;
-    const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
-    const interval span_1 = interval_of_series(s->com_y, power, 4);
-    const interval span_2 = interval_at(c->height, c->height);
-    const interval span_3 = interval_difference(span_1, span_2);
-    const interval span_4 = interval_product(span_0, span_3);
-    const interval span_5 = interval_at(c->sin_of_slope, c->sin_of_slope);
-    const interval span_6 = interval_of_series(s->com_x, power, 4);
-    const interval span_7 = interval_product(span_5, span_6);
-    const interval span_8 = interval_difference(span_4, span_7);
-    const interval span_9 = interval_at(c->by_1_minus_share, c->by_1_minus_share);
-    const interval span_10 = interval_of_series(s->length, power, order);
-    const interval span_11 = interval_product(span_9, span_10);
-    const interval span_12 = interval_at(broadcast(-1.0), broadcast(1.0));
-    const interval span_13 = interval_product(span_11, span_12);
-    const interval span_14 = interval_sum(span_8, span_13);
-    bounds[5] = span_14;
-    const interval span_15 = interval_at(c->least_length, c->least_length);
-    const interval span_16 = interval_difference(span_10, span_15);
-    bounds[6] = span_16;
-    const interval span_17 = interval_of_rate(s->com_y, power, 3);
-    bounds[7] = span_17;
-    const interval span_18 = interval_at(c->share, c->share);
-    const interval span_19 = interval_product(span_18, span_10);
-    const interval span_20 = interval_product(span_19, span_12);
-    const interval span_21 = interval_difference(span_8, span_20);
-    bounds[8] = span_21;
-    const interval span_22 = interval_at(c->kp, c->kp);
-    const interval span_23 = interval_of_series(s->angle, power, order);
-    const interval span_24 = interval_at(c->liftoff_factor_times_liftoff_angle,
-        c->liftoff_factor_times_liftoff_angle);
-    const interval span_25 = interval_difference(span_23, span_24);
-    const interval span_26 = interval_product(span_22, span_25);
-    const interval span_27 = interval_at(-span_26.high, -span_26.low);
-    const interval span_28 = interval_at(c->kd, c->kd);
-    const interval span_29 = interval_of_series(s->rate, power, order);
-    const interval span_30 = interval_product(span_28, span_29);
-    const interval span_31 = interval_difference(span_27, span_30);
-    const interval span_32 = interval_at(-span_31.high, -span_31.low);
-    bounds[9] = span_32;
-    if (watched >> 0 & 1) {
-        const interval span_33 = interval_at(c->segment_end, c->segment_end);
-        const interval span_34 = interval_of_series(s->sine, power, order);
-        const interval span_35 = interval_product(span_10, span_34);
-        const interval span_36 = interval_product(span_18, span_35);
-        const interval span_37 = interval_sum(span_6, span_36);
-        const interval span_38 = interval_difference(span_33, span_37);
-        bounds[0] = span_38;
-    }
-    if (watched >> 1 & 1) {
-        const interval span_33 = interval_of_series(s->sine, power, order);
-        const interval span_34 = interval_product(span_10, span_33);
-        const interval span_35 = interval_product(span_18, span_34);
-        const interval span_36 = interval_sum(span_6, span_35);
-        const interval span_37 = interval_at(c->segment_begin, c->segment_begin);
-        const interval span_38 = interval_difference(span_36, span_37);
-        bounds[1] = span_38;
-    }
-    if (watched >> 2 & 1) {
-        const interval span_33 = interval_at(broadcast(-1.0), broadcast(-1.0));
-        bounds[2] = span_33;
-    }
-    if (watched >> 3 & 1) {
-        const interval span_33 = interval_of_series(s->friction, power, 2);
-        bounds[3] = span_33;
-    }
-    if (watched >> 4 & 1) {
-        const interval span_33 = interval_at(c->cos_of_set_slope, c->cos_of_set_slope);
-        const interval span_34 = interval_at(c->set_height, c->set_height);
-        const interval span_35 = interval_difference(span_1, span_34);
-        const interval span_36 = interval_product(span_33, span_35);
-        const interval span_37 = interval_at(c->sin_of_set_slope, c->sin_of_set_slope);
-        const interval span_38 = interval_product(span_37, span_6);
-        const interval span_39 = interval_difference(span_36, span_38);
-        const interval span_40 = interval_at(broadcast(-1.0), broadcast(1.0));
-        const interval span_41 = interval_product(span_19, span_40);
-        const interval span_42 = interval_difference(span_39, span_41);
-        const interval span_43 = interval_at(-span_42.high, -span_42.low);
-        bounds[4] = span_43;
-    }
-    if (watched >> 11 & 1) {
-        const interval span_33 = interval_at(c->inverse_cos_of_slope, c->inverse_cos_of_slope);
-        const interval span_34 = interval_product(span_33, span_21);
-        bounds[11] = span_34;
-    }
-    if (watched >> 12 & 1) {
-        const interval span_33 = interval_of_series(s->external_torque, power, 2);
-        const interval span_34 = interval_product(span_33, span_33);
-        bounds[12] = span_34;
-    }
-}
-
-/* ---- flight_retract_pushed */
-
-/* The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau. */
-typedef struct {
-    real length[TERMS], angle[TERMS], length_rate[TERMS], com_x[TERMS], com_y[TERMS], com_vx[TERMS],
-        com_vy[TERMS], momentum[TERMS], leg_work[TERMS], external_work[TERMS], damper_loss[TERMS],
-        work[TERMS], extension[TERMS], external_fx[TERMS], external_fy[TERMS], friction[TERMS],
-        external_torque[TERMS], time[TERMS], square[TERMS], rate[TERMS], rate_times_rate[TERMS],
-        length_times_rate_times_rate[TERMS], cosine[TERMS], external_fy_times_cosine[TERMS], sine[TERMS],
-        external_fx_times_sine[TERMS], axial[TERMS], swing_torque[TERMS], external_fx_times_cosine[TERMS],
-        external_fy_times_sine[TERMS], sum_2[TERMS], length_times_sum[TERMS], external_fx_times_com_vx[TERMS],
-        external_fy_times_com_vy[TERMS], length_rate_times_axial[TERMS], rate_times_length_times_sum[TERMS],
-        length_rate_times_length_rate[TERMS], power_of_hip[TERMS];
-} flight_retract_pushed_series;
-
-typedef struct {
-    pair square, rate, rate_times_rate, length_times_rate_times_rate, length_times_sum,
-        length_rate_times_axial, rate_times_length_times_sum, length_rate_times_length_rate, power_of_hip;
-} flight_retract_pushed_sums;
-
-typedef struct {
-    real inverse_square;
-} flight_retract_pushed_factors;
-
-/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
-KERNEL void add_flight_retract_pushed_sums(const flight_retract_pushed_series *s, int i, int j,
-    flight_retract_pushed_sums *sum) {
-    add_products(&sum->square, s->length + i - 1, s->length[j]);
-    add_both_products(&sum->rate, s->rate, s->square, i, j);
-    add_products(&sum->rate_times_rate, s->rate + i - 1, s->rate[j]);
-    add_both_products(&sum->length_times_rate_times_rate, s->length, s->rate_times_rate, i, j);
-    add_both_products(&sum->length_times_sum, s->length, s->sum_2, i, j);
-    add_both_products(&sum->length_rate_times_axial, s->length_rate, s->axial, i, j);
-    add_both_products(&sum->rate_times_length_times_sum, s->rate, s->length_times_sum, i, j);
-    add_products(&sum->length_rate_times_length_rate, s->length_rate + i - 1, s->length_rate[j]);
-    add_both_products(&sum->power_of_hip, s->swing_torque, s->rate, i, j);
-}
-
-/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_flight_retract_pushed_sums(const flight_retract_pushed_series *s, int i,
-    flight_retract_pushed_sums *sum) {
-    sum->square = middle_of_square(s->length, i);
-    sum->rate = middle_of_product(s->rate, s->square, i);
-    sum->rate_times_rate = middle_of_square(s->rate, i);
-    sum->length_times_rate_times_rate = middle_of_product(s->length, s->rate_times_rate, i);
-    sum->length_times_sum = middle_of_product(s->length, s->sum_2, i);
-    sum->length_rate_times_axial = middle_of_product(s->length_rate, s->axial, i);
-    sum->rate_times_length_times_sum = middle_of_product(s->rate, s->length_times_sum, i);
-    sum->length_rate_times_length_rate = middle_of_square(s->length_rate, i);
-    sum->power_of_hip = middle_of_product(s->swing_torque, s->rate, i);
-}
-
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
-KERNEL void step_flight_retract_pushed(const flight_retract_pushed_constants *c,
-    const flight_retract_pushed_factors *by, int k, const flight_retract_pushed_sums *sum, int odd,
-    flight_retract_pushed_series *s) {
-    s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
-    s->com_x[k + 1] = s->com_vx[k] * series_reciprocal[k + 1];
-    s->com_y[k + 1] = s->com_vy[k] * series_reciprocal[k + 1];
-    /* square = length * length */
-    s->square[k] = square_of(k, part_of(sum->square, odd), s->length);
-    /* rate = momentum / square */
-    s->rate[k] = quotient_of(k, part_of(sum->rate, odd), s->momentum[k], s->rate, s->square,
-        by->inverse_square);
-    /* rate_times_rate = rate * rate */
-    s->rate_times_rate[k] = square_of(k, part_of(sum->rate_times_rate, odd), s->rate);
-    /* length_times_rate_times_rate = length * rate_times_rate */
-    s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
-        s->length, s->rate_times_rate);
-    sine_and_cosine_of(k, s->angle, s->sine, s->cosine);
-    /* external_fy_times_cosine = external_fy * cosine */
-    s->external_fy_times_cosine[k] = drift_times(k, s->external_fy[0], s->external_fy[1], s->cosine);
-    /* external_fx_times_sine = external_fx * sine */
-    s->external_fx_times_sine[k] = drift_times(k, s->external_fx[0], s->external_fx[1], s->sine);
-    /* axial = external_fy_times_cosine - external_fx_times_sine */
-    s->axial[k] = s->external_fy_times_cosine[k] - s->external_fx_times_sine[k];
-    /* swing_torque = external_torque + (-(c->kp * (angle - c->liftoff_factor_times_liftoff_angle)) - c->kd *
-     * rate) */
-    s->swing_torque[k] = with_constant(k, s->external_torque[k] - c->kp * s->angle[k] - c->kd * s->rate[k],
-        c->kp * c->liftoff_factor_times_liftoff_angle);
-    /* external_fx_times_cosine = external_fx * cosine */
-    s->external_fx_times_cosine[k] = drift_times(k, s->external_fx[0], s->external_fx[1], s->cosine);
-    /* external_fy_times_sine = external_fy * sine */
-    s->external_fy_times_sine[k] = drift_times(k, s->external_fy[0], s->external_fy[1], s->sine);
-    /* sum_2 = external_fx_times_cosine + external_fy_times_sine */
-    s->sum_2[k] = s->external_fx_times_cosine[k] + s->external_fy_times_sine[k];
-    /* length_times_sum = length * sum_2 */
-    s->length_times_sum[k] = product_of(k, part_of(sum->length_times_sum, odd), s->length, s->sum_2);
-    /* external_fx_times_com_vx = external_fx * com_vx */
-    s->external_fx_times_com_vx[k] = drift_times(k, s->external_fx[0], s->external_fx[1], s->com_vx);
-    /* external_fy_times_com_vy = external_fy * com_vy */
-    s->external_fy_times_com_vy[k] = drift_times(k, s->external_fy[0], s->external_fy[1], s->com_vy);
-    /* length_rate_times_axial = length_rate * axial */
-    s->length_rate_times_axial[k] = product_of(k, part_of(sum->length_rate_times_axial, odd), s->length_rate,
-        s->axial);
-    /* rate_times_length_times_sum = rate * length_times_sum */
-    s->rate_times_length_times_sum[k] = product_of(k, part_of(sum->rate_times_length_times_sum, odd), s->rate,
-        s->length_times_sum);
-    /* length_rate_times_length_rate = length_rate * length_rate */
-    s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
-        s->length_rate);
-    /* power_of_hip = swing_torque * rate */
-    s->power_of_hip[k] = product_of(k, part_of(sum->power_of_hip, odd), s->swing_torque, s->rate);
-    s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
-    s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
-        + c->mobility * c->stiffness * s->extension[k] - c->mobility * c->stiffness * s->length[k]
-        - c->mobility * c->damping * s->length_rate[k] + c->inverse_body_mass * s->axial[k],
-        c->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0))));
-    s->com_vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_total_mass * s->external_fx[k]);
-    s->com_vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_total_mass * s->external_fy[k],
-        -c->gravity));
-    s->momentum[k + 1] = series_reciprocal[k + 1] * (c->mobility * s->swing_torque[k]
-        - c->inverse_body_mass * s->length_times_sum[k]);
-    s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->stiffness_times_extension_rate * s->extension[k]
-        - c->stiffness_times_extension_rate * s->length[k],
-        c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
-    s->external_work[k + 1] = series_reciprocal[k + 1] * (s->external_fx_times_com_vx[k]
-        + s->external_fy_times_com_vy[k] + c->by_1_minus_share * s->length_rate_times_axial[k]
-        - c->by_1_minus_share * s->rate_times_length_times_sum[k]);
-    s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
-    s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
-}
-
-/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
-static void expand_flight_retract_pushed(const real *constants, int order, real *series) {
-    const flight_retract_pushed_constants copy = *(const flight_retract_pushed_constants *)(const void
-        *)constants, *c = &copy;
-    flight_retract_pushed_series *s = (void *)series;
-    static const flight_retract_pushed_sums none;
-    flight_retract_pushed_sums sum = none;
-    s->extension[1] = c->extension_rate;
-    s->external_fx[1] = c->external_fx_rate;
-    s->external_fy[1] = c->external_fy_rate;
-    s->friction[1] = c->friction_rate;
-    s->external_torque[1] = c->external_torque_rate;
-    s->time[1] = broadcast(1.0);
-    s->square[0] = s->length[0] * s->length[0];
-    const flight_retract_pushed_factors factors = {1.0 / s->square[0]}, *by = &factors;
-    step_flight_retract_pushed(c, by, 0, &sum, 0, s);
-    begin_flight_retract_pushed_sums(s, 0, &sum);
-    step_flight_retract_pushed(c, by, 1, &sum, 1, s);
-    for (int k = 2; k < order; k += 2) {
-        begin_flight_retract_pushed_sums(s, k / 2, &sum);
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_flight_retract_pushed_sums(s, i, j, &sum);
-        }
-        step_flight_retract_pushed(c, by, k, &sum, 0, s);
-        add_flight_retract_pushed_sums(s, 1, k, &sum);
-        step_flight_retract_pushed(c, by, k + 1, &sum, 1, s);
-    }
-}
-
-/* First variation of the series. */
-static void vary_flight_retract_pushed(const real *constants, const real *series, const real *d_constants,
-    int order, real *varied) {
-    const flight_retract_pushed_constants *c = (const void *)constants;
-    const flight_retract_pushed_series *s = (const void *)series;
-    const flight_retract_pushed_constants *d = (const void *)d_constants;
-    flight_retract_pushed_series *t = (void *)varied;
-    real length_times_length[TERMS], rate_times_d_square[TERMS], d_rate[TERMS],
-        length_times_rate_times_rate_2[TERMS], rate_times_d_rate[TERMS],
-        length_times_d_rate_times_rate[TERMS], external_fy_times_cosine_2[TERMS], sine_times_angle[TERMS],
-        external_fy_times_sine_times_angle[TERMS], external_fx_times_sine_2[TERMS], d_sine[TERMS],
-        external_fx_times_d_sine[TERMS], length_times_sum_2[TERMS], external_fx_times_cosine_2[TERMS],
-        external_fx_times_sine_times_angle[TERMS], external_fy_times_sine_2[TERMS],
-        external_fy_times_d_sine[TERMS], length_times_d_sum_2[TERMS], external_fx_times_com_vx_2[TERMS],
-        external_fx_times_com_vx_3[TERMS], external_fy_times_com_vy_2[TERMS],
-        external_fy_times_com_vy_3[TERMS], length_rate_times_axial_2[TERMS], length_rate_times_d_axial[TERMS],
-        d_rate_times_length_times_sum[TERMS], rate_times_d_length_times_sum[TERMS],
-        length_rate_times_length_rate_2[TERMS], d_swing_torque_times_rate[TERMS],
-        swing_torque_times_d_rate[TERMS], d_square[TERMS], d_rate_times_rate[TERMS], d_sum_2[TERMS],
-        d_axial[TERMS], d_length_times_sum[TERMS], d_swing_torque[TERMS];
-    for (int k = 0; k < order; ++k) {
-        t->length[k + 1] = t->length_rate[k] * series_reciprocal[k + 1];
-        t->com_x[k + 1] = t->com_vx[k] * series_reciprocal[k + 1];
-        t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
-        length_times_length[k] = product(s->length, t->length, k);
-        d_square[k] = 2.0 * length_times_length[k];
-        rate_times_d_square[k] = product(s->rate, d_square, k);
-        d_rate[k] = (t->momentum[k] - rate_times_d_square[k] - product_so_far(d_rate, s->square,
-            k)) / s->square[0];
-        length_times_rate_times_rate_2[k] = product(t->length, s->rate_times_rate, k);
-        rate_times_d_rate[k] = product(s->rate, d_rate, k);
-        d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
-        length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
-        external_fy_times_cosine_2[k] = product(t->external_fy, s->cosine, k);
-        sine_times_angle[k] = product(s->sine, t->angle, k);
-        external_fy_times_sine_times_angle[k] = drift_times(k, s->external_fy[0], s->external_fy[1],
-            sine_times_angle);
-        external_fx_times_sine_2[k] = product(t->external_fx, s->sine, k);
-        d_sine[k] = product(s->cosine, t->angle, k);
-        external_fx_times_d_sine[k] = drift_times(k, s->external_fx[0], s->external_fx[1], d_sine);
-        d_axial[k] = external_fy_times_cosine_2[k] - external_fy_times_sine_times_angle[k]
-            - external_fx_times_sine_2[k] - external_fx_times_d_sine[k];
-        d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->kp * s->angle[k]
-            - c->kp * t->angle[k] - d->kd * s->rate[k] - c->kd * d_rate[k],
-            -(-(d->kp * c->liftoff_factor_times_liftoff_angle)
-            - c->kp * d->liftoff_factor_times_liftoff_angle));
-        length_times_sum_2[k] = product(t->length, s->sum_2, k);
-        external_fx_times_cosine_2[k] = product(t->external_fx, s->cosine, k);
-        external_fx_times_sine_times_angle[k] = drift_times(k, s->external_fx[0], s->external_fx[1],
-            sine_times_angle);
-        external_fy_times_sine_2[k] = product(t->external_fy, s->sine, k);
-        external_fy_times_d_sine[k] = drift_times(k, s->external_fy[0], s->external_fy[1], d_sine);
-        d_sum_2[k] = external_fx_times_cosine_2[k] - external_fx_times_sine_times_angle[k]
-            + external_fy_times_sine_2[k] + external_fy_times_d_sine[k];
-        length_times_d_sum_2[k] = product(s->length, d_sum_2, k);
-        d_length_times_sum[k] = length_times_sum_2[k] + length_times_d_sum_2[k];
-        external_fx_times_com_vx_2[k] = product(t->external_fx, s->com_vx, k);
-        external_fx_times_com_vx_3[k] = drift_times(k, s->external_fx[0], s->external_fx[1], t->com_vx);
-        external_fy_times_com_vy_2[k] = product(t->external_fy, s->com_vy, k);
-        external_fy_times_com_vy_3[k] = drift_times(k, s->external_fy[0], s->external_fy[1], t->com_vy);
-        length_rate_times_axial_2[k] = product(t->length_rate, s->axial, k);
-        length_rate_times_d_axial[k] = product(s->length_rate, d_axial, k);
-        d_rate_times_length_times_sum[k] = product(d_rate, s->length_times_sum, k);
-        rate_times_d_length_times_sum[k] = product(s->rate, d_length_times_sum, k);
-        length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
-        d_swing_torque_times_rate[k] = product(d_swing_torque, s->rate, k);
-        swing_torque_times_d_rate[k] = product(s->swing_torque, d_rate, k);
-        t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
-        t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
-            + (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k]
-            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
-            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
-            + c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k]
-            - c->mobility * c->damping * t->length_rate[k] + d->inverse_body_mass * s->axial[k]
-            + c->inverse_body_mass * d_axial[k], d->mobility * (c->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0)) + c->mobility * (d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0))));
-        t->com_vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_total_mass * s->external_fx[k]
-            + c->inverse_total_mass * t->external_fx[k]);
-        t->com_vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_total_mass * s->external_fy[k] + c->inverse_total_mass * t->external_fy[k],
-            -d->gravity));
-        t->momentum[k + 1] = series_reciprocal[k + 1] * (d->mobility * s->swing_torque[k]
-            + c->mobility * d_swing_torque[k] - d->inverse_body_mass * s->length_times_sum[k]
-            - c->inverse_body_mass * d_length_times_sum[k]);
-        t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->stiffness_times_extension_rate * s->extension[k]
-            - d->stiffness_times_extension_rate * s->length[k]
-            + c->stiffness_times_extension_rate * t->extension[k]
-            - c->stiffness_times_extension_rate * t->length[k],
-            d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
-            + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
-        t->external_work[k + 1] = series_reciprocal[k + 1] * (external_fx_times_com_vx_2[k]
-            + external_fx_times_com_vx_3[k] + external_fy_times_com_vy_2[k] + external_fy_times_com_vy_3[k]
-            + d->by_1_minus_share * s->length_rate_times_axial[k]
-            - d->by_1_minus_share * s->rate_times_length_times_sum[k]
-            + c->by_1_minus_share * length_rate_times_axial_2[k]
-            + c->by_1_minus_share * length_rate_times_d_axial[k]
-            - c->by_1_minus_share * d_rate_times_length_times_sum[k]
-            - c->by_1_minus_share * rate_times_d_length_times_sum[k]);
-        t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] * (d_swing_torque_times_rate[k]
-            + swing_torque_times_d_rate[k]);
-        t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
-        t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
-        t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
-        t->friction[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->friction_rate));
-        t->external_torque[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_torque_rate));
-        t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
-    }
-}
-
-/* First variation of power_of_hip. */
-static void d_observed_flight_retract_pushed_power_of_hip(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_retract_pushed_series *t = (const void *)d_series;
-    (void)constants, (void)series, (void)d_constants;
-    for (int k = 0; k < order; ++k) {
-        dg[k] = (double)(k + 1) * t->work[k + 1];
-    }
-}
-
-/* First variation of height_of_foot. */
-static void d_observed_flight_retract_pushed_height_of_foot(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_retract_pushed_constants *c = (const void *)constants;
-    const flight_retract_pushed_series *s = (const void *)series;
-    const flight_retract_pushed_constants *d = (const void *)d_constants;
-    const flight_retract_pushed_series *t = (const void *)d_series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS],
-        own_sum_times_cos_of_angle_minus_slope[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_product_3[TERMS], own_share_times_length_times_product_3[TERMS], own_angle_minus_slope[TERMS],
-        own_share_times_length[TERMS], own_sum_3[TERMS], own_angle_minus_slope_2[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
-        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-            own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        own_sum_3[k] = d->share * s->length[k] + c->share * t->length[k];
-        own_sum_times_cos_of_angle_minus_slope[k] = product(own_sum_3, own_cos_of_angle_minus_slope, k);
-        own_angle_minus_slope_2[k] = with_constant(k, t->angle[k], -d->slope);
-        own_product_3[k] = product(own_sin_of_angle_minus_slope, own_angle_minus_slope_2, k);
-        own_share_times_length_times_product_3[k] = product(own_share_times_length, own_product_3, k);
-        dg[k] = with_constant(k, (d->inverse_cos_of_slope * c->cos_of_slope
-            + c->inverse_cos_of_slope * d->cos_of_slope) * s->com_y[k]
-            + (-(d->inverse_cos_of_slope * c->sin_of_slope)
-            - c->inverse_cos_of_slope * d->sin_of_slope) * s->com_x[k]
-            - d->inverse_cos_of_slope * own_product_2[k]
-            + c->inverse_cos_of_slope * c->cos_of_slope * t->com_y[k]
-            - c->inverse_cos_of_slope * c->sin_of_slope * t->com_x[k]
-            - c->inverse_cos_of_slope * own_sum_times_cos_of_angle_minus_slope[k]
-            + c->inverse_cos_of_slope * own_share_times_length_times_product_3[k],
-            c->inverse_cos_of_slope * (-(d->cos_of_slope * c->height) - c->cos_of_slope * d->height)
-            - d->inverse_cos_of_slope * (c->cos_of_slope * c->height));
-    }
-}
-
-/* First variation of square_of_torque. */
-static void d_observed_flight_retract_pushed_square_of_torque(const real *constants, const real *series,
-    const real *d_constants, const real *d_series, int order, real *dg) {
-    const flight_retract_pushed_constants *c = (const void *)constants;
-    const flight_retract_pushed_series *s = (const void *)series;
-    const flight_retract_pushed_constants *d = (const void *)d_constants;
-    const flight_retract_pushed_series *t = (const void *)d_series;
-    real own_length_times_length[TERMS], own_rate_times_d_square[TERMS], own_d_rate[TERMS],
-        own_swing_torque_times_d_swing_torque[TERMS], own_d_square[TERMS], own_d_swing_torque[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_length_times_length[k] = product(s->length, t->length, k);
-        own_d_square[k] = 2.0 * own_length_times_length[k];
-        own_rate_times_d_square[k] = product(s->rate, own_d_square, k);
-        own_d_rate[k] = (t->momentum[k] - own_rate_times_d_square[k] - product_so_far(own_d_rate, s->square,
-            k)) / s->square[0];
-        own_d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->kp * s->angle[k]
-            - c->kp * t->angle[k] - d->kd * s->rate[k] - c->kd * own_d_rate[k],
-            -(-(d->kp * c->liftoff_factor_times_liftoff_angle)
-            - c->kp * d->liftoff_factor_times_liftoff_angle));
-        own_swing_torque_times_d_swing_torque[k] = product(s->swing_torque, own_d_swing_torque, k);
-        dg[k] = 2.0 * own_swing_torque_times_d_swing_torque[k];
-    }
-}
-
-/* passes_end: The foot is above the next segment. */
-static void guard_flight_retract_pushed_passes_end(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_pushed_constants *c = (const void *)constants;
-    const flight_retract_pushed_series *s = (const void *)series;
-    real own_length_times_sine[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_length_times_sine[k] = product(s->length, s->sine, k);
-        g[k] = with_constant(k, -s->com_x[k] - c->share * own_length_times_sine[k], c->segment_end);
-    }
-}
-
-/* passes_begin: The foot is above the segment before. */
-static void guard_flight_retract_pushed_passes_begin(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_pushed_constants *c = (const void *)constants;
-    const flight_retract_pushed_series *s = (const void *)series;
-    real own_length_times_sine[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_length_times_sine[k] = product(s->length, s->sine, k);
-        g[k] = with_constant(k, s->com_x[k] + c->share * own_length_times_sine[k], -c->segment_begin);
-    }
-}
-
-/* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
-static void guard_flight_retract_pushed_next_segment_comes(const real *constants, const real *series,
-    int order, real *g) {
-    (void)constants, (void)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = constant_of(k, broadcast(-1.0));
-    }
-}
-
-/* ramp_ends: A ramp of the friction coefficient ends at 0. */
-static void guard_flight_retract_pushed_ramp_ends(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_pushed_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = s->friction[k];
-    }
-}
-
-/* new_ground: The foot is above the pending ground line, which comes into force. */
-static void guard_flight_retract_pushed_new_ground(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_pushed_constants *c = (const void *)constants;
-    const flight_retract_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_set_slope[TERMS], own_product_2[TERMS],
-        own_sin_of_angle_minus_set_slope[TERMS], own_angle_minus_set_slope[TERMS],
-        own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        own_angle_minus_set_slope[k] = with_constant(k, s->angle[k], -c->set_slope);
-        sine_and_cosine_of(k, own_angle_minus_set_slope, own_sin_of_angle_minus_set_slope,
-            own_cos_of_angle_minus_set_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_set_slope, k);
-        g[k] = with_constant(k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k]
-            + own_product_2[k], c->cos_of_set_slope * c->set_height);
-    }
-}
-
-/* falls: The body reaches the ground. */
-static void guard_flight_retract_pushed_falls(const real *constants, const real *series, int order, real *g) {
-    const flight_retract_pushed_constants *c = (const void *)constants;
-    const flight_retract_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_by_1_minus_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_by_1_minus_share_times_length[k] = c->by_1_minus_share * s->length[k];
-        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
-        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-            own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_by_1_minus_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
-            + own_product_2[k], -(c->cos_of_slope * c->height));
-    }
-}
-
-/* collapses: The leg is shorter than leg.min_length. */
-static void guard_flight_retract_pushed_collapses(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_pushed_constants *c = (const void *)constants;
-    const flight_retract_pushed_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, s->length[k], -c->least_length);
-    }
-}
-
-/* apex: A stride closes and place begins. An external force can cause further apices in place. */
-static void guard_flight_retract_pushed_apex(const real *constants, const real *series, int order, real *g) {
-    const flight_retract_pushed_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->com_y[k + 1];
-    }
-}
-
-/* touchdown: The foot reaches the ground. */
-static void guard_flight_retract_pushed_touchdown(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_pushed_constants *c = (const void *)constants;
-    const flight_retract_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
-        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-            own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] = with_constant(k, c->cos_of_slope * s->com_y[k] - c->sin_of_slope * s->com_x[k]
-            - own_product_2[k], -(c->cos_of_slope * c->height));
-    }
-}
-
-/* clamp: The clamp of (12) holds the retracting torque at 0. */
-static void guard_flight_retract_pushed_clamp(const real *constants, const real *series, int order, real *g) {
-    const flight_retract_pushed_constants *c = (const void *)constants;
-    const flight_retract_pushed_series *s = (const void *)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, -(c->kp * s->angle[k]) - c->kd * s->rate[k],
-            c->kp * c->liftoff_factor_times_liftoff_angle);
-    }
-}
-
-/* power_of_hip: Power of the total hip torque. */
-static void guard_flight_retract_pushed_power_of_hip(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_pushed_series *s = (const void *)series;
-    (void)constants;
-    for (int k = 0; k < order; ++k) {
-        g[k] = (double)(k + 1) * s->work[k + 1];
-    }
-}
-
-/* height_of_foot: Height of the foot above the ground vertically below. */
-static void guard_flight_retract_pushed_height_of_foot(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_pushed_constants *c = (const void *)constants;
-    const flight_retract_pushed_series *s = (const void *)series;
-    real own_cos_of_angle_minus_slope[TERMS], own_product_2[TERMS], own_sin_of_angle_minus_slope[TERMS],
-        own_angle_minus_slope[TERMS], own_share_times_length[TERMS];
-    for (int k = 0; k < order; ++k) {
-        own_share_times_length[k] = c->share * s->length[k];
-        own_angle_minus_slope[k] = with_constant(k, s->angle[k], -c->slope);
-        sine_and_cosine_of(k, own_angle_minus_slope, own_sin_of_angle_minus_slope,
-            own_cos_of_angle_minus_slope);
-        own_product_2[k] = product(own_share_times_length, own_cos_of_angle_minus_slope, k);
-        g[k] = with_constant(k, c->inverse_cos_of_slope * c->cos_of_slope * s->com_y[k]
-            - c->inverse_cos_of_slope * c->sin_of_slope * s->com_x[k]
-            - c->inverse_cos_of_slope * own_product_2[k],
-            -(c->inverse_cos_of_slope * (c->cos_of_slope * c->height)));
-    }
-}
-
-/* square_of_torque: Square of the total hip torque. */
-static void guard_flight_retract_pushed_square_of_torque(const real *constants, const real *series, int order,
-    real *g) {
-    const flight_retract_pushed_series *s = (const void *)series;
+    const flight_pushed_series *s = (const void *)series;
     (void)constants;
     for (int k = 0; k < order; ++k) {
         g[k] = product(s->swing_torque, s->swing_torque, k);
@@ -6822,10 +3711,10 @@ static void guard_flight_retract_pushed_square_of_torque(const real *constants, 
 }
 
 /* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
-static void bounds_flight_retract_pushed(const real *constants, const real *series, const real *power,
-    int order, uint64_t watched, interval *bounds) {
-    const flight_retract_pushed_constants *c = (const void *)constants;
-    const flight_retract_pushed_series *s = (const void *)series;
+static void bounds_flight_pushed(const real *constants, const real *series, const real *power, int order,
+    uint64_t watched, interval *bounds) {
+    const flight_pushed_constants *c = (const void *)constants;
+    const flight_pushed_series *s = (const void *)series;
     const interval span_0 = interval_at(c->cos_of_slope, c->cos_of_slope);
     const interval span_1 = interval_of_series(s->com_y, power, 4);
     const interval span_2 = interval_at(c->height, c->height);
@@ -6835,7 +3724,8 @@ static void bounds_flight_retract_pushed(const real *constants, const real *seri
     const interval span_6 = interval_of_series(s->com_x, power, 4);
     const interval span_7 = interval_product(span_5, span_6);
     const interval span_8 = interval_difference(span_4, span_7);
-    const interval span_9 = interval_at(c->by_1_minus_share, c->by_1_minus_share);
+    const interval span_9 = interval_at(c->by_1_minus_body_mass_over_total_mass,
+        c->by_1_minus_body_mass_over_total_mass);
     const interval span_10 = interval_of_series(s->length, power, order);
     const interval span_11 = interval_product(span_9, span_10);
     const interval span_12 = interval_at(broadcast(-1.0), broadcast(1.0));
@@ -6847,7 +3737,7 @@ static void bounds_flight_retract_pushed(const real *constants, const real *seri
     bounds[6] = span_16;
     const interval span_17 = interval_of_rate(s->com_y, power, 3);
     bounds[7] = span_17;
-    const interval span_18 = interval_at(c->share, c->share);
+    const interval span_18 = interval_at(c->body_mass_over_total_mass, c->body_mass_over_total_mass);
     const interval span_19 = interval_product(span_18, span_10);
     const interval span_20 = interval_product(span_19, span_12);
     const interval span_21 = interval_difference(span_8, span_20);
@@ -6906,15 +3796,30 @@ static void bounds_flight_retract_pushed(const real *constants, const real *seri
         const interval span_31 = interval_difference(span_27, span_30);
         bounds[9] = span_31;
     }
-    if (watched >> 11 & 1) {
-        const interval span_22 = interval_at(c->inverse_cos_of_slope, c->inverse_cos_of_slope);
-        const interval span_23 = interval_product(span_22, span_21);
-        bounds[11] = span_23;
+    if (watched >> 10 & 1) {
+        const interval span_22 = interval_at(c->kp, c->kp);
+        const interval span_23 = interval_of_series(s->angle, power, order);
+        const interval span_24 = interval_at(c->liftoff_factor_times_liftoff_angle,
+            c->liftoff_factor_times_liftoff_angle);
+        const interval span_25 = interval_difference(span_23, span_24);
+        const interval span_26 = interval_product(span_22, span_25);
+        const interval span_27 = interval_at(-span_26.high, -span_26.low);
+        const interval span_28 = interval_at(c->kd, c->kd);
+        const interval span_29 = interval_of_series(s->rate, power, order);
+        const interval span_30 = interval_product(span_28, span_29);
+        const interval span_31 = interval_difference(span_27, span_30);
+        const interval span_32 = interval_at(-span_31.high, -span_31.low);
+        bounds[10] = span_32;
     }
     if (watched >> 12 & 1) {
+        const interval span_22 = interval_at(c->inverse_cos_of_slope, c->inverse_cos_of_slope);
+        const interval span_23 = interval_product(span_22, span_21);
+        bounds[12] = span_23;
+    }
+    if (watched >> 13 & 1) {
         const interval span_22 = interval_of_series(s->swing_torque, power, order);
         const interval span_23 = interval_product(span_22, span_22);
-        bounds[12] = span_23;
+        bounds[13] = span_23;
     }
 }
 
@@ -6933,7 +3838,7 @@ static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_
 static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_slip_constant_power_of_hip,
     d_observed_slip_constant_vertical_force_on_foot, d_observed_slip_constant_force_on_foot,
     d_observed_slip_constant_slip_velocity, d_observed_slip_constant_square_of_torque};
-static const int moving_slip_constant[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 89, 100, 56, 57, 58, 87, 92,
+static const int moving_slip_constant[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 89, 101, 56, 57, 58, 87, 92,
     0}, degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99},
     judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 9, 10, 17}, divided_slip_constant[] = {-1, -1, -1, -1, -1, -1,
     -1, -1, -1}, divisors_slip_constant[] = {21, 20}, integrals_slip_constant[] = {10, -1, -1, -1, -1},
@@ -6945,92 +3850,37 @@ static const tdmf_polynomial polynomials_stick[] = {guard_stick_ramp_ends, guard
 static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_power_of_hip,
     d_observed_stick_vertical_force_on_foot, d_observed_stick_force_on_foot,
     d_observed_stick_square_of_torque};
-static const int moving_stick[] = {72, 73, 74, 75, 80, 82, 83, 100, 56, 57, 58, 87, 92, 0, 76},
+static const int moving_stick[] = {72, 73, 74, 75, 80, 82, 83, 101, 56, 57, 58, 87, 92, 0, 76},
     degrees_stick[] = {99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99}, judged_stick[] = {2, 3, 4, 5,
     6, 7, 15}, divided_stick[] = {-1, -1, -1, -1, -1, -1, -1}, divisors_stick[] = {19, 18},
     integrals_stick[] = {7, -1, -1, -1}, factors_stick[] = {34, -1, -1, -1, -1, -1, -1, -1};
-static const tdmf_polynomial polynomials_flight_place_calm[] = {guard_flight_place_calm_passes_end,
-    guard_flight_place_calm_passes_begin, guard_flight_place_calm_next_segment_comes,
-    guard_flight_place_calm_ramp_ends, guard_flight_place_calm_wind_rises, guard_flight_place_calm_new_ground,
-    guard_flight_place_calm_falls, guard_flight_place_calm_collapses, guard_flight_place_calm_apex,
-    guard_flight_place_calm_touchdown, guard_flight_place_calm_power_of_hip,
-    guard_flight_place_calm_height_of_foot, guard_flight_place_calm_square_of_torque};
-static const tdmf_vary_polynomial vary_observed_flight_place_calm[] =
-    {d_observed_flight_place_calm_power_of_hip, d_observed_flight_place_calm_height_of_foot,
-    d_observed_flight_place_calm_square_of_torque};
-static const int moving_flight_place_calm[] = {61, 62, 65, 68, 71, 80, 83, 100, 56, 57, 58, 87, 92, 0, 67, 70,
-    95}, degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1, 1},
-    judged_flight_place_calm[] = {1, 2, 4, 5, 6, 7}, divided_flight_place_calm[] = {-1, -1, 0, -1, -1, -1},
-    divisors_flight_place_calm[] = {17}, integrals_flight_place_calm[] = {7, -1, -1},
-    factors_flight_place_calm[] = {21, 18, -1, -1, -1, -1};
-static const tdmf_polynomial polynomials_flight_rest_calm[] = {guard_flight_rest_calm_passes_end,
-    guard_flight_rest_calm_passes_begin, guard_flight_rest_calm_next_segment_comes,
-    guard_flight_rest_calm_ramp_ends, guard_flight_rest_calm_wind_rises, guard_flight_rest_calm_new_ground,
-    guard_flight_rest_calm_falls, guard_flight_rest_calm_collapses, guard_flight_rest_calm_apex,
-    guard_flight_rest_calm_touchdown, guard_flight_rest_calm_release, guard_flight_rest_calm_power_of_hip,
-    guard_flight_rest_calm_height_of_foot, guard_flight_rest_calm_square_of_torque};
-static const tdmf_vary_polynomial vary_observed_flight_rest_calm[] =
-    {d_observed_flight_rest_calm_power_of_hip, d_observed_flight_rest_calm_height_of_foot,
-    d_observed_flight_rest_calm_square_of_torque};
-static const int moving_flight_rest_calm[] = {61, 62, 65, 68, 71, 80, 83, 100, 56, 57, 58, 87, 92, 0, 67, 70},
-    degrees_flight_rest_calm[] = {99, 99, 99, 2, 2, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1},
-    judged_flight_rest_calm[] = {1, 2, 5, 6, 7}, divided_flight_rest_calm[] = {-1, -1, -1, -1, -1},
-    divisors_flight_rest_calm[] = {16}, integrals_flight_rest_calm[] = {7, -1, -1},
-    factors_flight_rest_calm[] = {21, -1, -1, -1, -1, -1};
-static const tdmf_polynomial polynomials_flight_retract_calm[] = {guard_flight_retract_calm_passes_end,
-    guard_flight_retract_calm_passes_begin, guard_flight_retract_calm_next_segment_comes,
-    guard_flight_retract_calm_ramp_ends, guard_flight_retract_calm_wind_rises,
-    guard_flight_retract_calm_new_ground, guard_flight_retract_calm_falls,
-    guard_flight_retract_calm_collapses, guard_flight_retract_calm_apex, guard_flight_retract_calm_touchdown,
-    guard_flight_retract_calm_clamp, guard_flight_retract_calm_power_of_hip,
-    guard_flight_retract_calm_height_of_foot, guard_flight_retract_calm_square_of_torque};
-static const tdmf_vary_polynomial vary_observed_flight_retract_calm[] =
-    {d_observed_flight_retract_calm_power_of_hip, d_observed_flight_retract_calm_height_of_foot,
-    d_observed_flight_retract_calm_square_of_torque};
-static const int moving_flight_retract_calm[] = {61, 62, 65, 68, 71, 80, 83, 100, 56, 57, 58, 87, 92, 0, 67,
-    70}, degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1},
-    judged_flight_retract_calm[] = {1, 2, 4, 5, 6, 7}, divided_flight_retract_calm[] = {-1, -1, 0, -1, -1,
-    -1}, divisors_flight_retract_calm[] = {16}, integrals_flight_retract_calm[] = {7, -1, -1},
-    factors_flight_retract_calm[] = {20, 17, -1, -1, -1, -1};
+static const tdmf_polynomial polynomials_flight_calm[] = {guard_flight_calm_passes_end,
+    guard_flight_calm_passes_begin, guard_flight_calm_next_segment_comes, guard_flight_calm_ramp_ends,
+    guard_flight_calm_wind_rises, guard_flight_calm_new_ground, guard_flight_calm_falls,
+    guard_flight_calm_collapses, guard_flight_calm_apex, guard_flight_calm_touchdown, guard_flight_calm_clamp,
+    guard_flight_calm_release, guard_flight_calm_power_of_hip, guard_flight_calm_height_of_foot,
+    guard_flight_calm_square_of_torque};
+static const tdmf_vary_polynomial vary_observed_flight_calm[] = {d_observed_flight_calm_power_of_hip,
+    d_observed_flight_calm_height_of_foot, d_observed_flight_calm_square_of_torque};
+static const int moving_flight_calm[] = {61, 62, 65, 68, 71, 80, 83, 101, 56, 57, 58, 87, 92, 0, 67, 70, 96},
+    degrees_flight_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1, 1},
+    judged_flight_calm[] = {1, 2, 4, 5, 6, 7}, divided_flight_calm[] = {-1, -1, 0, -1, -1, -1},
+    divisors_flight_calm[] = {17}, integrals_flight_calm[] = {7, -1, -1}, factors_flight_calm[] = {21, 18, -1,
+    -1, -1, -1};
 static const tdmf_polynomial polynomials_fallen[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0}, degrees_fallen[] = {0}, judged_fallen[] = {0}, divided_fallen[] = {0},
     divisors_fallen[] = {0}, integrals_fallen[] = {0}, factors_fallen[] = {0};
-static const tdmf_polynomial polynomials_graze_place[] = {guard_graze_place_passes_end,
-    guard_graze_place_passes_begin, guard_graze_place_ramp_ends, guard_graze_place_falls,
-    guard_graze_place_collapses, guard_graze_place_mid_stance, guard_graze_place_graze_to_contact,
-    guard_graze_place_graze_to_flight, guard_graze_place_power_of_hip, guard_graze_place_square_of_torque};
-static const tdmf_vary_polynomial vary_observed_graze_place[] = {d_observed_graze_place_power_of_hip,
-    d_observed_graze_place_square_of_torque};
-static const int moving_graze_place[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 100, 56, 57, 58, 87, 92, 0, 95},
-    degrees_graze_place[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99},
-    judged_graze_place[] = {2, 5, 6, 7, 8, 9, 17}, divided_graze_place[] = {-1, -1, -1, -1, -1, -1, -1},
-    divisors_graze_place[] = {21, 0, 20}, integrals_graze_place[] = {9, -1}, factors_graze_place[] = {32, 35,
-    -1, -1};
-static const tdmf_polynomial polynomials_graze_rest[] = {guard_graze_rest_passes_end,
-    guard_graze_rest_passes_begin, guard_graze_rest_ramp_ends, guard_graze_rest_falls,
-    guard_graze_rest_collapses, guard_graze_rest_apex_in_graze, guard_graze_rest_release,
-    guard_graze_rest_mid_stance, guard_graze_rest_graze_to_contact, guard_graze_rest_graze_to_flight,
-    guard_graze_rest_power_of_hip, guard_graze_rest_square_of_torque};
-static const tdmf_vary_polynomial vary_observed_graze_rest[] = {d_observed_graze_rest_power_of_hip,
-    d_observed_graze_rest_square_of_torque};
-static const int moving_graze_rest[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 100, 56, 57, 58, 87, 92, 0},
-    degrees_graze_rest[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99},
-    judged_graze_rest[] = {2, 5, 6, 7, 8, 9, 16}, divided_graze_rest[] = {-1, -1, -1, -1, -1, -1, -1},
-    divisors_graze_rest[] = {20, 0, 19}, integrals_graze_rest[] = {9, -1}, factors_graze_rest[] = {31, 34, -1,
-    -1};
-static const tdmf_polynomial polynomials_graze_retract[] = {guard_graze_retract_passes_end,
-    guard_graze_retract_passes_begin, guard_graze_retract_ramp_ends, guard_graze_retract_falls,
-    guard_graze_retract_collapses, guard_graze_retract_apex_in_graze, guard_graze_retract_clamp,
-    guard_graze_retract_mid_stance, guard_graze_retract_graze_to_contact, guard_graze_retract_graze_to_flight,
-    guard_graze_retract_power_of_hip, guard_graze_retract_square_of_torque};
-static const tdmf_vary_polynomial vary_observed_graze_retract[] = {d_observed_graze_retract_power_of_hip,
-    d_observed_graze_retract_square_of_torque};
-static const int moving_graze_retract[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 100, 56, 57, 58, 87, 92, 0},
-    degrees_graze_retract[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99},
-    judged_graze_retract[] = {2, 5, 6, 7, 8, 9, 16}, divided_graze_retract[] = {-1, -1, -1, -1, -1, -1, -1},
-    divisors_graze_retract[] = {20, 0, 19}, integrals_graze_retract[] = {9, -1},
-    factors_graze_retract[] = {31, 34, -1, -1};
+static const tdmf_polynomial polynomials_graze[] = {guard_graze_passes_end, guard_graze_passes_begin,
+    guard_graze_ramp_ends, guard_graze_falls, guard_graze_collapses, guard_graze_apex_in_graze,
+    guard_graze_clamp, guard_graze_release, guard_graze_mid_stance, guard_graze_graze_to_contact,
+    guard_graze_graze_to_flight, guard_graze_power_of_hip, guard_graze_square_of_torque};
+static const tdmf_vary_polynomial vary_observed_graze[] = {d_observed_graze_power_of_hip,
+    d_observed_graze_square_of_torque};
+static const int moving_graze[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 101, 56, 57, 58, 87, 92, 0, 96},
+    degrees_graze[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99}, judged_graze[] = {2, 5,
+    6, 7, 8, 9, 17}, divided_graze[] = {-1, -1, -1, -1, -1, -1, -1}, divisors_graze[] = {21, 0, 20},
+    integrals_graze[] = {9, -1}, factors_graze[] = {32, 35, -1, -1};
 static const tdmf_polynomial polynomials_slip_falling[] = {guard_slip_falling_ramp_ends,
     guard_slip_falling_falls, guard_slip_falling_collapses, guard_slip_falling_greatest_compression,
     guard_slip_falling_mid_stance, guard_slip_falling_lift_off, guard_slip_falling_leaves_layer,
@@ -7040,54 +3890,24 @@ static const tdmf_polynomial polynomials_slip_falling[] = {guard_slip_falling_ra
 static const tdmf_vary_polynomial vary_observed_slip_falling[] = {d_observed_slip_falling_power_of_hip,
     d_observed_slip_falling_vertical_force_on_foot, d_observed_slip_falling_force_on_foot,
     d_observed_slip_falling_slip_velocity, d_observed_slip_falling_square_of_torque};
-static const int moving_slip_falling[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 89, 100, 56, 57, 58, 87, 92, 0},
+static const int moving_slip_falling[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 89, 101, 56, 57, 58, 87, 92, 0},
     degrees_slip_falling[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99},
     judged_slip_falling[] = {2, 3, 5, 6, 7, 8, 9, 10, 17}, divided_slip_falling[] = {-1, -1, -1, -1, -1, -1,
     -1, -1, -1}, divisors_slip_falling[] = {21, 20}, integrals_slip_falling[] = {10, -1, -1, -1, -1},
     factors_slip_falling[] = {44, -1, -1, -1, -1, -1, -1, -1, -1, -1};
-static const tdmf_polynomial polynomials_flight_place_pushed[] = {guard_flight_place_pushed_passes_end,
-    guard_flight_place_pushed_passes_begin, guard_flight_place_pushed_next_segment_comes,
-    guard_flight_place_pushed_ramp_ends, guard_flight_place_pushed_new_ground,
-    guard_flight_place_pushed_falls, guard_flight_place_pushed_collapses, guard_flight_place_pushed_apex,
-    guard_flight_place_pushed_touchdown, guard_flight_place_pushed_power_of_hip,
-    guard_flight_place_pushed_height_of_foot, guard_flight_place_pushed_square_of_torque};
-static const tdmf_vary_polynomial vary_observed_flight_place_pushed[] =
-    {d_observed_flight_place_pushed_power_of_hip, d_observed_flight_place_pushed_height_of_foot,
-    d_observed_flight_place_pushed_square_of_torque};
-static const int moving_flight_place_pushed[] = {61, 62, 65, 67, 68, 69, 70, 71, 80, 82, 83, 100, 56, 57, 58,
-    87, 92, 0, 95}, degrees_flight_place_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1,
-    1, 1, 1}, judged_flight_place_pushed[] = {1, 2, 7, 8, 9, 10, 11}, divided_flight_place_pushed[] = {-1, -1,
-    0, -1, -1, -1, -1}, divisors_flight_place_pushed[] = {19}, integrals_flight_place_pushed[] = {11, -1, -1},
-    factors_flight_place_pushed[] = {28, 20, -1, -1, -1, -1};
-static const tdmf_polynomial polynomials_flight_rest_pushed[] = {guard_flight_rest_pushed_passes_end,
-    guard_flight_rest_pushed_passes_begin, guard_flight_rest_pushed_next_segment_comes,
-    guard_flight_rest_pushed_ramp_ends, guard_flight_rest_pushed_new_ground, guard_flight_rest_pushed_falls,
-    guard_flight_rest_pushed_collapses, guard_flight_rest_pushed_apex, guard_flight_rest_pushed_touchdown,
-    guard_flight_rest_pushed_release, guard_flight_rest_pushed_power_of_hip,
-    guard_flight_rest_pushed_height_of_foot, guard_flight_rest_pushed_square_of_torque};
-static const tdmf_vary_polynomial vary_observed_flight_rest_pushed[] =
-    {d_observed_flight_rest_pushed_power_of_hip, d_observed_flight_rest_pushed_height_of_foot,
-    d_observed_flight_rest_pushed_square_of_torque};
-static const int moving_flight_rest_pushed[] = {61, 62, 65, 67, 68, 69, 70, 71, 80, 82, 83, 100, 56, 57, 58,
-    87, 92, 0}, degrees_flight_rest_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1},
-    judged_flight_rest_pushed[] = {1, 2, 7, 8, 9, 10, 11}, divided_flight_rest_pushed[] = {-1, -1, 0, -1, -1,
-    -1, -1}, divisors_flight_rest_pushed[] = {18}, integrals_flight_rest_pushed[] = {11, -1, -1},
-    factors_flight_rest_pushed[] = {36, -1, -1, -1, -1, -1};
-static const tdmf_polynomial polynomials_flight_retract_pushed[] = {guard_flight_retract_pushed_passes_end,
-    guard_flight_retract_pushed_passes_begin, guard_flight_retract_pushed_next_segment_comes,
-    guard_flight_retract_pushed_ramp_ends, guard_flight_retract_pushed_new_ground,
-    guard_flight_retract_pushed_falls, guard_flight_retract_pushed_collapses,
-    guard_flight_retract_pushed_apex, guard_flight_retract_pushed_touchdown,
-    guard_flight_retract_pushed_clamp, guard_flight_retract_pushed_power_of_hip,
-    guard_flight_retract_pushed_height_of_foot, guard_flight_retract_pushed_square_of_torque};
-static const tdmf_vary_polynomial vary_observed_flight_retract_pushed[] =
-    {d_observed_flight_retract_pushed_power_of_hip, d_observed_flight_retract_pushed_height_of_foot,
-    d_observed_flight_retract_pushed_square_of_torque};
-static const int moving_flight_retract_pushed[] = {61, 62, 65, 67, 68, 69, 70, 71, 80, 82, 83, 100, 56, 57,
-    58, 87, 92, 0}, degrees_flight_retract_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1,
-    1, 1}, judged_flight_retract_pushed[] = {1, 2, 7, 8, 9, 10, 11}, divided_flight_retract_pushed[] = {-1,
-    -1, 0, -1, -1, -1, -1}, divisors_flight_retract_pushed[] = {18}, integrals_flight_retract_pushed[] = {11,
-    -1, -1}, factors_flight_retract_pushed[] = {27, 19, -1, -1, -1, -1};
+static const tdmf_polynomial polynomials_flight_pushed[] = {guard_flight_pushed_passes_end,
+    guard_flight_pushed_passes_begin, guard_flight_pushed_next_segment_comes, guard_flight_pushed_ramp_ends,
+    guard_flight_pushed_new_ground, guard_flight_pushed_falls, guard_flight_pushed_collapses,
+    guard_flight_pushed_apex, guard_flight_pushed_touchdown, guard_flight_pushed_clamp,
+    guard_flight_pushed_release, guard_flight_pushed_power_of_hip, guard_flight_pushed_height_of_foot,
+    guard_flight_pushed_square_of_torque};
+static const tdmf_vary_polynomial vary_observed_flight_pushed[] = {d_observed_flight_pushed_power_of_hip,
+    d_observed_flight_pushed_height_of_foot, d_observed_flight_pushed_square_of_torque};
+static const int moving_flight_pushed[] = {61, 62, 65, 67, 68, 69, 70, 71, 80, 82, 83, 101, 56, 57, 58, 87,
+    92, 0, 96}, degrees_flight_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1},
+    judged_flight_pushed[] = {1, 2, 7, 8, 9, 10, 11}, divided_flight_pushed[] = {-1, -1, 0, -1, -1, -1, -1},
+    divisors_flight_pushed[] = {19}, integrals_flight_pushed[] = {11, -1, -1}, factors_flight_pushed[] = {28,
+    20, -1, -1, -1, -1};
 
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
     {.moving_count = 6, .extra_count = 0, .series_count = 6, .constant_count = 7, .judged_count = 0,
@@ -7107,77 +3927,34 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
         .divided = divided_stick, .divisors = divisors_stick, .integrals = integrals_stick,
         .factors = factors_stick, .polynomials = polynomials_stick, .vary_observed = vary_observed_stick,
         .expand = expand_stick, .vary = vary_stick, .bounds = bounds_stick},
-    {.moving_count = 17, .extra_count = 0, .series_count = 24, .constant_count = 31, .judged_count = 6,
-        .divisor_count = 1, .moving = moving_flight_place_calm, .degrees = degrees_flight_place_calm,
-        .judged = judged_flight_place_calm, .divided = divided_flight_place_calm,
-        .divisors = divisors_flight_place_calm, .integrals = integrals_flight_place_calm,
-        .factors = factors_flight_place_calm, .polynomials = polynomials_flight_place_calm,
-        .vary_observed = vary_observed_flight_place_calm, .expand = expand_flight_place_calm,
-        .vary = vary_flight_place_calm, .bounds = bounds_flight_place_calm},
-    {.moving_count = 16, .extra_count = 0, .series_count = 22, .constant_count = 30, .judged_count = 5,
-        .divisor_count = 1, .moving = moving_flight_rest_calm, .degrees = degrees_flight_rest_calm,
-        .judged = judged_flight_rest_calm, .divided = divided_flight_rest_calm,
-        .divisors = divisors_flight_rest_calm, .integrals = integrals_flight_rest_calm,
-        .factors = factors_flight_rest_calm, .polynomials = polynomials_flight_rest_calm,
-        .vary_observed = vary_observed_flight_rest_calm, .expand = expand_flight_rest_calm,
-        .vary = vary_flight_rest_calm, .bounds = bounds_flight_rest_calm},
-    {.moving_count = 16, .extra_count = 0, .series_count = 23, .constant_count = 30, .judged_count = 6,
-        .divisor_count = 1, .moving = moving_flight_retract_calm, .degrees = degrees_flight_retract_calm,
-        .judged = judged_flight_retract_calm, .divided = divided_flight_retract_calm,
-        .divisors = divisors_flight_retract_calm, .integrals = integrals_flight_retract_calm,
-        .factors = factors_flight_retract_calm, .polynomials = polynomials_flight_retract_calm,
-        .vary_observed = vary_observed_flight_retract_calm, .expand = expand_flight_retract_calm,
-        .vary = vary_flight_retract_calm, .bounds = bounds_flight_retract_calm},
+    {.moving_count = 17, .extra_count = 0, .series_count = 24, .constant_count = 35, .judged_count = 6,
+        .divisor_count = 1, .moving = moving_flight_calm, .degrees = degrees_flight_calm,
+        .judged = judged_flight_calm, .divided = divided_flight_calm, .divisors = divisors_flight_calm,
+        .integrals = integrals_flight_calm, .factors = factors_flight_calm,
+        .polynomials = polynomials_flight_calm, .vary_observed = vary_observed_flight_calm,
+        .expand = expand_flight_calm, .vary = vary_flight_calm, .bounds = bounds_flight_calm},
     {.moving_count = 0, .extra_count = 0, .series_count = 0, .constant_count = 0, .judged_count = 0,
         .divisor_count = 0, .moving = moving_fallen, .degrees = degrees_fallen, .judged = judged_fallen,
         .divided = divided_fallen, .divisors = divisors_fallen, .integrals = integrals_fallen,
         .factors = factors_fallen, .polynomials = polynomials_fallen, .vary_observed = vary_observed_fallen,
         .expand = expand_fallen, .vary = vary_fallen, .bounds = NULL},
-    {.moving_count = 17, .extra_count = 1, .series_count = 37, .constant_count = 27, .judged_count = 7,
-        .divisor_count = 3, .moving = moving_graze_place, .degrees = degrees_graze_place,
-        .judged = judged_graze_place, .divided = divided_graze_place, .divisors = divisors_graze_place,
-        .integrals = integrals_graze_place, .factors = factors_graze_place,
-        .polynomials = polynomials_graze_place, .vary_observed = vary_observed_graze_place,
-        .expand = expand_graze_place, .vary = vary_graze_place, .bounds = bounds_graze_place},
-    {.moving_count = 16, .extra_count = 1, .series_count = 36, .constant_count = 27, .judged_count = 7,
-        .divisor_count = 3, .moving = moving_graze_rest, .degrees = degrees_graze_rest,
-        .judged = judged_graze_rest, .divided = divided_graze_rest, .divisors = divisors_graze_rest,
-        .integrals = integrals_graze_rest, .factors = factors_graze_rest,
-        .polynomials = polynomials_graze_rest, .vary_observed = vary_observed_graze_rest,
-        .expand = expand_graze_rest, .vary = vary_graze_rest, .bounds = bounds_graze_rest},
-    {.moving_count = 16, .extra_count = 1, .series_count = 36, .constant_count = 27, .judged_count = 7,
-        .divisor_count = 3, .moving = moving_graze_retract, .degrees = degrees_graze_retract,
-        .judged = judged_graze_retract, .divided = divided_graze_retract, .divisors = divisors_graze_retract,
-        .integrals = integrals_graze_retract, .factors = factors_graze_retract,
-        .polynomials = polynomials_graze_retract, .vary_observed = vary_observed_graze_retract,
-        .expand = expand_graze_retract, .vary = vary_graze_retract, .bounds = bounds_graze_retract},
+    {.moving_count = 17, .extra_count = 1, .series_count = 37, .constant_count = 32, .judged_count = 7,
+        .divisor_count = 3, .moving = moving_graze, .degrees = degrees_graze, .judged = judged_graze,
+        .divided = divided_graze, .divisors = divisors_graze, .integrals = integrals_graze,
+        .factors = factors_graze, .polynomials = polynomials_graze, .vary_observed = vary_observed_graze,
+        .expand = expand_graze, .vary = vary_graze, .bounds = bounds_graze},
     {.moving_count = 17, .extra_count = 1, .series_count = 45, .constant_count = 28, .judged_count = 9,
         .divisor_count = 2, .moving = moving_slip_falling, .degrees = degrees_slip_falling,
         .judged = judged_slip_falling, .divided = divided_slip_falling, .divisors = divisors_slip_falling,
         .integrals = integrals_slip_falling, .factors = factors_slip_falling,
         .polynomials = polynomials_slip_falling, .vary_observed = vary_observed_slip_falling,
         .expand = expand_slip_falling, .vary = vary_slip_falling, .bounds = bounds_slip_falling},
-    {.moving_count = 19, .extra_count = 0, .series_count = 39, .constant_count = 32, .judged_count = 7,
-        .divisor_count = 1, .moving = moving_flight_place_pushed, .degrees = degrees_flight_place_pushed,
-        .judged = judged_flight_place_pushed, .divided = divided_flight_place_pushed,
-        .divisors = divisors_flight_place_pushed, .integrals = integrals_flight_place_pushed,
-        .factors = factors_flight_place_pushed, .polynomials = polynomials_flight_place_pushed,
-        .vary_observed = vary_observed_flight_place_pushed, .expand = expand_flight_place_pushed,
-        .vary = vary_flight_place_pushed, .bounds = bounds_flight_place_pushed},
-    {.moving_count = 18, .extra_count = 0, .series_count = 37, .constant_count = 31, .judged_count = 7,
-        .divisor_count = 1, .moving = moving_flight_rest_pushed, .degrees = degrees_flight_rest_pushed,
-        .judged = judged_flight_rest_pushed, .divided = divided_flight_rest_pushed,
-        .divisors = divisors_flight_rest_pushed, .integrals = integrals_flight_rest_pushed,
-        .factors = factors_flight_rest_pushed, .polynomials = polynomials_flight_rest_pushed,
-        .vary_observed = vary_observed_flight_rest_pushed, .expand = expand_flight_rest_pushed,
-        .vary = vary_flight_rest_pushed, .bounds = bounds_flight_rest_pushed},
-    {.moving_count = 18, .extra_count = 0, .series_count = 38, .constant_count = 31, .judged_count = 7,
-        .divisor_count = 1, .moving = moving_flight_retract_pushed, .degrees = degrees_flight_retract_pushed,
-        .judged = judged_flight_retract_pushed, .divided = divided_flight_retract_pushed,
-        .divisors = divisors_flight_retract_pushed, .integrals = integrals_flight_retract_pushed,
-        .factors = factors_flight_retract_pushed, .polynomials = polynomials_flight_retract_pushed,
-        .vary_observed = vary_observed_flight_retract_pushed, .expand = expand_flight_retract_pushed,
-        .vary = vary_flight_retract_pushed, .bounds = bounds_flight_retract_pushed},
+    {.moving_count = 19, .extra_count = 0, .series_count = 39, .constant_count = 36, .judged_count = 7,
+        .divisor_count = 1, .moving = moving_flight_pushed, .degrees = degrees_flight_pushed,
+        .judged = judged_flight_pushed, .divided = divided_flight_pushed, .divisors = divisors_flight_pushed,
+        .integrals = integrals_flight_pushed, .factors = factors_flight_pushed,
+        .polynomials = polynomials_flight_pushed, .vary_observed = vary_observed_flight_pushed,
+        .expand = expand_flight_pushed, .vary = vary_flight_pushed, .bounds = bounds_flight_pushed},
 };
 
 #ifdef TDMF_LANES

@@ -49,14 +49,23 @@ enum { LEAST_ORDER = 4, TDMF_VARIED_LIMIT = 16 };
 typedef struct {
     int event;
     bool is_counted;         /* passed to `leave` */
-    bool is_crossing;        /* the guard has to cross zero: the event is not due at once */
     bool ends;               /* it leads to modes that end the run only */
     tdmf_answer *is_watched; /* evaluated where the mode begins; NULL: always watched */
-    tdmf_react *react;       /* writes the states that change and returns the next mode */
+    tdmf_answer
+        *is_crossing;  /* there, too: the guard has to cross zero, and is not due at once; NULL: never */
+    tdmf_react *react; /* writes the states that change and returns the next mode */
     tdmf_vary_react *vary_react;
     tdmf_vary_guard *vary_guard;
     int next[TDMF_NEXT_LIMIT]; /* modes that the event can lead to */
 } tdmf_guard_kind;
+
+static inline bool tdmf_is_watched(const tdmf_guard_kind *kind, const double *p, const double *x) {
+    return !kind->is_watched || kind->is_watched(p, x) != 0.0;
+}
+
+static inline bool tdmf_has_to_cross(const tdmf_guard_kind *kind, const double *p, const double *x) {
+    return kind->is_crossing && kind->is_crossing(p, x) != 0.0;
+}
 
 /* Observed quantities: their integral or largest value goes into a state. */
 typedef enum { TDMF_POSITIVE_INTEGRAL, TDMF_LARGEST } tdmf_part;

@@ -11,12 +11,12 @@ void tdmf_view_guards(const tdmf_page_instant *at, const unsigned char *watch,
     for (int i = 0; i < at->mode->guard_count; ++i) {
         const tdmf_guard_kind *kind = &at->mode->guards[i];
         const watch_state seen = (watch_state)watch[kind->event];
-        const bool must_rise = kind->is_crossing && seen != WATCH_ABOVE;
+        const bool must_rise = tdmf_has_to_cross(kind, at->p, at->x) && seen != WATCH_ABOVE;
         double value, rate;
         tdmf_page_guard(at, i, &value, &rate);
         value = value / at->event_scales[kind->event] + (must_rise ? -zero_margin : zero_margin);
         const bool rises = seen == WATCH_RISING && value <= 0.0 && rate > 0.0;
-        guards[i].is_watched = kind->is_watched == NULL || kind->is_watched(at->p, at->x) != 0.0;
+        guards[i].is_watched = tdmf_is_watched(kind, at->p, at->x);
         guards[i].rises = rises;
         guards[i].value = rises || !guards[i].is_watched ? 1.0 : value;
         guards[i].is_due = guards[i].value <= 0.0 && !must_rise;

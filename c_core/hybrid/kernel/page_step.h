@@ -28,10 +28,10 @@ enum { LANES = 1 };
 
 /* A guard of the mode. */
 typedef struct {
-    mask is_watched, was_taken; /* was_taken: its event was taken at the instant at which the mode begins */
-    mask was_above, is_late;    /* above zero since the mode began; below zero since its event was taken */
-    mask rises;                 /* from zero, as soon as time passes */
-    mask is_near;               /* the last step ended at its root, and its event was not taken */
+    mask is_watched, is_crossing, was_taken; /* was_taken: its event was taken as the mode begins */
+    mask was_above, is_late; /* above zero since the mode began; below zero since its event was taken */
+    mask rises;              /* from zero, as soon as time passes */
+    mask is_near;            /* the last step ended at its root, and its event was not taken */
     real scale, late_scale;
 } guard_watch;
 
@@ -138,6 +138,7 @@ static inline void load_mode(page_step *step, int lane, const mode_start *at, co
         guard_watch *watch = &step->guards[i];
         step->watched |= at->guards[i].is_watched ? (uint64_t)1 << i : 0;
         set_mask(&watch->is_watched, lane, at->guards[i].is_watched);
+        set_mask(&watch->is_crossing, lane, at->guards[i].is_crossing);
         set_mask(&watch->was_taken, lane, at->guards[i].was_taken);
         set_lane(&watch->scale, lane, at->guards[i].scale);
         set_lane(&watch->late_scale, lane, at->guards[i].late_scale);
@@ -165,6 +166,7 @@ static inline void keep_guards(const page_step *step, int lane, mode_start *at) 
 static inline void unload_mode(const page_step *step, int lane, mode_start *at) {
     at->begins = has_lane(&step->begins, lane);
     for (int i = 0; i < step->guard_count; ++i) {
+        at->guards[i].is_crossing = has_lane(&step->guards[i].is_crossing, lane);
         at->guards[i].was_taken = has_lane(&step->guards[i].was_taken, lane);
         at->guards[i].scale = lane_of(&step->guards[i].scale, lane);
         at->guards[i].late_scale = lane_of(&step->guards[i].late_scale, lane);
@@ -416,7 +418,6 @@ static inline mask reaches(const page_step *step, const real *g, real floor, rea
  * A guard that is below zero and not due is watched from where it rises above zero. */
 static inline mask begin_below(page_step *step, int guard, real *g, real *floor, mask *searched, mask lanes) {
     guard_watch *watch = &step->guards[guard];
-    const bool is_crossing = step->kinds[guard].is_crossing;
     const double late =
         late_margin + (rough_share * step->tolerance < roughest ? rough_share * step->tolerance : roughest);
     const real value = g[0], band = -2.0 * *floor, late_band = late * watch->late_scale;
@@ -429,20 +430,14 @@ static inline mask begin_below(page_step *step, int guard, real *g, real *floor,
     const real below_zero = *floor;
     const mask level = divide_by_time(step, divided, band, down, floor, watch->scale, undecided);
     mask falls = undecided & mask_not(level) & (divided[0] < 0.0);
-    const mask turns = is_crossing
-                           ? mask_of(false)
-                           : falls & is_zero & mask_not(reaches(step, g, below_zero, watch->scale, falls));
+    const mask may_turn = falls & is_zero & mask_not(watch->is_crossing);
+    const mask turns = may_turn & mask_not(reaches(step, g, below_zero, watch->scale, may_turn));
     falls &= mask_not(turns);
     const mask is_late = is_near & mask_not(falls) & mask_not(level & mask_not(was_taken | watch->is_late));
-    mask due = lanes & mask_not(is_zero | is_late);
-    mask below = is_late;
-    if (is_crossing) {
-        const mask crosses = is_zero & falls & watch->was_above & mask_not(was_taken);
-        below |= due | (falls & mask_not(crosses));
-        due = crosses;
-    } else {
-        due |= falls;
-    }
+    const mask crosses = is_zero & falls & watch->was_above & mask_not(was_taken);
+    const mask is_below = lanes & mask_not(is_zero | is_late), may_be_due = is_below | falls;
+    const mask below = is_late | (watch->is_crossing & may_be_due & mask_not(crosses));
+    const mask due = may_be_due & (crosses | mask_not(watch->is_crossing));
     mask falls_at_once = due & undecided & step->begins & mask_not(was_taken);
     if (any(falls_at_once)) {
         falls_at_once &= g[1] * time_of_change(step, g, watch->scale) < -band;

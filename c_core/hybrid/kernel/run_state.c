@@ -54,17 +54,19 @@ void tdmf_begin_mode(const run_state *state, mode_start *at) {
     const tdmf_mode_kind *mode = &model->modes[r->mode];
     const bool in_turns = (r->taken & (r->taken - 1)) != 0;
     const int longer = in_turns && r->chain > longest_usual_chain ? r->chain - longest_usual_chain : 0;
+    const double wider = longer > 0 ? ldexp(1.0, longer) : 1.0;
     at->begins = true;
     mode->open(r->p, r->x, at->c);
     for (int i = 0; i < mode->guard_count; ++i) {
         const tdmf_guard_kind *kind = &mode->guards[i];
         const guard_start guard = {
-            .is_watched = !kind->is_watched || kind->is_watched(r->p, r->x) != 0.0,
+            .is_watched = tdmf_is_watched(kind, r->p, r->x),
+            .is_crossing = tdmf_has_to_cross(kind, r->p, r->x),
             .was_taken = has_event(r->taken, kind->event),
             .was_above = has_event(r->above, kind->event),
             .is_late = has_event(r->late, kind->event),
             .scale = state->event_scales[kind->event],
-            .late_scale = ldexp(state->event_scales[kind->event], longer),
+            .late_scale = wider * state->event_scales[kind->event],
         };
         at->guards[i] = guard;
     }
@@ -145,7 +147,8 @@ static void forget_guards(run_state *state, int taken) {
     uint64_t crossing = 0;
     for (int i = 0; i < mode->guard_count; ++i) {
         const tdmf_guard_kind *kind = &mode->guards[i];
-        crossing |= kind->is_crossing && kind->event != taken ? (uint64_t)1 << kind->event : 0;
+        const bool stays = kind->event != taken && tdmf_has_to_cross(kind, state->r->p, state->r->x);
+        crossing |= stays ? (uint64_t)1 << kind->event : 0;
     }
     state->r->above &= crossing;
     state->r->late = 0;

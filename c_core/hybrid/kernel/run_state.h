@@ -15,9 +15,9 @@ typedef struct {
 } run_state;
 
 typedef struct {
-    bool is_watched, was_taken; /* was_taken: its event was taken at the instant at which the mode begins */
-    bool was_above, is_late;    /* above zero since the mode began; below zero since its event was taken */
-    bool is_near;               /* the last step ended at its root, and its event was not taken */
+    bool is_watched, is_crossing, was_taken; /* was_taken: its event was taken as the mode begins */
+    bool was_above, is_late;  /* above zero since the mode began; below zero since its event was taken */
+    bool is_near;             /* the last step ended at its root, and its event was not taken */
     double scale, late_scale; /* late_scale: of the band in which an event that was just taken may be late */
 } guard_start;
 
