@@ -32,7 +32,7 @@ from tdmf_slip.viable_sets import grid
 
 FRICTION, DAMPING = "ground.friction", "leg.damping"
 KINDS = ("in turn", "threads", "processes", "dask")
-SLOW = {"attraction": {"processes"}, "judgement": {"processes"}, "proof": {"threads", "processes"}}
+SLOW = {"attraction": {"processes"}, "judgement": {"processes"}, "proof": {"processes"}}
 """Slow analyses, and the executors that run them."""
 AXES = {"com_height": (1.2, 2.9), "com_speed": (0.9, 1.6)}
 PLACES = {
