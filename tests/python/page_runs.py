@@ -418,26 +418,6 @@ class PageRun:
         return dict(zip(self.of.states, values, strict=False))
 
     @property
-    def noted_until(self):
-        """The time until which the log has all events."""
-        return self.rows[LOG_SIZE - 1].time if self.run.events > LOG_SIZE else np.inf
-
-    def modes_entered(self):
-        """Times at which modes began, with contact and hip phase in the words of `native_runs`."""
-        befores = [self.states_before[i] for i in range(1, self.run.log_count)] + [self.x]
-        way, driving, swing = map(self.of.states.index, ("way", "driving", "swing"))
-        found = []
-        for row, x in zip(self.rows[: self.run.log_count], befores, strict=False):
-            mode, _ = self.of.keys[row.after]
-            if mode == "fallen":
-                break
-            contact = mode if mode != "slip" else "slip+" if x[way] > 0 else "slip-"
-            in_stance = "drive" if x[driving] > 0 else "coast"
-            in_flight = "place" if x[swing] > 1 else "retract"
-            found.append((row.time, contact, in_stance if mode in ("stick", "slip") else in_flight))
-        return found
-
-    @property
     def outputs(self):
         """Outputs by name."""
         values = np.zeros(len(self.of.outputs) + 1)
