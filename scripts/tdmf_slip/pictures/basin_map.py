@@ -261,13 +261,9 @@ OPEN, NOT_VIABLE = "#f0b35a", "#efe9e4"
 """Colours of cells that the grid leaves open, and of those from which no action of the grid helps."""
 
 
+@style.styled()
 def of_viable_set(found: xarray.Dataset) -> Figure:
     """The sets as a figure."""
-    with style.styled():
-        return _viable_set(found)
-
-
-def _viable_set(found: xarray.Dataset) -> Figure:
     figure, axes = style.subplots(figsize=(7.6, 5.4))
     mesh = paint_viable_set(axes, found)
     figure.colorbar(mesh, ax=axes, label="share of actions that lead to a viable state (inner set)", pad=0.01)
