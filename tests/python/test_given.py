@@ -240,7 +240,10 @@ REFUSED = {
         lambda gait: run_unit(profile=(1, 2), strides=1),
         r"profile = \(1, 2\) is not allowed; allowed: a Profile",
     ),
-    "nothing for curves": (lambda gait: tdmf_slip.continue_curves({}, None), r"vary = None is not allowed"),
+    "nothing for curves": (
+        lambda gait: tdmf_slip.continue_curves({}, None),
+        "vary: 0 names; .*two parameters",
+    ),
     "a number for curves": (lambda gait: tdmf_slip.continue_curves({}, 0.3), r"vary = 0\.3 .*two parameters"),
     "numbers for curves": (
         lambda gait: tdmf_slip.continue_curves({}, {FRICTION: 0.3, DAMPING: 0.2}),

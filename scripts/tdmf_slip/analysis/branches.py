@@ -11,10 +11,9 @@ import numpy as np
 
 from ..checks import checked, checked_flag, checked_whole, number_of, refusal
 from ..errors import InputError, RunError
-from ..given import row_of
 from ..library.fixed_point import settled_gait
 from ..library.gait import Gait, check_is_gait, gaits_dataset
-from ..library.members import varied_alone
+from ..library.members import ranges_varied
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..numerics.following import SHORTEST_STEP as SHORTEST_STEP
@@ -179,17 +178,12 @@ def continue_branch(
     """
     runner = Runner(runner, model=model)
     allowed = "both ends of a range, by the name of one parameter or input"
-    name, ends = varied_alone(vary, allowed, runner.model)
-    where = f"vary {name}"
-    row = row_of(ends, where, allowed)
-    if len(row) != 2:
-        raise refusal(where, ends, allowed)
-    begin, end = (float(runner.model.variables[name].value_of(value, where)) for value in row)
+    ((name, (begin, end)),) = ranges_varied(vary, {1}, allowed, runner.model).items()
     switch = checked_flag("switch", switch)
     max_step = checked("max_step", max_step, SHORTEST_STEP, LARGEST_STEP)
     max_points = checked_whole("max_points", max_points, 1, MAX_POINTS)
     if begin == end:
-        raise InputError(f"{where}: {begin:g} to {end:g}; allowed: ends that differ")
+        raise InputError(f"vary {name}: {begin:g} to {end:g}; allowed: ends that differ")
     with progress_bar("branch", None, "gaits", progress) as bar:
         first = first_gait(runner, name, begin, end)
         branch = trace(

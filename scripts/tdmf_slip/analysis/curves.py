@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import checked_whole, refusal, shown
+from ..checks import checked_whole
 from ..errors import InputError, RunError
-from ..given import row_of
 from ..library.gait import Gait
-from ..library.members import check_varied
+from ..library.members import ranges_varied
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..numerics.following import RETURNED, Limits, Point, both_ways
@@ -21,7 +20,7 @@ from ..numerics.newton import Matrix, Vector
 from ..record import dataset
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import Model, by_full_name
+from ..variables.table import Model
 from .branch_problem import GaitProblem
 from .branches import continue_branch
 from .special_points import (
@@ -377,18 +376,9 @@ def _curves(
 def _checked_ranges(vary: object, model: Model) -> tuple[tuple[str, str], NDArray[np.float64]]:
     """Names of the two parameters, and the ends of their ranges, shape (2, 2)."""
     allowed = "two parameters or inputs, each with the two ends of its range"
-    given = by_full_name(vary, "vary", allowed, model.aliases)
-    if len(given) != 2:
-        raise InputError(f"vary = {shown(vary)} is not allowed; allowed: {allowed}")
-    spans = []
-    for name, ends in given.items():
-        check_varied(name, "vary", model)
-        pair = row_of(ends, f"vary {name}", allowed)
-        if len(pair) != 2:
-            raise refusal(f"vary {name}", ends, allowed)
-        spans.append([float(model.variables[name].value_of(value, f"vary {name}")) for value in pair])
-    first, second = given
-    return (first, second), np.array(spans)
+    ranges = ranges_varied(vary, {2}, allowed, model)
+    first, second = ranges
+    return (first, second), np.array(list(ranges.values()))
 
 
 def _is_on(found: Sequence[Curve], special: Special, at: Vector, limits: Limits) -> bool:

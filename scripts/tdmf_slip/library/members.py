@@ -1,12 +1,13 @@
 """Values in the C library's structs, by the unit's names: parameters and inputs."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..checks import is_one_of, near_matches, shown
+from ..checks import is_one_of, near_matches, refusal, shown
 from ..errors import GaitNotFoundError, InputError
+from ..given import row_of
 from ..variables.table import FRICTION, MODELS, Model, by_full_name, full_names
 from .binding import ffi
 
@@ -72,14 +73,31 @@ def checked_names(given: object, what: str, model: Model = MODELS["full"]) -> tu
     return names
 
 
-def varied_alone(vary: object, allowed: str, model: Model = MODELS["full"]) -> tuple[str, Any]:
-    """The one name that varies, and what is given of it."""
+def pairs_varied(
+    vary: object, counts: Container[int], allowed: str, model: Model = MODELS["full"]
+) -> dict[str, list[Any]]:
+    """Both ends of a range as they are given, by the names of what varies; `counts` are numbers of names."""
     given = by_full_name(vary, "vary", allowed, model.aliases)
-    if len(given) != 1:
+    if len(given) not in counts:
         raise InputError(f"vary: {len(given)} names; allowed: {allowed}")
-    ((name, values),) = given.items()
-    check_varied(name, "vary", model)
-    return name, values
+    pairs = {}
+    for name, ends in given.items():
+        check_varied(name, "vary", model)
+        pairs[name] = row_of(ends, f"vary {name}", allowed)
+        if len(pairs[name]) != 2:
+            raise refusal(f"vary {name}", ends, allowed)
+    return pairs
+
+
+def ranges_varied(
+    vary: object, counts: Container[int], allowed: str, model: Model
+) -> dict[str, tuple[float, float]]:
+    """Both ends of ranges in the variables' own units, by the names of what varies."""
+    ranges = {}
+    for name, pair in pairs_varied(vary, counts, allowed, model).items():
+        low, high = (float(model.variables[name].value_of(end, f"vary {name}")) for end in pair)
+        ranges[name] = low, high
+    return ranges
 
 
 def at_friction(values: Mapping[str, Any]) -> str:

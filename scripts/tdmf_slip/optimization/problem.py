@@ -19,12 +19,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..analysis.targeted import NO_ACTION, checked_target
-from ..checks import checked, shown
+from ..checks import checked
 from ..errors import InputError, RunError
-from ..given import row_of
-from ..library.members import check_varied
+from ..library.members import ranges_varied
 from ..library.quantities import allowed_quantities, checked_quantity
-from ..variables.table import Model, by_full_name
+from ..variables.table import Model
 from .gaits import Candidate, Space, Spectrum
 
 FROM_ZERO = ("slip_distance",)
@@ -46,22 +45,11 @@ def checked_objective(minimize: str | None, maximize: str | None, model: Model) 
 
 def checked_space(vary: object, model: Model) -> Space:
     """The parameters that are varied, between bounds that the unit allows."""
-    given = by_full_name(vary, "vary", "bounds (A, B) by the names of parameters and inputs", model.aliases)
-    if not 1 <= len(given) <= MAX_PARAMETERS:
-        raise InputError(
-            f"vary: {len(given)} parameters; allowed: 1 to {MAX_PARAMETERS} parameters and inputs"
-        )
-    bounds = {}
-    for name, pair in given.items():
-        check_varied(name, "vary", model)
-        where = f"vary {name}"
-        bounds_given = row_of(pair, where, "two bounds, A below B")
-        if len(bounds_given) != 2:
-            raise InputError(f"{where} = {shown(pair)} is not allowed; allowed: two bounds, A below B")
-        low, high = (float(model.variables[name].value_of(value, where)) for value in bounds_given)
+    allowed = f"1 to {MAX_PARAMETERS} parameters and inputs by name, each with two bounds, A below B"
+    bounds = ranges_varied(vary, range(1, MAX_PARAMETERS + 1), allowed, model)
+    for name, (low, high) in bounds.items():
         if not low < high:
-            raise InputError(f"{where} = {low:g}:{high:g} is not allowed; allowed: A:B with A below B")
-        bounds[name] = low, high
+            raise InputError(f"vary {name} = {low:g}:{high:g} is not allowed; allowed: A:B with A below B")
     return Space(bounds)
 
 

@@ -12,11 +12,10 @@ from typing import overload
 import numpy as np
 from flint import acb, arb, ctx
 
-from ..checks import checked_whole, path_of, refusal
+from ..checks import checked_whole, path_of
 from ..errors import InputError
-from ..given import row_of
 from ..library.gait import Gait
-from ..library.members import varied_alone
+from ..library.members import pairs_varied
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..variables.parameters import RUNNER
@@ -149,10 +148,8 @@ def _over(
     executor: Executor | None,
     progress: bool,
 ) -> RangeProof:
-    name, span = varied_alone(vary, "a parameter with the ends of its range")
-    row = row_of(span, f"vary: {name}", "the two ends of a range")
-    if len(row) != 2:
-        raise refusal(f"vary: {name}", span, "the two ends of a range")
+    allowed = "a parameter with the two ends of its range"
+    ((name, row),) = pairs_varied(vary, {1}, allowed).items()
     ends = [exact_value(VARIABLES[name], end, "vary") for end in row]
     if any(end.turns for end in ends):
         raise InputError(f"vary: {name} from {ends[0]} to {ends[1]}; allowed: rational ends")
