@@ -121,7 +121,7 @@ tdmf_page_run tdmf_run_of_page_map(const tdmf_page_map *map) {
                                .tolerance = map->tolerance,
                                .order = tdmf_page_order(map->tolerance),
                                .stop_event = -1,
-                               .observes = TDMF_OBSERVE_USUAL,
+                               .observes = map->is_unobserved ? TDMF_OBSERVE_NOTHING : TDMF_OBSERVE_USUAL,
                                .step_limit = map->step_limit > 0 ? map->step_limit : limit,
                                .event_limit = limit,
                                .seed_count = map->seed_count,
@@ -159,7 +159,23 @@ tdmf_page_end tdmf_end_of_page_run(const tdmf_page_map *map, const tdmf_page_run
         const tdmf_event_row *row = &r->log[i];
         events[i] = (tdmf_page_event){row->time, row->event, row->before, row->after};
     }
-    return (tdmf_page_end){outcomes[outcome], r->mode, r->time, (int)r->events, r->steps};
+    return (tdmf_page_end){outcomes[outcome], r->mode, r->time, (int)r->events, r->steps, 0};
+}
+
+int tdmf_unmet_requirement(const tdmf_model_kind *model, const tdmf_page_run *r) {
+    for (int i = 0; i < tdmf_page_count; ++i) {
+        const tdmf_page_entry *entry = &tdmf_pages[i];
+        for (int k = 0; entry->model == model && k < entry->requirement_count; ++k) {
+            if (!(entry->requirements[k](r->p, r->x) >= 0.0)) {
+                return k + 1;
+            }
+        }
+    }
+    return 0;
+}
+
+static tdmf_page_end refused(int requirement) {
+    return (tdmf_page_end){.outcome = TDMF_PAGE_REFUSED, .requirement = requirement};
 }
 
 /* Working memory of a call, which is allocated for large models only. */
@@ -194,7 +210,7 @@ static void keep_log(const tdmf_page_map *map, tdmf_page_run *r, double *numbers
 tdmf_page_end tdmf_page_stride(const tdmf_page_map *map, const double *point, double *states,
                                double *d_states) {
     if (!is_sound(map, point) || !states) {
-        return (tdmf_page_end){.outcome = TDMF_PAGE_REFUSED};
+        return refused(0);
     }
     const tdmf_model_kind *model = model_of(map->page);
     const size_t size = tdmf_section_memory_size(model, map->section, map->seed_count);
@@ -206,10 +222,14 @@ tdmf_page_end tdmf_page_stride(const tdmf_page_map *map, const double *point, do
     const tdmf_section_map section = {model, map->section, &run, map->longest, of.numbers};
     tdmf_page_run r = tdmf_run_from_section(&section, point, d_states != NULL);
     keep_log(map, &r, of.numbers + size);
-    const tdmf_run_outcome outcome =
-        tdmf_outcome_at_section(&section, &r, tdmf_page_run_to(model, &r, map->longest));
+    const int requirement = tdmf_unmet_requirement(model, &r);
+    tdmf_page_end end = refused(requirement);
+    if (requirement == 0) {
+        const tdmf_run_outcome outcome =
+            tdmf_outcome_at_section(&section, &r, tdmf_page_run_to(model, &r, map->longest));
+        end = tdmf_end_of_page_run(map, &r, outcome, map->events);
+    }
     tdmf_read_page_run(model, &r, states, d_states);
-    const tdmf_page_end end = tdmf_end_of_page_run(map, &r, outcome, map->events);
     close_memory(&of);
     return end;
 }
@@ -257,11 +277,24 @@ static void write_sample(const tdmf_model_kind *model, const tdmf_page_run *r,
         mode->outputs(r->p, r->x, outputs);
     }
     samples->modes[row] = r->mode;
+    for (int seed = 0; samples->d_states && seed < r->seed_count; ++seed) {
+        const size_t of_row = (size_t)row * (size_t)r->seed_count + (size_t)seed;
+        const double *dp = r->dp + seed * model->parameter_count, *dx = r->dx + seed * model->state_count;
+        double *varied = samples->d_states + of_row * (size_t)model->state_count;
+        memcpy(varied, dx, (size_t)model->state_count * sizeof *varied);
+        if (mode->vary_to_world) {
+            mode->vary_to_world(r->p, r->x, dp, dx, varied);
+        }
+        if (mode->vary_outputs) {
+            mode->vary_outputs(r->p, r->x, dp, dx, samples->d_outputs + of_row * (size_t)model->output_count);
+        }
+    }
 }
 
 static tdmf_run_outcome sample(const tdmf_model_kind *model, tdmf_page_run *r,
                                const tdmf_page_samples *samples, int *sampled) {
     tdmf_run_outcome outcome = TDMF_RUN_ARRIVED;
+    *sampled = 0;
     for (int row = 0; row < samples->count && outcome == TDMF_RUN_ARRIVED; ++row) {
         outcome = tdmf_page_run_to(model, r, samples->times[row]);
         if (outcome == TDMF_RUN_ARRIVED) {
@@ -272,32 +305,72 @@ static tdmf_run_outcome sample(const tdmf_model_kind *model, tdmf_page_run *r,
     return outcome;
 }
 
+static bool are_complete(const tdmf_page_map *map, const tdmf_page_samples *samples, const int *sampled) {
+    return samples->count >= 0 && samples->times && samples->states && samples->outputs && samples->modes &&
+           sampled && !samples->d_states == !samples->d_outputs &&
+           (samples->point ? tdmf_is_page_map_sound(map) && tdmf_is_page_point_sound(map, samples->point)
+                           : is_sound_without_section(map));
+}
+
+/* Numbers that a run from the start, or from a point, takes. */
+static size_t size_of_begun(const tdmf_page_map *map, const tdmf_page_samples *samples) {
+    const tdmf_model_kind *model = model_of(map->page);
+    const size_t seeds = samples && samples->d_states ? (size_t)map->seed_count : 0;
+    return samples && samples->point
+               ? tdmf_section_memory_size(model, map->section, (int)seeds)
+               : (1 + seeds) * ((size_t)model->state_count + 1) + tdmf_run_memory_size(model, (int)seeds);
+}
+
+/* A run from the start, or from a point. It varies along the seeds where derivatives are sampled. */
+static tdmf_page_run begun(const tdmf_page_map *map, const tdmf_page_samples *samples, double *numbers) {
+    const tdmf_model_kind *model = model_of(map->page);
+    const tdmf_page_run run = tdmf_run_of_page_map(map);
+    const size_t states = (size_t)model->state_count;
+    tdmf_page_run r = run;
+    if (samples && samples->point) {
+        const tdmf_section_map section = {model, map->section, &run, map->longest, numbers};
+        r = tdmf_run_from_section(&section, samples->point, samples->d_states != NULL);
+        r.stop_event = -1;
+        return r;
+    }
+    r.seed_count = samples && samples->d_states ? map->seed_count : 0;
+    r.x = numbers;
+    r.dx = r.x + states;
+    r.shift = r.dx + (size_t)r.seed_count * states;
+    r.memory = r.shift + r.seed_count;
+    memcpy(r.x, map->states, states * sizeof *r.x);
+    memset(r.dx, 0, (size_t)r.seed_count * (states + 1) * sizeof *r.dx);
+    if (map->d_states) {
+        memcpy(r.dx, map->d_states, (size_t)r.seed_count * states * sizeof *r.dx);
+    }
+    return r;
+}
+
 tdmf_page_end tdmf_page_begin(const tdmf_page_map *map, double *states, const tdmf_page_samples *samples,
                               int *sampled) {
-    const bool is_complete = !samples || (samples->count >= 0 && samples->times && samples->states &&
-                                          samples->outputs && samples->modes && sampled);
-    if (!(samples ? is_sound_without_section(map) : tdmf_is_page_map_sound(map)) || !states || !is_complete ||
+    if (!(samples ? are_complete(map, samples, sampled) : tdmf_is_page_map_sound(map)) || !states ||
         !tdmf_are_page_values_sound(model_of(map->page), map->parameters, map->states)) {
-        return (tdmf_page_end){.outcome = TDMF_PAGE_REFUSED};
+        return refused(0);
     }
     const tdmf_model_kind *model = model_of(map->page);
-    const size_t size = tdmf_run_memory_size(model, 0);
+    const size_t size = size_of_begun(map, samples);
     memory of;
     if (!open_memory(&of, size + size_of_log(map))) {
         return (tdmf_page_end){.outcome = TDMF_PAGE_NO_MEMORY};
     }
-    tdmf_page_run r = tdmf_run_of_page_map(map);
-    memcpy(states, map->states, (size_t)model->state_count * sizeof *states);
-    r.x = states;
-    r.seed_count = 0;
-    r.memory = of.numbers;
+    tdmf_page_run r = begun(map, samples, of.numbers);
     keep_log(map, &r, of.numbers + size);
     if (!samples) {
         r.stop_event = model->sections[map->section].event;
     }
-    const tdmf_run_outcome outcome =
-        samples ? sample(model, &r, samples, sampled) : tdmf_page_run_to(model, &r, map->longest);
-    const tdmf_page_end end = tdmf_end_of_page_run(map, &r, outcome, map->events);
+    const int requirement = tdmf_unmet_requirement(model, &r);
+    tdmf_page_end end = refused(requirement);
+    if (requirement == 0) {
+        const tdmf_run_outcome outcome =
+            samples ? sample(model, &r, samples, sampled) : tdmf_page_run_to(model, &r, map->longest);
+        end = tdmf_end_of_page_run(map, &r, outcome, map->events);
+    }
+    tdmf_read_page_run(model, &r, states, NULL);
     close_memory(&of);
     return end;
 }

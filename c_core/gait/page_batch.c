@@ -49,8 +49,9 @@ static tdmf_page_map map_of_run(const tdmf_page_batch *batch, int64_t number) {
     return map;
 }
 
-/* Begins a run in memory. False if its numbers are refused. */
+/* Begins a run in memory. False if its numbers are refused, or its start by the page. */
 static bool begin(const tdmf_page_batch *batch, int64_t number, double *arrays, tdmf_page_run *r) {
+    batch->ends[number] = (tdmf_page_end){.outcome = TDMF_PAGE_REFUSED};
     const tdmf_model_kind *model = model_of(batch);
     const tdmf_page_map map = map_of_run(batch, number);
     const double *point = batch->points + number * model->sections[map.section].count;
@@ -61,7 +62,9 @@ static bool begin(const tdmf_page_batch *batch, int64_t number, double *arrays, 
     const tdmf_page_run run = tdmf_run_of_page_map(&map);
     const tdmf_section_map section = {model, map.section, &run, map.longest, arrays};
     *r = tdmf_run_from_section(&section, point, batch->d_states != NULL);
-    return true;
+    batch->ends[number].requirement = tdmf_unmet_requirement(model, r);
+    tdmf_read_page_run(model, r, batch->states + number * model->state_count, NULL);
+    return batch->ends[number].requirement == 0;
 }
 
 static void finish(const tdmf_page_batch *batch, int64_t number, const tdmf_page_run *r,
@@ -83,7 +86,6 @@ static bool run_part(const tdmf_page_batch *batch, int64_t first, int64_t count,
     for (int64_t number = first; number < first + count; ++number) {
         tdmf_page_run *r = &of->runs[begun];
         if (!begin(batch, number, of->arrays + (size_t)begun * size, r)) {
-            batch->ends[number] = (tdmf_page_end){.outcome = TDMF_PAGE_REFUSED};
             continue;
         }
         r->log = map->events ? of->rows + begun * map->event_room : NULL;

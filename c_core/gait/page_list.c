@@ -4,7 +4,7 @@
 extern const tdmf_model_kind tdmf_classic_slip_model, tdmf_reduced_runner_model;
 
 const tdmf_page_entry tdmf_pages[] = {
-    {"classic_slip", &tdmf_classic_slip_model},
-    {"reduced_runner", &tdmf_reduced_runner_model},
+    {"classic_slip", &tdmf_classic_slip_model, NULL, 0},
+    {"reduced_runner", &tdmf_reduced_runner_model, NULL, 0},
 };
 const int tdmf_page_count = sizeof tdmf_pages / sizeof *tdmf_pages;

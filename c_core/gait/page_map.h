@@ -10,6 +10,8 @@
 typedef struct {
     const char *name;
     const tdmf_model_kind *model;
+    tdmf_answer *const *requirements; /* numbers that must not be negative at a start */
+    int requirement_count;
 } tdmf_page_entry;
 
 extern const tdmf_page_entry tdmf_pages[];
@@ -25,6 +27,9 @@ bool tdmf_is_page_point_sound(const tdmf_page_map *map, const double *point);
 
 /* A run with the settings of a map, which a section starts. */
 tdmf_page_run tdmf_run_of_page_map(const tdmf_page_map *map);
+
+/* The number, from 1, of the requirement that the start of a run does not meet; 0 where all are met. */
+int tdmf_unmet_requirement(const tdmf_model_kind *model, const tdmf_page_run *r);
 
 /* The states of a run and, unless `d_states` is NULL, their variations: a row for each. */
 void tdmf_read_page_run(const tdmf_model_kind *model, const tdmf_page_run *r, double *states,

@@ -46,6 +46,10 @@ def table_of(page):
             {"name": name, "event": of.event, "coordinates": list(of.coordinates)}
             for name, of in page.sections.items()
         ],
+        "requirements": [
+            {"variable": of.of_variable, "allowed": of.allowed}
+            for of in page.model.marked("is_required").values()
+        ],
         "outputs": [
             {
                 "name": name, "public": page.model.public(name), "unit": of.unit,

@@ -366,11 +366,16 @@ class Page:
                         text = f"asks for {word}=`{value}`, which no decision gives"
                         raise page_error(function, name, f"{text}{similar(value, mentioned)}")
 
+    @property
+    def unreached(self):
+        """Modes to which no event of the page leads."""
+        reached = {mode for mode, _ in self.keys}
+        return {mode: function for mode, function in self.modes.items() if mode not in reached}
+
     def check_unreached(self):
         """Run what no run reaches, and requirements of a start, which refuses errors in them."""
-        reached = {mode for mode, _ in self.keys}
-        for mode, function in self.modes.items():
-            if mode not in reached and not function.words:
+        for mode, function in self.unreached.items():
+            if not function.words:
                 self.rates((mode, ()))
                 for name in self.watched((mode, ())):
                     self.decide((mode, ()), name)

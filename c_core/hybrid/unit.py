@@ -52,6 +52,18 @@ def empty(name):
     return ["{0},"] if name.startswith("unit_") else ["0,"]
 
 
+def requirements_in_c(page, functions):
+    """Functions of C for the numbers that must not be negative at a start, by their names on the page."""
+    found = {}
+    for name, function in page.model.marked("is_required").items():
+        forget_expressions()
+        value, taken = page.number(function, page.keys[0], name), {}
+        body = statements([value], taken, set()) + f"    return {c_text(value, taken.get)};\n"
+        about = f"{name}: {function.__doc__ or ''}"
+        found[name] = functions.add(f"require_{name}", "answer", body, about)
+    return found
+
+
 class World:
     """The continuous states of a unit, and the names that values depend on."""
 
@@ -322,16 +334,12 @@ class Unit:
 
     def requirements(self, functions):
         """Rows of numbers that must not be negative at a start."""
-        page, rows = self.page, []
-        for name, function in page.model.marked("is_required").items():
-            forget_expressions()
+        rows = []
+        for name, margin in requirements_in_c(self.page, functions).items():
+            function = self.page.model.marked("is_required")[name]
             if function.of_variable not in self.number:
                 near = f"`{function.of_variable}` is no variable of the unit"
                 raise page_error(function, name, near)
-            value, taken = page.number(function, page.keys[0], name), {}
-            body = statements([value], taken, set()) + f"    return {c_text(value, taken.get)};\n"
-            about = f"{name}: {function.__doc__ or ''}"
-            margin = functions.add(f"require_{name}", "answer", body, about)
             rows.append(f"{{{self.number[function.of_variable]}, {json.dumps(function.allowed)}, {margin}}},")
         return rows
 

@@ -21,7 +21,8 @@ FOLDERS = UNIT, UNIT / "page", KERNEL, C_CORE / "kernel"
 DRIVER = ("driver.c", "observed.c", "page_exchange.c", "page_instant.c", "run_state.c")
 FLAGS = ("-std=c99", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-fvisibility=hidden")
 MOTIONS = ("-O2", "-fno-tree-vectorize")
-SYSTEMS = {"Linux": ("linux", ".so"), "Darwin": ("darwin", ".dylib"), "Windows": ("win", ".dll")}
+SYSTEMS = {"linux": ("linux64", ".so"), "darwin": ("darwin64", ".dylib"), "windows": ("win64", ".dll")}
+"""Names of systems in FMI 2.0, and suffixes of their shared libraries, by their names in FMI 3.0."""
 PROCESSORS = {"amd64": "x86_64", "arm64": "aarch64"}
 
 
@@ -109,13 +110,23 @@ def sources_of(names, fmi):
     return sorted(name for name in names if name.endswith(".c") and is_for(name, fmi))
 
 
-def platform_of(fmi):
-    """The name of this platform in a version of FMI, and the suffix of its shared libraries."""
-    system, suffix = SYSTEMS[platform.system()]
+def host():
+    """The name of this platform in FMI 3.0."""
     machine = platform.machine().lower()
-    if fmi == 2:
-        return f"{system}64", suffix
-    return f"{PROCESSORS.get(machine, machine)}-{ {'win': 'windows'}.get(system, system) }", suffix
+    return f"{PROCESSORS.get(machine, machine)}-{platform.system().lower()}"
+
+
+def platform_of(fmi, of=None):
+    """The name of a platform, by default this one, in a version of FMI, and the suffix of its libraries.
+
+    FMI 2.0 has one name for each system. It is that of x86_64, of this machine and, on macOS, of either
+    processor; for other platforms the name is None.
+    """
+    of = of or host()
+    machine, _, system = of.partition("-")
+    name, suffix = SYSTEMS[system]
+    is_named = machine == "x86_64" or system == "darwin" or of == host()
+    return (of if fmi == 3 else name if is_named else None), suffix
 
 
 def fmi_headers():
@@ -164,30 +175,50 @@ def run_all(jobs):
         list(pool.map(run, jobs))
 
 
-def build_library(folder, fmi, name, objects, compiler="cc", flags=()):
-    """Link the objects of `compile_unit` to the shared library of a version of FMI, and return its path."""
-    system, suffix = platform_of(fmi)
+def build_library(folder, fmi, name, objects, compiler="cc", flags=(), of=None):
+    """Link the objects of `compile_unit` to the shared library of a version of FMI for a platform.
+
+    Returns its path, or None where the version of FMI has no name for the platform.
+    """
+    system, suffix = platform_of(fmi, of)
+    if system is None:
+        return None
     library = Path(folder) / f"fmi{fmi}" / "binaries" / system / f"{name}{suffix}"
     library.parent.mkdir(parents=True, exist_ok=True)
     command = [compiler] if isinstance(compiler, str) else list(compiler)
-    linked = [objects[source] for source in sources_of(objects, fmi)]
-    run_all([(library.name, [*command, "-shared", *flags, *linked, "-o", library, "-lm"])])
+    linked = Path(folder) / "objects" / library.name
+    sources = [objects[source] for source in sources_of(objects, fmi)]
+    run_all([(library.name, [*command, "-shared", *flags, *sources, "-o", linked, "-lm"])])
+    linked.replace(library)  # without what linkers for Windows write beside it
     return library
 
 
-def build_units(model, folder, version="0", compiler="cc", flags=()):
+def build_units(model, folder, version="0", compiler="cc", flags=(), of=None, earlier=None):
     """Write, compile and pack the units of a page: the paths of its FMUs of FMI 2.0 and 3.0.
 
-    The files in the folder are `NAME.fmu` and `NAME_FMI3.fmu`, where NAME is that of the page's class.
+    The files in the folder are `NAME.fmu` and `NAME_FMI3.fmu`, where NAME is that of the page's class. `of`
+    is the platform that the compiler compiles for, by default this one. `earlier` is a folder with units of
+    the same page, whose libraries for other platforms are taken over.
     """
     folder = Path(folder)
     name, paths = write_unit(model, folder, version), []
     objects = compile_unit(folder, compiler, flags)
     for fmi in (2, 3):
-        build_library(folder, fmi, name, objects, compiler, flags)
-        paths.append(pack_unit(folder, fmi, f"{name}{'' if fmi == 2 else '_FMI3'}.fmu"))
+        file = f"{name}{'' if fmi == 2 else '_FMI3'}.fmu"
+        if earlier is not None and (Path(earlier) / file).is_file():
+            unpack_binaries(Path(earlier) / file, folder / f"fmi{fmi}")
+        build_library(folder, fmi, name, objects, compiler, flags, of)
+        paths.append(pack_unit(folder, fmi, file))
     shutil.rmtree(folder / "objects")
     return paths
+
+
+def unpack_binaries(unit, folder):
+    """Unpack the binaries of a unit to a folder."""
+    with zipfile.ZipFile(unit) as packed:
+        for name in packed.namelist():
+            if name.startswith("binaries/"):
+                packed.extract(name, folder)
 
 
 def pack_unit(folder, fmi, name):

@@ -317,7 +317,7 @@ static void pages_refuse_null_and_numbers_out_of_range(void **state) {
     }
     assert_false(tdmf_page_place(&sound, point, NULL));
     assert_int_equal(tdmf_page_begin(&sound, NULL, NULL, NULL).outcome, TDMF_PAGE_REFUSED);
-    const tdmf_page_samples nothing = {1, NULL, NULL, NULL, NULL};
+    const tdmf_page_samples nothing = {.count = 1};
     assert_int_equal(tdmf_page_begin(&sound, end, &nothing, NULL).outcome, TDMF_PAGE_REFUSED);
     tdmf_page_scales(NULL, p, x);
     tdmf_page_scales(page, NULL, x);

@@ -11,16 +11,17 @@ from tdmf_slip.builds import TABLE
 BUILT = ROOT / "build" / "own_pages"
 
 
-def loaded(path, cache={}):  # noqa: B006
-    """The model of the page in a file, built where no earlier test has built it."""
-    if path not in cache:
+def loaded(path, unit=False, cache={}):  # noqa: B006
+    """The model of the page in a file, built once, on request with its FMI units."""
+    if (path, unit) not in cache:
         page = page_in(path)
         table, _ = derived(page)
         folder = BUILT / f"{table['c_name']}-{table['id']}"
         with locked("own_pages"):
-            if not (folder / TABLE).exists():
+            if not (folder / TABLE).exists() or (unit and not any(folder.glob("*.fmu"))):
                 for old in BUILT.glob(f"{table['c_name']}-*"):
-                    shutil.rmtree(old)
-                tdmf_slip.build(page, folder, unit=False)
-        cache[path] = tdmf_slip.load_model(folder)
-    return cache[path]
+                    if old != folder:
+                        shutil.rmtree(old)
+                tdmf_slip.build(page, folder, unit=unit)
+        cache[path, unit] = tdmf_slip.load_model(folder)
+    return cache[path, unit]

@@ -7,6 +7,7 @@ import subprocess
 import pytest
 import tdmf_slip
 from conftest import HANGS, unit_reference
+from own_pages import loaded
 
 FMI_SIM = pathlib.Path(__file__).resolve().parents[2] / "build/importers/bin/fmi-sim"
 QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
@@ -18,9 +19,10 @@ pytestmark = pytest.mark.skipif(
 )
 
 
-def rows_of(folder, fmi, interface, stop_time, *options):
+def rows_of(folder, fmi, interface, stop_time, *options, unit=None):
     output = folder / f"fmi{fmi}.csv"
-    command = [FMI_SIM, "--quiet", "--model", tdmf_slip.fmu_path(fmi), "--output-file", output, interface]
+    unit = unit or tdmf_slip.fmu_path(fmi)
+    command = [FMI_SIM, "--quiet", "--model", unit, "--output-file", output, interface]
     done = subprocess.run(
         [*map(str, command), "-f", str(stop_time), *options], capture_output=True, text=True, timeout=HANGS
     )
@@ -42,6 +44,19 @@ def test_co_simulation(tmp_path, options):
         assert float(last[f"stride.{name}"]) == pytest.approx(REFERENCE[name], rel=1e-8), name
     # Only with early return is there a row more for each event.
     assert (len(rows) > 2550) == ("--early-return-allowed" in options)
+
+
+def test_a_unit_of_one_s_own_gives_what_the_engine_gives(tmp_path):
+    model = loaded(tdmf_slip.new(tmp_path / "my_runner") / "page.py", unit=True)
+    unit = model.unit.with_name("MyRunner_FMI3.fmu")
+    last = rows_of(tmp_path, 3, "co-simulation", 251.0, unit=unit)[-1]
+    end = tdmf_slip.trajectory(model, times=[251.0]).isel(time=0)
+    assert int(last["stride.count"]) == end["stride.count"] >= 8
+    for name in QUANTITIES:
+        assert float(last[f"stride.{name}"]) == pytest.approx(float(end[f"stride.{name}"]), rel=1e-8), name
+    rows = rows_of(tmp_path, 3, "model-exchange", 25.0, "--output-interval", "0.001", unit=unit)
+    at = tdmf_slip.trajectory(model, times=[float(rows[-1]["time"])]).isel(time=0)
+    assert float(rows[-1]["foot.x"]) == pytest.approx(float(at["foot.x"]), abs=0.1)
 
 
 def test_model_exchange(tmp_path):

@@ -9,8 +9,11 @@ import shutil
 import subprocess
 import sys
 
+import fmpy
 import pytest
+import tdmf_slip
 from conftest import HANGS, QUANTITIES, unit_reference
+from own_pages import loaded
 
 REFERENCE = unit_reference()
 
@@ -87,6 +90,18 @@ def test_ten_strides(fmu_file, description, tmp_path, module, program):
     count, *values = run(program, unit, description)
     assert count == 10
     assert values == pytest.approx([REFERENCE[name] for name in QUANTITIES], rel=1e-8)
+
+
+@pytest.mark.parametrize("module", ["libcosimpy", "ecospy"])
+def test_a_unit_of_one_s_own_gives_what_the_engine_gives(tmp_path, module):
+    pytest.importorskip(module, exc_type=ImportError)
+    model = loaded(tdmf_slip.new(tmp_path / "my_runner") / "page.py", unit=True)
+    unit = shutil.copy(model.unit, tmp_path / "MyRunner.fmu")
+    program = {"libcosimpy": LIBCOSIM, "ecospy": ECOS}[module]
+    count, *values = run(program, unit, fmpy.read_model_description(unit))
+    end = tdmf_slip.trajectory(model, times=[251.0]).isel(time=0)
+    assert count == end["stride.count"] >= 8
+    assert values == pytest.approx([float(end[f"stride.{name}"]) for name in QUANTITIES], rel=1e-8)
 
 
 def test_toolbox_finds_no_fault(fmu_file):

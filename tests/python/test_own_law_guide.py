@@ -34,13 +34,16 @@ def test_the_guide_s_code_and_the_folder_s_test_run(tmp_path, monkeypatch):
     """All tests share one build of this page."""
     monkeypatch.chdir(tmp_path)
     folder = tdmf_slip.new("my_runner")
-    shutil.copytree(loaded(folder.resolve() / "page.py").folder, folder / "build")
+    shutil.copytree(loaded(folder.resolve() / "page.py", unit=True).folder, folder / "build")
     names = {}
     assert len(CODE) == 2
     for code in CODE:
         exec(code, names)
     assert names["gait"].stable and names["gait"].runner["hip.stance_kp"] == 0.01
-    assert names["run"]["time"].size == 1001 and "hip.torque" in names["run"]
+    assert names["run"].attrs["stride.count"] == 2 and "hip.torque" in names["run"]
+    assert names["run"].attrs["stride.period"] == pytest.approx(names["gait"].period, rel=1e-6)
+    assert names["found"].converged and names["viable"].inner_share > 0.1
+    assert names["film"].stat().st_size > 10_000
     program = folder / "test_my_runner.py"
     own = {"__file__": str(program.resolve())}
     exec(program.read_text(encoding="utf-8"), own)

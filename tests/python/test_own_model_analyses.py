@@ -6,7 +6,20 @@ import tdmf_slip
 from conftest import ROOT
 from own_pages import loaded
 from page_runs import COMPILER
-from tdmf_slip import Batch, InputError, Runner, basin, continue_branch, find_gait, gait_at, lqr, sweep
+from tdmf_slip import (
+    Batch,
+    InputError,
+    Runner,
+    basin,
+    continue_branch,
+    continue_curves,
+    dead_beat,
+    find_gait,
+    gait_at,
+    lqr,
+    stride_map,
+    sweep,
+)
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 NO_GAINS = {"hip.stance_kp": 0.0, "hip.stance_kd": 0.0}
@@ -16,7 +29,8 @@ SETTINGS = ["hip.touchdown_angle", "hip.stance_torque"]
 
 @pytest.fixture(scope="module")
 def ball(tmp_path_factory):
-    return loaded(tdmf_slip.new(tmp_path_factory.mktemp("new") / "my_ball", start="scratch") / "page.py")
+    page = tdmf_slip.new(tmp_path_factory.mktemp("new") / "my_ball", start="scratch") / "page.py"
+    return loaded(page, unit=True)
 
 
 @pytest.fixture(scope="module")
@@ -116,16 +130,93 @@ def test_a_target_and_a_branch_of_the_ball_are_those_of_the_closed_form(ball):
     assert branch["lambda_max"].values == pytest.approx(values, abs=1e-9)
 
 
-def test_a_simulation_of_the_ball_is_its_parabolas(ball):
+def test_feedback_that_is_dead_beat_is_that_of_the_built_in_runner(paper_s):
+    mine, own = dead_beat(find_gait(paper_s), SETTINGS), dead_beat(find_gait(), SETTINGS)
+    assert np.asarray(mine.gain) == pytest.approx(np.asarray(own.gain), abs=1e-5)
+    assert np.abs(mine.eigenvalues) == pytest.approx(np.abs(own.eigenvalues), abs=1e-5)
+
+
+def test_curves_of_special_points_are_those_of_the_built_in_runner(paper_s):
+    over = {"ground.friction": (0.6, 0.4), "leg.damping": (0.19, 0.21)}
+    mine, own = (continue_curves(runner, over, max_points=2) for runner in (paper_s, {}))
+    assert mine.sizes == own.sizes and mine.sizes["point"] > 1
+    assert list(mine["kind"].values) == list(own["kind"].values)
+    for name in over:
+        assert mine[name].values == pytest.approx(own[name].values, abs=1e-7), name
+
+
+def test_a_fit_finds_the_runner_of_the_built_in_one(paper_s):
+    gait = find_gait(touchdown_angle=0.7, torque=0.21)
+    data = {name: [gait.stride[name]] for name in ("speed", "period", "peak_force")}
+    data["frequency"] = 1 / np.array(data.pop("period"))
+    vary, errors = ["hip.stance_torque", "touchdown_angle"], dict.fromkeys(data, "1 %")
+    mine, own = (tdmf_slip.fit(runner, data, vary, errors=errors) for runner in (paper_s, None))
+    assert mine.converged and mine.chi_square < 1e-12
+    for name in own.parameters:
+        one, other = mine.parameters[name], own.parameters[name]
+        assert (one.value, one.low, one.high) == pytest.approx((other.value, other.low, other.high), rel=1e-6)
+    assert len(tdmf_slip.plot(mine).axes) > 3 and "hip.stance_torque" in mine.as_text()
+
+
+def test_a_fit_of_the_ball_is_the_closed_form(ball):
+    """The period 2 push/(1 - e)/g and the speed at the impact push/(1 - e) tell push and gravity."""
+    data, errors = {"impact_speed": [4.0], "period": [2.0]}, {"impact_speed": 0.1, "period": 0.1}
+    found = tdmf_slip.fit(ball, data, ["push", "gravity"], errors=errors)
+    assert found.parameters["push"].value == pytest.approx(0.8, rel=1e-8)
+    assert found.parameters["gravity"].value == pytest.approx(4.0, rel=1e-8)
+    with pytest.raises(InputError, match="column 'speed' is unknown; allowed: period, impact_speed"):
+        tdmf_slip.fit(ball, {"speed": [1.0]}, ["push"], errors={})
+    with pytest.raises(InputError, match=r"friction.* is not allowed; allowed: a parameter or input"):
+        tdmf_slip.fit(ball, data, ["friction"], errors=errors)
+
+
+def test_a_viable_set_is_that_of_the_built_in_runner(paper_s):
+    """Where its starts have the leg that those of the built-in runner have."""
+    vary = {"hip.touchdown_angle": (0.3, 1.1, 5), "hip.stance_torque": (0.1, 0.3, 2)}
+    gait, settings = find_gait(paper_s), {"axes": AXES, "vary": vary, "n": 6}
+    own = tdmf_slip.viability(None, model="full", **settings)
+    leg = [1.0, Runner()["hip.touchdown_angle"], 0.0, 0.0]
+    mine = tdmf_slip.viability(paper_s, gait=[*gait.apex[:2], *leg], **settings)
+    np.testing.assert_array_equal(mine["fate"], own["fate"])
+    np.testing.assert_array_equal(mine["viable_pair"], own["viable_pair"])
+    assert mine["next_com_speed"].values == pytest.approx(own["next_com_speed"].values, abs=1e-6, nan_ok=True)
+    assert mine["inner_drop"].values == pytest.approx(own["inner_drop"].values, nan_ok=True)
+    law, other = (tdmf_slip.ViableController(of) for of in (mine, own))
+    assert law.as_table() == other.as_table() and law.inputs_at(gait.apex) == other.inputs_at(gait.apex)
+    run = Batch(paper_s, gait.apex, law=law).run(3)
+    assert run.strides == 3
+    assert tdmf_slip.plot(mine).axes[0].get_ylabel().startswith("height of the centre of mass")
+
+
+def test_a_map_of_a_walker_is_over_its_own_coordinates():
+    """The simplest walker has a section of two coordinates, which are no apex's."""
+    walker = loaded(ROOT / "examples" / "pages" / "simplest_walker.py")
+    gait = find_gait(walker)
+    first, second = walker.coordinates
+    axes = {name: (at - 2e-3, at + 2e-3) for name, at in zip((first, second), gait.apex, strict=True)}
+    found = basin(walker, axes, 3, ball="none")
+    assert found["fate"].dims == (first, second) and found["fate"].values[1, 1] == 0
+    assert tdmf_slip.plot(found).axes[0].get_xlabel().startswith(second.replace("_", " "))
+    made = stride_map(walker, gait.apex[None], strides=2)
+    assert len(tdmf_slip.plot(made).axes) == 2
+
+
+def test_a_simulation_of_the_ball_by_its_unit_is_its_parabolas(ball):
     run = tdmf_slip.simulate(Runner(ball, push=0.0, height=2.0), stop_time=1.5, output_interval=0.01)
+    assert run.attrs["model"] == "my_ball" and len(tdmf_slip.plot(run).axes) >= 2
     times, falls = run["time"].values, np.sqrt(4 / 9.81)
-    flight = times < falls
-    assert run["height"].values[flight] == pytest.approx(2 - 9.81 / 2 * times[flight] ** 2, abs=1e-11)
-    after = (times > falls) & (times < falls + 1.5 * falls)
+    flight = times < falls - 1e-6
+    assert flight.sum() > 60
+    assert run["height"].values[flight] == pytest.approx(2 - 9.81 / 2 * times[flight] ** 2, abs=1e-7)
+    after = (times > falls + 1e-6) & (times < falls + 1.5 * falls)
     since, speed = times[after] - falls, 0.8 * 9.81 * falls
-    assert run["height"].values[after] == pytest.approx(speed * since - 9.81 / 2 * since**2, abs=1e-11)
-    assert run["energy"].values[flight] == pytest.approx(9.81 * 2, abs=1e-10)
-    assert run["energy"].values[after] == pytest.approx(0.64 * 9.81 * 2, abs=1e-10)
+    assert run["height"].values[after] == pytest.approx(speed * since - 9.81 / 2 * since**2, abs=1e-6)
+    assert run["energy"].values[flight] == pytest.approx(9.81 * 2, abs=1e-6)
+    assert run["energy"].values[after] == pytest.approx(0.64 * 9.81 * 2, abs=1e-6)
+    steps = tdmf_slip.simulate(Runner(ball, push=0.0), stop_time=1.0, interface="cs", variables=["height"])
+    assert "height" in steps and "energy" not in steps and steps.sizes["time"] == 1001
+    with pytest.raises(InputError, match=r"strides: the unit MyBall.fmu does not count them; allowed: stop_"):
+        tdmf_slip.simulate(ball, strides=3)
 
 
 def test_a_trajectory_of_the_paper_s_runner_is_that_of_the_engine(paper_s):
@@ -136,10 +227,45 @@ def test_a_trajectory_of_the_paper_s_runner_is_that_of_the_engine(paper_s):
         assert mine[name].values == pytest.approx(own[name].values, abs=1e-8), name
 
 
+def test_derivatives_of_a_trajectory_are_those_of_the_engine(paper_s):
+    """By more names than the library varies at once, and by parameters of one's own as differences."""
+    gait = find_gait(paper_s)
+    times = np.linspace(0, 1.29 * gait.period, 40)
+    names = [*gait.runner.coordinates, "leg.damping", "friction", "body.mass", "gravity", "leg.stiffness"]
+    names += ["hip.stance_torque", "hip.touchdown_angle", "hip.kp", "hip.kd", "foot.mass"]
+    mine, own = (
+        tdmf_slip.trajectory(runner, gait.apex, times=times, derivatives=names) for runner in (paper_s, None)
+    )
+    for name in ("com.y", "com.vx", "leg.angle", "hip.torque", "energy.total", "foot.vx"):
+        wanted = own[f"d_{name}"].values
+        assert mine[f"d_{name}"].values == pytest.approx(wanted, rel=1e-6, abs=1e-6), name
+    (by,) = ["hip.stance_kp"]
+    found = tdmf_slip.trajectory(paper_s, gait.apex, times=times, derivatives=["stance_kp"])
+    ahead, at = (
+        tdmf_slip.trajectory(paper_s.replace({by: kp}), gait.apex, times=times)["com.vx"].values
+        for kp in (1e-6, 0.0)
+    )
+    assert found["d_com.vx"].sel(by=by).values == pytest.approx((ahead - at) / 1e-6, abs=1e-4)
+
+
+def test_derivatives_of_a_run_from_the_start_are_the_closed_form(ball):
+    times = np.array([0.1, 0.3, 1.0])
+    run = tdmf_slip.trajectory(ball, times=times, derivatives=["restitution", "gravity"])
+    falls = np.sqrt(2 * Runner(ball)["height"] / 9.81)
+    assert times[1] < falls < times[2] < 2.5 * falls
+    assert run["d_height"].sel(by="gravity").values[:2] == pytest.approx(-(times[:2] ** 2) / 2, abs=1e-12)
+    assert run["d_height"].sel(by="restitution").values == pytest.approx(
+        [0, 0, 9.81 * falls * (1 - falls)], abs=1e-10
+    )
+    with pytest.raises(
+        InputError, match="by a coordinate of a run from the start values; allowed: with apex"
+    ):
+        tdmf_slip.trajectory(ball, times=times, derivatives=["height"])
+
+
 def test_what_needs_the_package_s_own_models_says_so(pd_runner, ball):
-    vary = {"hip.touchdown_angle": (0.3, 1.1, 3)}
-    with pytest.raises(InputError, match="viability needs a model of the package itself; allowed for it"):
-        tdmf_slip.viability(pd_runner, axes=AXES, vary=vary)
+    with pytest.raises(InputError, match="rare_falls needs a model of the package itself; allowed for it"):
+        tdmf_slip.rare_falls(pd_runner, 0.3)
     with pytest.raises(InputError, match="needs a model of the package itself; allowed for it"):
         tdmf_slip.prove(pd_runner)
     with pytest.raises(InputError, match="by the model pd_runner; allowed: by the full model"):
@@ -161,3 +287,26 @@ def test_pictures_of_models_of_one_s_own_are_drawn(pd_runner, draw):
     }
     figure = tdmf_slip.plot(made[draw]())
     assert len(figure.axes) >= 2
+
+
+@pytest.mark.parametrize("draw", ["branch", "sweep", "gait", "strides", "trajectory"])
+def test_pictures_of_a_model_without_a_runner_s_quantities_are_drawn(ball, draw):
+    pytest.importorskip("matplotlib")
+    made = {
+        "branch": lambda: continue_branch(ball, {"restitution": (0.3, 0.5)}),
+        "sweep": lambda: sweep(ball, {"restitution": [0.3, 0.5]}).gaits,
+        "gait": lambda: find_gait(ball),
+        "strides": lambda: stride_map(ball, [[0.5], [0.7]], strides=3),
+        "trajectory": lambda: tdmf_slip.trajectory(ball, times=np.linspace(0, 1, 20)),
+    }
+    assert len(tdmf_slip.plot(made[draw]()).axes) >= 1
+
+
+def test_runs_end_alike_whether_strides_are_recorded(pd_runner):
+    """Without a record nothing is observed along strides, whose steps may then be longer."""
+    starts = find_gait(pd_runner).apex + np.random.default_rng(3).uniform(-0.1, 0.1, (40, 6))
+    plain, recorded = (Batch(pd_runner, starts).run(4, record=record) for record in (False, True))
+    np.testing.assert_array_equal(plain.fate, recorded.fate)
+    closed = plain.strides == 4
+    assert closed.sum() > 10
+    assert plain.apex[closed] == pytest.approx(recorded.apex[closed], abs=1e-7)

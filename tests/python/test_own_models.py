@@ -2,16 +2,26 @@
 
 import json
 import pickle
+import re
 import shutil
+import warnings
+import zipfile
 
+import fmpy
 import numpy as np
 import pytest
 import tdmf_slip
 from conftest import ROOT
+from fmpy.validation import validate_fmu
 from own_pages import loaded
 from page_runs import COMPILER
 from scipy_strides import Stride, torque_of_gains
 from tdmf_slip import Batch, InputError, Runner, find_gait, load_model, stride_map
+from tdmf_slip.building.build import derived
+from tdmf_slip.building.sources import page_in
+from tdmf_slip.builds import TABLE, host
+from tdmf_slip.errors import Note
+from tdmf_slip.library.engine import FATES
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 GAINS = {"stance_kp": 0.02, "stance_kd": 0.03, "stance_target": -0.3}
@@ -176,6 +186,60 @@ def test_a_failing_or_missing_compiler_leaves_nothing_and_says_what_to_install(t
     with pytest.raises(InputError, match="platform 'mars-linux' is not allowed; allowed: x86_64-linux"):
         tdmf_slip.build(folder, platform="mars-linux")
     assert sorted(path.name for path in folder.iterdir()) == before
+
+
+def test_units_and_libraries_for_other_platforms_are_those_that_there_are_too(tmp_path):
+    pytest.importorskip("ziglang", reason="NOT TESTED: builds for other platforms; the extra build has Zig")
+    folder = tdmf_slip.new(tmp_path / "my_ball", start="scratch")
+    for platform in (None, "aarch64-linux", "x86_64-windows"):
+        built = tdmf_slip.build(folder, platform=platform)
+    table = json.loads((built / TABLE).read_text(encoding="utf-8"))
+    platforms = {host(), "aarch64-linux", "x86_64-windows"}
+    assert set(table["libraries"]) == platforms
+    assert all((built / name).is_file() for name in table["libraries"].values())
+    found = {}
+    for unit in ("MyBall.fmu", "MyBall_FMI3.fmu"):
+        assert validate_fmu(str(built / unit)) == []
+        with zipfile.ZipFile(built / unit) as packed:
+            found[unit] = {n.split("/")[1] for n in packed.namelist() if n.startswith("binaries/")}
+            assert all(n.endswith((".so", ".dll", ".dylib")) for n in packed.namelist() if "binaries/" in n)
+    assert found["MyBall_FMI3.fmu"] == platforms and {"linux64", "win64"} <= found["MyBall.fmu"] | {"linux64"}
+    model = load_model(folder)
+    assert fmpy.simulate_fmu(str(model.unit), stop_time=0.2)["height"][-1] < 1
+
+
+def test_a_mode_that_no_run_reaches_is_told(tmp_path):
+    page = tdmf_slip.new(tmp_path / "my_ball", start="scratch") / "page.py"
+    text = page.read_text(encoding="utf-8")
+    rest = "    @mode()\n    def rest(b):\n        return {}\n"
+    page.write_text(f"{text}\n{rest}", encoding="utf-8")
+    line = len(text.splitlines()) + 2
+    with pytest.warns(Note, match=rf"page\.py:{line}: `rest` is a mode to which no event leads"):
+        derived(page_in(page))
+    with warnings.catch_warnings(action="error"):
+        derived(page_in(ROOT / "examples" / "pages" / "compliant_runner.py"))
+
+
+@pytest.mark.parametrize("given", [[-0.1], [np.nextafter(0, -1)]])
+def test_a_point_that_breaks_a_requirement_of_the_page_is_refused_with_its_words(ball, given):
+    words = rf"height = {given[0]:.9g} at the start; it must be on the floor or above it"
+    stride = Batch(ball, given).stride(jacobian=True)
+    assert stride.outcome != 0 and re.search(words, str(stride.why_not)) and np.isnan(stride.next_apex).all()
+    assert Batch(ball, given).run(3).fate == FATES.index("no_start")
+    with pytest.raises(InputError, match=words):
+        tdmf_slip.trajectory(ball, given, times=[0.1])
+    with pytest.raises(InputError, match=words):
+        tdmf_slip.trajectory(Runner(ball, height=given[0]), times=[0.1])
+    with pytest.raises(InputError, match=words):
+        find_gait(Runner(ball, height=given[0]))
+    many = Batch(ball, [[1.0], given, [2.0]]).stride()
+    assert list(many.outcome == 0) == [True, False, True]
+    alone = Batch(ball, [[1.0], [2.0]]).stride()
+    assert (many.next_apex[[0, 2]] == alone.next_apex).all()
+
+
+def test_a_point_on_the_border_of_a_requirement_is_accepted(ball):
+    assert Batch(ball, [0.0]).stride().next_apex == pytest.approx(1 / 2 / 9.81)
 
 
 @pytest.mark.parametrize("name", ["My_Ball", "my-ball", "9balls", "class"])

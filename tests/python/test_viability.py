@@ -14,6 +14,7 @@ from tdmf_slip.library.batch import ACCURACY
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.viable_sets import grid
 from tdmf_slip.viable_sets.grid import starts_at, sums_of
+from tdmf_slip.viable_sets.viability import point_of
 
 STICKING = {"ground.friction": 10.0}
 AXES = {"com_height": (0.3, 4.0), "com_speed": (0.0, 4.0)}
@@ -289,7 +290,7 @@ def test_the_full_model_starts_where_the_last_placement_leaves_the_leg():
     settings = {"axes": axes, "vary": {ANGLE: (0.3, 1.1, 12)}, "n": 20}
     full = tdmf_slip.viability({"ground.friction": 0.6}, model="full", **settings)
     reduced = tdmf_slip.viability({"ground.friction": 0.6}, **settings)
-    starts = starts_at(runner_of(full), np.array([[1.4, 1.0]]))
+    starts = starts_at(point_of(runner_of(full), tuple(axes), None), [0, 1], np.array([[1.4, 1.0]]))
     assert starts.tolist() == [[1.4, 1.0, 1.0, runner_of(full)[ANGLE], 0.0, 0.0]]
     assert 0.3 < full.inner_share <= full.outer_share
     images = [np.stack([of[f"next_{axis}"].values for axis in axes]) for of in (full, reduced)]

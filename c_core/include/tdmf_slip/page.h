@@ -64,6 +64,7 @@ typedef struct {
     long step_limit;             /* steps of a run at the most; 0 for 100,000 */
     int event_room;              /* events that there is room for */
     tdmf_page_event *events;     /* receives the events of a run; NULL for none */
+    bool is_unobserved;          /* leaves out what the page observes: largest values and positive parts */
 } tdmf_page_map;
 
 /* How a run to the next crossing ended. */
@@ -71,7 +72,8 @@ typedef enum {
     TDMF_PAGE_CROSSED,   /* there is a next crossing */
     TDMF_PAGE_ENDED,     /* the run ends in the mode, which the model does not leave, as in a fall */
     TDMF_PAGE_TOO_LONG,  /* there is no crossing within the time allowed */
-    TDMF_PAGE_REFUSED,   /* a number is out of its range or not finite, or a pointer is NULL */
+    TDMF_PAGE_REFUSED,   /* a number is out of its range or not finite, a pointer is NULL, or the start does
+                            not meet a requirement of the page */
     TDMF_PAGE_UNSOLVED,  /* the run cannot be followed */
     TDMF_PAGE_CANCELLED, /* another thread asked for it */
     TDMF_PAGE_NO_MEMORY  /* memory was refused */
@@ -84,6 +86,8 @@ typedef struct {
     double time;               /* s, of the run */
     int event_count;           /* events taken, also those for which there was no room */
     long steps;                /* steps made */
+    int requirement;           /* of a start that the page refuses, the number of the requirement that it does
+                                  not meet, from 1; else 0 */
 } tdmf_page_end;
 
 /* Runs from a point of the section, whose coordinates are given in their order, to the next crossing.
@@ -100,18 +104,22 @@ TDMF_API bool tdmf_page_fixed_point(const tdmf_page_map *map, double *point);
  * refused. */
 TDMF_API bool tdmf_page_place(const tdmf_page_map *map, const double *point, double *states);
 
-/* Values at some times of a run, a row for each time. Times increase. */
+/* Values at some times of a run, a row for each time. Times increase. Derivatives are those at a fixed time,
+ * by the coordinates of the point, where there is one, then along the seeds: a row for each time and each of
+ * these. */
 typedef struct {
-    int count;           /* times */
-    const double *times; /* s */
-    double *states;      /* those that a unit of the model shows */
-    double *outputs;     /* all of the page */
-    int *modes;          /* one for each time */
+    int count;                    /* times */
+    const double *times;          /* s */
+    const double *point;          /* of the section, from which the run begins; NULL: from the start */
+    double *states;               /* those that a unit of the model shows */
+    double *outputs;              /* all of the page */
+    double *d_states, *d_outputs; /* their derivatives; NULL */
+    int *modes;                   /* one for each time */
 } tdmf_page_samples;
 
 /* Runs from the start of the model, with the parameters and states of the map, to the first crossing of its
- * section. With `samples`, which may be NULL, the run needs no section and goes on until the last time, or
- * until it ends; the first `*sampled` rows are then written. */
+ * section. With `samples`, which may be NULL, the run goes on until the last time, or until it ends, and
+ * needs a section only for a point; the first `*sampled` rows are then written. */
 TDMF_API tdmf_page_end tdmf_page_begin(const tdmf_page_map *map, double *states,
                                        const tdmf_page_samples *samples, int *sampled);
 

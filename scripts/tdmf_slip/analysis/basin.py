@@ -28,7 +28,7 @@ from ..library.shared_steps import shares_steps
 from ..record import dataset
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import VARIABLES
+from ..variables.table import Model
 from .ball import MAX_ALONG, STARTS_AT_ONCE, Ball, attributes_of, ball_of
 from .ball import stable_gait as stable_gait
 from .preview import PREVIEW, REFINEMENTS, Slice, fates_of_slice, follow_points, preview_of
@@ -53,32 +53,34 @@ MAX_STARTS = MAX_ALONG**2
 MAX_AXIS = MAX_STARTS // 2
 
 
-def axes_of(axes: Any, coordinates: Sequence[str]) -> dict[str, tuple[float, float] | None]:
+def axes_of(axes: Any, model: Model) -> dict[str, tuple[float, float] | None]:
     """The two coordinates with their ranges, None where it is to be around the gait."""
     allowed = "two coordinates of an apex with their ranges (low, high)"
     named = isinstance(axes, Mapping) or is_table(axes) or is_series(axes)
     names = mapping_of(axes, "axes", allowed) if named else row_of(axes, "axes", allowed)
     if len(names) != 2:
         raise refusal("axes", axes, allowed)
-    check_axes(tuple(names), coordinates)
+    check_axes(tuple(names), model.coordinates)
     spans = names if isinstance(names, dict) else dict.fromkeys(names)
     if len(spans) != 2:
         raise refusal("axes", axes, allowed)
     return {
         name: None
         if span is None
-        else ends_given(f"axes: {name}", span, read=VARIABLES[f"apex.{name}"].without_units)
+        else ends_given(f"axes: {name}", span, read=model.coordinate(name).without_units)
         for name, span in spans.items()
     }
 
 
 def range_around(gait: Gait, axis: str) -> tuple[float, float]:
     """Ends of a range of a coordinate that has the gait in it, and most of what it attracts."""
-    check_axes((axis,))
     check_is_gait(gait, "gait")
-    index = COORDINATES.index(axis)
+    names = gait.runner.coordinates if gait.runner.model.map_class else COORDINATES
+    check_axes((axis,), names)
+    index = names.index(axis)
     here, scale = gait.apex[index], gait.runner.scales[index]
-    low, high = (here - 0.5 * scale, here + 0.5 * scale) if index > LEG_LENGTH else (0.7 * here, 1.5 * here)
+    is_size = axis in COORDINATES[: LEG_LENGTH + 1]
+    low, high = (0.7 * here, 1.5 * here) if is_size else (here - 0.5 * scale, here + 0.5 * scale)
     return _rounded(low), _rounded(high)
 
 
@@ -158,7 +160,7 @@ def basin(
     (3, 3) 1.0
     """
     runner = Runner(runner, model=model)
-    spans = axes_of(axes, runner.coordinates)
+    spans = axes_of(axes, runner.model)
     counts = counts_given(n, MAX_AXIS)
     size = math.prod(counts)
     check_size("n", size, f"starts ({counts[0]:,} by {counts[1]:,})", MAX_STARTS)
@@ -168,7 +170,7 @@ def basin(
     runner = gait.runner
     ends = {name: range_around(gait, name) if span is None else span for name, span in spans.items()}
     along = {
-        name: VARIABLES[f"apex.{name}"].values_of(np.linspace(*span, count), f"range of {name}")
+        name: runner.model.coordinate(name).values_of(np.linspace(*span, count), f"range of {name}")
         for (name, span), count in zip(ends.items(), counts, strict=True)
     }
     (first, rows), (second, columns) = along.items()
@@ -206,7 +208,7 @@ def _blank(gait: Gait, along: Mapping[str, NDArray[np.float64]], refine: str, pl
         about = {"long_name": "1 for a start that was followed, 0 for a painted one"}
         variables[FOLLOWED] = plan.axes, np.zeros(shape, dtype="i1"), about
     coordinates = {
-        axis: (axis, values, VARIABLES[f"apex.{axis}"].attributes) for axis, values in along.items()
+        axis: (axis, values, gait.runner.model.coordinate(axis).attributes) for axis, values in along.items()
     }
     apex = dict(zip(gait.runner.coordinates, map(float, gait.apex), strict=True))
     return dataset(

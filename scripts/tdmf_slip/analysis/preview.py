@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 from ..blocks import in_order
 from ..library.laws import Law, is_noisy
 from ..library.runner import Runner
-from ..library.section import COORDINATES
 from .ball import Ball, fates
 
 PREVIEW = "preview"
@@ -54,8 +53,8 @@ class Slice:
     def starts(self) -> NDArray[np.float64]:
         """One to a row, the columns running fastest."""
         sections = np.tile(self.apex, (len(self.rows), len(self.columns), 1))
-        sections[..., COORDINATES.index(self.axes[0])] = np.asarray(self.rows)[:, None]
-        sections[..., COORDINATES.index(self.axes[1])] = np.asarray(self.columns)[None, :]
+        sections[..., self.runner.coordinates.index(self.axes[0])] = np.asarray(self.rows)[:, None]
+        sections[..., self.runner.coordinates.index(self.axes[1])] = np.asarray(self.columns)[None, :]
         return sections.reshape(-1, len(self.apex))
 
 
@@ -79,7 +78,7 @@ def fates_of_points(plan: Slice, values: NDArray[np.float64]) -> NDArray[np.int3
     The values have the shape (starts, 2), the result (2, starts).
     """
     starts = np.tile(plan.apex, (len(values), 1))
-    starts[:, [COORDINATES.index(axis) for axis in plan.axes]] = values
+    starts[:, [plan.runner.coordinates.index(axis) for axis in plan.axes]] = values
     run = fates(plan.runner, plan.apex, starts, law=plan.law, ball=plan.ball)
     return np.stack([run.fate, run.strides])
 

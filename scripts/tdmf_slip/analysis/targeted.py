@@ -211,7 +211,8 @@ def checked_target(target: object, model: Model, from_zero: Sequence[str] = ()) 
         checked_quantity(name, "target", model)
     if all(name in given for name in TRAVEL):
         raise InputError("target: speed, frequency and length; allowed: two of them, for they set the third")
-    maximum, minimum = {"duty_factor": 1.0}, dict.fromkeys(SIGNED, -MAXIMUM) | dict.fromkeys(from_zero, 0.0)
+    signed = allowed_quantities(model) if model.map_class else SIGNED
+    maximum, minimum = {"duty_factor": 1.0}, dict.fromkeys(signed, -MAXIMUM) | dict.fromkeys(from_zero, 0.0)
     numbers = {name: quantity_given(name, value, "target", model) for name, value in given.items()}
     return {
         name: checked(name, value, minimum.get(name, MINIMUM), maximum.get(name, MAXIMUM))

@@ -15,13 +15,13 @@ from ..given import numbers_of
 from ..library.binding import c, check_accepted, ffi, text_of
 from ..library.c_structs import dtype_of
 from ..library.gait import Gait
-from ..library.members import VARIED, seed_of
+from ..library.members import seed_of
 from ..library.runner import Runner
 from ..library.section import COORDINATES, Apex, checked_apex
 from ..library.shared_steps import shares_steps
 from ..record import dataset
 from ..variables.parameters import RunnerLike
-from ..variables.table import ALIASES, VARIABLES, full_names
+from ..variables.table import VARIABLES, Model, full_names
 from ..variables.values import model_of
 
 if TYPE_CHECKING:
@@ -110,7 +110,7 @@ def trajectory(
     runner = Runner(runner, model="full")
     section = runner.start_apex() if start is None else checked_apex(start)
     at = _checked_times(times, runner)
-    names = _checked_names(derivatives)
+    names = _checked_names(derivatives, runner.model)
     size = c.TDMF_VARIATION_LIMIT
     blocks = [names[first : first + size] for first in range(0, max(1, len(names)), size)]
     made = [_run(runner, section, at, block) for block in blocks]
@@ -139,11 +139,13 @@ def trajectory(
 
 def _of_own(runner: Runner, apex: object, times: ArrayLike, derivatives: Sequence[str]) -> xarray.Dataset:
     """A run of a model of one's own, from a point of its section or from its start values."""
-    if len(derivatives):
-        raise InputError(f"derivatives: of the model {runner.model.name}; allowed: none, or stride_map's")
-    if apex is not None and not callable(apex):
-        runner = runner.replace(runner.state_at(checked_apex(np.asarray(apex), runner.coordinates)))
-    found: xarray.Dataset = runner.trajectory(_checked_times(times, runner))  # type: ignore[attr-defined]
+    point = None if apex is None or callable(apex) else checked_apex(np.asarray(apex), runner.coordinates)
+    names = _checked_names(derivatives, runner.model)
+    if point is None and any(name in runner.coordinates for name in names):
+        raise InputError("derivatives: by a coordinate of a run from the start values; allowed: with apex")
+    found: xarray.Dataset = runner.trajectory(  # type: ignore[attr-defined]
+        _checked_times(times, runner), point, names
+    )
     return found
 
 
@@ -158,14 +160,15 @@ def _checked_times(given: ArrayLike, runner: Runner) -> NDArray[np.float64]:
     return times
 
 
-def _checked_names(given: object) -> tuple[str, ...]:
-    names = full_names(given, "derivatives", "names of coordinates, parameters and inputs in a list")
-    known = (*COORDINATES, *VARIED)
+def _checked_names(given: object, model: Model) -> tuple[str, ...]:
+    allowed = "names of coordinates, parameters and inputs in a list"
+    names = full_names(given, "derivatives", allowed, model.aliases)
+    known = (*model.coordinates, *model.varied)
     for name in names:
         if not is_one_of(name, known):
             raise InputError(
                 f"derivatives: {shown(name)} is not allowed; allowed: a coordinate of the apex, a parameter "
-                f"or an input{near_matches(name, (*known, *ALIASES))}"
+                f"or an input{near_matches(name, (*known, *model.aliases))}"
             )
     return tuple(dict.fromkeys(names))
 

@@ -7,16 +7,17 @@ import os
 import shutil
 import tempfile
 import threading
-from collections.abc import Iterator, Mapping
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..builds import FOLDER, TABLE, host
+from ..builds import FOLDER, TABLE
 from ..checks import path_of
-from ..errors import InputError, RunError, reason
+from ..errors import InputError, Note, RunError, reason
 from ..version import __version__
 from .compilers import Compiler, compiler_for
 from .sources import page_file, page_in
@@ -60,9 +61,11 @@ def build(
     folder : str or Path, optional
         Where the result goes. By default the folder `build` beside the page's file.
     platform : str, optional
-        Another platform, as `aarch64-linux`, which Zig compiles for. By default this machine's.
+        Another platform, as `aarch64-linux`, which Zig compiles for. By default this machine's. Libraries and
+        units for other platforms that are in the folder stay if they are of the same page. FMI 2.0 has one
+        name for each system: its unit has libraries for x86_64, and on macOS for the processor built last.
     unit : bool, default True
-        Make FMI units, too, if the platform is this machine's.
+        Make FMI units, too.
 
     Returns
     -------
@@ -98,8 +101,8 @@ def build(
         _compile(table, files, compiler, made)
         known = _libraries_of_other_platforms(target, table["id"], made)
         table["libraries"] = {**known, compiler.platform: _library_name(table, compiler)}
-        if unit and compiler.platform == host():
-            _make_units(model, compiler, made)
+        if unit:
+            _make_units(model, compiler, made, target if known else None)
         (made / TABLE).write_text(json.dumps(table, indent=1), encoding="utf-8")
     return target
 
@@ -108,30 +111,46 @@ def derived(model: Any) -> tuple[dict[str, Any], dict[str, str]]:
     """The table of a page and its C by file."""
     from ..hybrid.errors import PageError
     from ..hybrid.generate import generate, seeds_of
+    from ..hybrid.instants import Functions
     from ..hybrid.model_table import table_of
     from ..hybrid.page import Page
+    from ..hybrid.unit import requirements_in_c
 
     with _one_at_a_time:
         try:
             page: Any = Page(model)
             files: dict[str, str] = generate(page) | seeds_of(page)
             table: dict[str, Any] = table_of(page)
+            functions: Any = Functions(page.c)
+            requirements = list(requirements_in_c(page, functions).values())
         except PageError as problem:
             raise InputError(str(problem)) from None
-    text = repr((__version__, sorted(files.items()), table, _digest_of_kernel()))
+    _note_unreached(page.unreached)
+    text = repr((__version__, sorted(files.items()), table, functions.texts, _digest_of_kernel()))
     table |= {"version": __version__, "id": hashlib.sha256(text.encode()).hexdigest()[:16]}
-    files[f"{table['c_name']}_list.c"] = _list_in_c(table)
+    files[f"{table['c_name']}_list.c"] = _list_in_c(table, functions.texts, requirements)
     return table, files
 
 
-def _make_units(model: Any, compiler: Compiler, made: Path) -> None:
-    """Make the FMI units of a page."""
+def _note_unreached(modes: Mapping[str, Any]) -> None:
+    """Say which modes of one's own no run reaches. A subclass of a page in the package may leave some out."""
+    for mode, function in modes.items():
+        code = function.__code__
+        if not Path(code.co_filename).is_relative_to(PACKAGE / "pages"):
+            place = f"{code.co_filename}:{code.co_firstlineno}"
+            warnings.warn(f"{place}: `{mode}` is a mode to which no event leads", Note, stacklevel=3)
+
+
+def _make_units(model: Any, compiler: Compiler, made: Path, earlier: Path | None) -> None:
+    """Make the FMI units of a page, with what earlier units have for other platforms."""
     from ..hybrid.errors import PageError
     from ..hybrid.unit_files import build_units
 
     with _one_at_a_time, tempfile.TemporaryDirectory(prefix="tdmf_slip_") as temporary:
         try:
-            built: list[Path] = build_units(model, temporary, __version__, compiler.command)
+            built: list[Path] = build_units(
+                model, temporary, __version__, compiler.command, of=compiler.platform, earlier=earlier
+            )
         except PageError as problem:
             raise InputError(f"{problem} (without FMI units: unit=False, --no-unit)") from None
         except RuntimeError as problem:
@@ -149,14 +168,17 @@ def _digest_of_kernel() -> str:
     return digest.hexdigest()
 
 
-def _list_in_c(table: Mapping[str, Any]) -> str:
-    """C that names the model of the library, with the identity of the build."""
-    name = table["c_name"]
+def _list_in_c(table: Mapping[str, Any], functions: Sequence[str], requirements: Sequence[str]) -> str:
+    """C that names the model of the library and what its starts require, with the identity of the build."""
+    name, texts = table["c_name"], "\n".join(functions)
+    listed = ", ".join(requirements) or "NULL"
     return f"""/* The model of this library. */
 #include "page_map.h"
 #include "{name}.h"
 
-const tdmf_page_entry tdmf_pages[] = {{{{"{name}", &tdmf_{name}_model}}}};
+{texts}
+static tdmf_answer *const requirements[] = {{{listed}}};
+const tdmf_page_entry tdmf_pages[] = {{{{"{name}", &tdmf_{name}_model, requirements, {len(requirements)}}}}};
 const int tdmf_page_count = 1;
 const char *const tdmf_build_identity = "{table["id"]}";
 """

@@ -20,7 +20,8 @@ from ..library.section import Apex
 from ..library.shared_steps import shares_steps
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import VARIABLES, full_names
+from ..variables.table import Model, full_names
+from ..variables.values import model_of
 from .conclusion import BetterFitError, Conclusion, is_met
 from .measurements import Data, Errors, Measurements, Units, measurements_of
 from .problem import PriorGiven, Problem, Request, bounds_of, checked_priors
@@ -29,11 +30,12 @@ from .search import Bounds, Ended, cross, past_kinks, searched
 from .search import starts as starts_of
 
 
-def profiled_names(profile: object, names: Sequence[str]) -> tuple[str, ...]:
+def profiled_names(profile: object, names: Sequence[str], model: Model) -> tuple[str, ...]:
     """Names of the parameters whose intervals are by the profile likelihood."""
     if isinstance(profile, bool | np.bool_):
         return tuple(names) if profile else ()
-    chosen = full_names(profile, "profile", "True, False, or a list of names of varied parameters")
+    allowed = "True, False, or a list of names of varied parameters"
+    chosen = full_names(profile, "profile", allowed, model.aliases)
     for name in chosen:
         if not is_one_of(name, names):
             raise InputError(f"profile: {shown(name)} does not vary; allowed: {', '.join(names)}")
@@ -73,7 +75,7 @@ def fit(
     errors: Errors | None = None,
     priors: Mapping[str, PriorGiven] | None = None,
     guess: Apex | None = None,
-    model: str | None = None,
+    model: str | Model | None = None,
     robust: bool = False,
     scale_errors: bool = False,
     profile: bool | Sequence[str] = True,
@@ -148,14 +150,15 @@ def fit(
     >>> [round(residual.fitted, 6) for residual in found.residuals]
     [1.0, 1.4]
     """
-    measurements = measurements_of(data, units, errors)
-    shared, each = checked_names(vary, "vary"), checked_names(vary_each, "vary_each")
-    known = checked_priors(priors, each)
+    own = model_of(runner, model)
+    measurements = measurements_of(data, units, errors, own)
+    shared, each = checked_names(vary, "vary", own), checked_names(vary_each, "vary_each", own)
+    known = checked_priors(priors, each, own)
     alone = [prior for prior in known if prior.name not in shared]
     begun = Runner(runner, model=model).replace({prior.name: prior.value for prior in alone})
     shared = (*shared, *(prior.name for prior in alone))
     check_names(shared, each, measurements, len(known))
-    profiled = profiled_names(profile, (*shared, *each))
+    profiled = profiled_names(profile, (*shared, *each), own)
     request = Request(
         measurements=measurements,
         shared=shared,
@@ -165,7 +168,9 @@ def fit(
         scale_errors=checked_flag("scale_errors", scale_errors),
         profiled=profiled,
         starts=checked_whole("starts", starts, 1, MAX_STARTS),
-        ranges={name: (VARIABLES[name].minimum, VARIABLES[name].maximum) for name in (*shared, *each)},
+        ranges={
+            name: (own.variables[name].minimum, own.variables[name].maximum) for name in (*shared, *each)
+        },
     )
     if request.scale_errors and request.degrees_of_freedom < 1:
         raise InputError(

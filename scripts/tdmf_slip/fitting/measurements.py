@@ -13,7 +13,8 @@ from ..checks import is_one_of, near_matches, number_in, number_of, path_of, ref
 from ..errors import InputError, reason
 from ..files.whole import cells_of
 from ..given import is_table, mapping_of, numbers_of, row_of
-from ..library.quantities import MEASURES, SIGNED, unit_of
+from ..library.quantities import MEASURES, SIGNED, allowed_quantities, unit_of
+from ..variables.table import MODELS, Model
 from ..variables.units import factor as factor_of
 from ..variables.units import spelled, split
 
@@ -21,7 +22,7 @@ USUAL = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance", "p
 """Quantities that are usually measured, by names of `library.quantities.QUANTITIES`. The frequency is 1
 over the period."""
 MEASURABLE = (*USUAL, *MEASURES)
-"""All quantities that may be measured."""
+"""Quantities of the package's own models that may be measured."""
 SYNONYMS = {"velocity": "speed", "cadence": "frequency", "contact_time": "stance_time"}
 """Other words for quantities, from which a message about a wrong title suggests the right one."""
 ERROR = "_error"
@@ -85,47 +86,57 @@ def shipped(name: str) -> Path:
     return DATA / name
 
 
-def measurements_of(given: Data, units: Units | None = None, errors: Errors | None = None) -> Measurements:
+def measurable(model: Model) -> tuple[str, ...]:
+    """Quantities of a model's strides that may be measured."""
+    return allowed_quantities(model) if model.map_class else MEASURABLE
+
+
+def measurements_of(
+    given: Data,
+    units: Units | None = None,
+    errors: Errors | None = None,
+    model: Model = MODELS["full"],
+) -> Measurements:
     """Measurements as they are given, or those of a table, of columns by name, or of a file."""
     if isinstance(given, Measurements):
         if units or errors:
             raise InputError("units, errors: Measurements have both; allowed: with a table or a file")
         return given
-    units, errors = (_by_quantity(of, name) for of, name in ((units, "units"), (errors, "errors")))
+    units, errors = (_by_quantity(of, name, model) for of, name in ((units, "units"), (errors, "errors")))
     if is_table(given) or isinstance(given, Mapping):
-        return _of_table(given, units, errors)
+        return _of_table(given, units, errors, model)
     path = path_of(given, "data", "the path of a CSV file, a DataFrame, columns by name, or Measurements")
     if str(path) in [known.stem for known in DATA.glob("*.csv")]:
-        return read_measurements(shipped(f"{path}.csv"), units, errors, name=str(path))
-    return read_measurements(path, units, errors)
+        return read_measurements(shipped(f"{path}.csv"), units, errors, model, name=str(path))
+    return read_measurements(path, units, errors, model)
 
 
-def _by_quantity(given: object, what: str) -> dict[str, Any]:
+def _by_quantity(given: object, what: str, model: Model) -> dict[str, Any]:
     """Units or errors by the names of quantities."""
-    found = mapping_of(given, what, "a mapping of quantities")
+    found, known = mapping_of(given, what, "a mapping of quantities"), measurable(model)
     for name in found:
-        if not is_one_of(name, MEASURABLE):
-            near = near_matches(name, MEASURABLE)
-            raise InputError(f"{what}: {shown(name)} is no quantity{near}; allowed: {', '.join(MEASURABLE)}")
+        if not is_one_of(name, known):
+            near = near_matches(name, known)
+            raise InputError(f"{what}: {shown(name)} is no quantity{near}; allowed: {', '.join(known)}")
     return found
 
 
-def _of_table(given: object, units: Units, errors: Errors) -> Measurements:
+def _of_table(given: object, units: Units, errors: Errors, model: Model) -> Measurements:
     """Measurements from columns by name; durations are converted to seconds."""
     columns = mapping_of(given, "data", "columns by the names of quantities")
-    own = {name: unit_of(name) for name in MEASURABLE} | dict(units)
-    kept = [_column(str(title).strip(), "data", own) for title in columns]
+    own = {name: unit_of(name, model) for name in measurable(model)} | dict(units)
+    kept = [_column(str(title).strip(), "data", own, model) for title in columns]
     rows = [row_of(of, f"data {title}", "a column of numbers") for title, of in columns.items()]
     if len({len(row) for row in rows}) != 1:
         raise InputError("data: columns of different lengths, or none; allowed: one or more, of one length")
     cells = [
         [
-            _cell_of(value, unit_of(name.removesuffix(ERROR)))
+            _cell_of(value, unit_of(name.removesuffix(ERROR), model))
             for value, (name, _) in zip(row, kept, strict=True)
         ]
         for row in zip(*rows, strict=True)
     ]
-    return Measurements(tuple(_rows(kept, cells, "data", errors)), "data")
+    return Measurements(tuple(_rows(kept, cells, "data", errors, model)), "data")
 
 
 def _cell_of(value: object, unit: str) -> str:
@@ -137,7 +148,12 @@ def _cell_of(value: object, unit: str) -> str:
 
 
 def read_measurements(
-    path: Path, units: Units | None = None, errors: Errors | None = None, *, name: str | None = None
+    path: Path,
+    units: Units | None = None,
+    errors: Errors | None = None,
+    model: Model = MODELS["full"],
+    *,
+    name: str | None = None,
 ) -> Measurements:
     """Measurements from a CSV file.
 
@@ -158,23 +174,24 @@ def read_measurements(
         missing = "the header and the rows" if not lines else "the rows"
         raise InputError(f"{where}: {missing} are missing; allowed: a header, and a row for each condition")
     header, *cells = [row for _, row in cells_of(lines, where)]
-    columns = [_column(title, where, units or {}) for title in header]
-    return Measurements(tuple(_rows(columns, cells, where, errors or {})), where)
+    columns = [_column(title, where, units or {}, model) for title in header]
+    return Measurements(tuple(_rows(columns, cells, where, errors or {}, model)), where)
 
 
-def _column(title: str, where: str, units: Units) -> tuple[str, float]:
+def _column(title: str, where: str, units: Units, model: Model) -> tuple[str, float]:
     """The name of a column, and how many of its unit make one of the quantity's."""
     name, bracket, rest = title.partition("[")
     name = name.strip()
     quantity = name.removesuffix(ERROR)
-    if quantity not in MEASURABLE:
-        known = SYNONYMS.get(quantity)
-        hint = f"; near matches: {known}" if known else near_matches(quantity, USUAL)
+    if quantity not in measurable(model):
+        known, usual = SYNONYMS.get(quantity), measurable(model) if model.map_class else USUAL
+        hint = f"; near matches: {known}" if known in usual else near_matches(quantity, usual)
+        others = "" if model.map_class else f", or another of {', '.join(MEASURES)}"
         raise InputError(
-            f"{where}: column {shown(title)} is unknown; allowed: {', '.join(USUAL)}, or another of "
-            f"{', '.join(MEASURES)}, each with {ERROR} as well{hint}"
+            f"{where}: column {shown(title)} is unknown; allowed: {', '.join(usual)}{others}, each with "
+            f"{ERROR} as well{hint}"
         )
-    own = unit_of(quantity)
+    own = unit_of(quantity, model)
     unit = rest.strip().removesuffix("]") if bracket else units.get(quantity)
     if unit is None:
         raise InputError(f"{where}: column {shown(title)} has no unit; allowed: {name} [{own}], or units=")
@@ -187,7 +204,7 @@ def _column(title: str, where: str, units: Units) -> tuple[str, float]:
     return name, factor
 
 
-def _check_columns(columns: Sequence[str], where: str, errors: Errors) -> None:
+def _check_columns(columns: Sequence[str], where: str, errors: Errors, model: Model) -> None:
     """Each once, and each quantity with its error, in one place."""
     for name in errors:
         if name not in columns or f"{name}{ERROR}" in columns:
@@ -198,18 +215,22 @@ def _check_columns(columns: Sequence[str], where: str, errors: Errors) -> None:
             raise InputError(f"{where}: column {name} is there twice; allowed: once")
         other = name.removesuffix(ERROR) if name.endswith(ERROR) else f"{name}{ERROR}"
         if other not in columns and name not in errors:
-            unit = unit_of(other.removesuffix(ERROR))
+            unit = unit_of(other.removesuffix(ERROR), model)
             raise InputError(
                 f"{where}: column {name} without {other}; allowed: with a column {other} [{unit}], or errors="
             )
 
 
 def _rows(
-    columns: Sequence[tuple[str, float]], cells: Sequence[Sequence[str]], where: str, errors: Errors
+    columns: Sequence[tuple[str, float]],
+    cells: Sequence[Sequence[str]],
+    where: str,
+    errors: Errors,
+    model: Model,
 ) -> Iterator[Row]:
     factors = dict(columns)
     names = list(factors)
-    _check_columns([name for name, _ in columns], where, errors)
+    _check_columns([name for name, _ in columns], where, errors, model)
     given = {name: _errors_of(name, of, len(cells)) for name, of in errors.items()}
     for number, row in enumerate(cells, start=1):
         here = f"{where}, row {number}"
@@ -225,7 +246,9 @@ def _rows(
             if name in given:
                 share, each = given[name]
                 error = repr(abs(_number(value)) * each[number - 1] if share else each[number - 1])
-            measured[name] = Measured(*_pair(name, value, error, here, factor, error_factor))
+            may_be_negative = bool(model.map_class) or name in SIGNED
+            pair = _pair(name, value, error, here, factor, error_factor, -MAXIMUM if may_be_negative else 0.0)
+            measured[name] = Measured(*pair)
         if not measured:
             raise InputError(f"{here}: nothing is measured; allowed: one quantity or more")
         yield measured
@@ -246,12 +269,11 @@ def _errors_of(name: str, given: object, rows: int) -> tuple[bool, list[float]]:
 
 
 def _pair(
-    name: str, value: str, error: str, here: str, factor: float, error_factor: float
+    name: str, value: str, error: str, here: str, factor: float, error_factor: float, low: float
 ) -> tuple[float, float]:
     """A quantity and its error, in the quantity's unit."""
     high = 1.0 if name == "duty_factor" else MAXIMUM
     measured = _number(value) / factor
-    low = -MAXIMUM if name in SIGNED else 0.0
     if not low <= measured <= high:
         raise InputError(
             f"{here}: {name} = {value or 'nothing'} is not allowed; allowed: a number {low:g} to {high:g}"

@@ -21,7 +21,7 @@ from ..library.members import check_varied
 from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..library.strides import PlainStride, VariedGait, plain_stride, varied_gait
-from ..variables.table import VARIABLES, by_full_name
+from ..variables.table import Model, by_full_name
 from ..variables.variable import Given
 from .measurements import Measurements
 
@@ -102,11 +102,11 @@ PriorGiven: TypeAlias = "tuple[Given, float] | Sequence[float]"
 """A value, also a text with its unit, and its standard error in the unit's unit."""
 
 
-def checked_priors(given: object, each: Sequence[str]) -> tuple[Prior, ...]:
+def checked_priors(given: object, each: Sequence[str], model: Model) -> tuple[Prior, ...]:
     """The priors of a fit."""
-    priors = []
-    for name, pair in by_full_name(given, "priors", "pairs of value and standard error by name").items():
-        check_varied(name, "priors")
+    priors, allowed = [], "pairs of value and standard error by name"
+    for name, pair in by_full_name(given, "priors", allowed, model.aliases).items():
+        check_varied(name, "priors", model)
         where = f"priors {name}"
         if name in each:
             raise InputError(f"{where}: each row has its own; allowed: a parameter that all rows share")
@@ -115,7 +115,7 @@ def checked_priors(given: object, each: Sequence[str]) -> tuple[Prior, ...]:
             raise InputError(
                 f"{where} = {shown(pair)} is not allowed; allowed: a value and its standard error"
             )
-        value = float(VARIABLES[name].value_of(reported[0], where))
+        value = float(model.variables[name].value_of(reported[0], where))
         error = number_of(reported[1])
         if error is None or not 0.0 < error < math.inf:
             raise refusal(f"{where}: error", reported[1], "a standard error above 0")

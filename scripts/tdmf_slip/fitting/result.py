@@ -23,7 +23,6 @@ from ..library.runner import Runner
 from ..library.strides import strides_from
 from ..record import entries, origin_of
 from ..terminal.text import quantity, table
-from ..variables.table import VARIABLES
 from .measurements import Measurements
 from .problem import Request
 
@@ -315,7 +314,7 @@ class Fit:
 
     def parameter_rows(self) -> list[tuple[str, ...]]:
         """Cells of a table under `PARAMETER_HEADER`."""
-        variables, label = VARIABLES, self.runners[0].label
+        variables, label = self.runners[0].model.variables, self.runners[0].label
         return [
             (e.label, quantity(e.value, label(variables[e.name].unit), 6), f"{e.low:.6g}", f"{e.high:.6g}")
             for e in self.estimates
@@ -323,11 +322,12 @@ class Fit:
 
     def residual_rows(self) -> list[tuple[str, ...]]:
         """Cells of a table under `RESIDUAL_HEADER`."""
+        runner = self.runners[0]
         return [
             (
                 str(of.row),
                 of.name,
-                quantity(of.measured, self.runners[0].label(unit_of(of.name)), 6),
+                quantity(of.measured, runner.label(unit_of(of.name, runner.model)), 6),
                 f"{of.error:.3g}",
                 f"{of.fitted:.6g}",
                 f"{of.residual:+.2f}",

@@ -87,6 +87,8 @@ class Run:
     """s; None where the runner has not fallen."""
     version: str
     """Version of the unit."""
+    model: str
+    """Name of the runner's model."""
     start_values: Mapping[str, Value]
     """Every parameter, input and state at the start, by the unit's names."""
     final: Mapping[str, float | int | bool | str]
@@ -113,7 +115,8 @@ class Run:
     @property
     def record(self) -> dict[str, Any]:
         """Record for a file of the run: `version`, `model` and `start_values`."""
-        return {**origin_of(version=self.version), "start_values": dict(self.start_values)}
+        origin = origin_of(version=self.version) | {"model": self.model}
+        return {**origin, "start_values": dict(self.start_values)}
 
     @property
     def strides(self) -> int:

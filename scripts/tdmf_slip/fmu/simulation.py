@@ -9,21 +9,21 @@ below it. So a foot that stands keeps its ground, and one that hangs below a ste
 
 from __future__ import annotations
 
-import functools
 import math
 from collections.abc import Iterable, Mapping
 from itertools import islice
-from typing import TYPE_CHECKING, Any, ParamSpec
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import check_kind, checked, checked_flag, checked_whole, reading
 from ..errors import InputError, RunError
-from ..record import Search, in_dataset
+from ..record import in_dataset
 from ..terminal.progress import progress_bar
 from ..variables import paper_units
+from ..variables.paper_units import SCALES
 from ..variables.parameters import RunnerLike, start_values_of
+from ..variables.table import Model
 from ..variables.values import model_of
 from ..variables.variable import Value
 from .fmu import Fmu, load_fmu
@@ -84,10 +84,6 @@ def _line_below(profile: Profile, position: float) -> dict[str, float]:
     return {HEIGHT: line.height, SLOPE: line.slope}
 
 
-if TYPE_CHECKING:
-    import xarray
-
-Arguments = ParamSpec("Arguments")
 DEFAULT_STRIDES = 10
 DEFAULT_TOLERANCE = 1e-9
 TOLERANCES = 1e-14, 0.1
@@ -103,9 +99,11 @@ POINTS_PER_TIME_UNIT = 10
 between two points: 500 steps."""
 LONGEST_STRIDE = 20.0
 """A stride that takes longer than this many sqrt(l0/g) + sqrt(m/k) is taken for none."""
-ROWS_OF_OWN = 1000
-"""Rows of a run of a model of one's own, unless an output interval is given."""
-FALLEN = "status.fallen"
+DEFAULT_TIME = 10.0
+"""Stop time, s, of a unit that does not count strides."""
+ROWS = 1000
+"""Rows of a run of such a unit, unless an output interval is given."""
+FALLEN, STRIDES = "status.fallen", "stride.count"
 ONLY_IN: Mapping[str, str] = {
     "status.terminate_on_fall": "me",
     "solver.method": "cs",
@@ -114,28 +112,6 @@ ONLY_IN: Mapping[str, str] = {
 """Settings that have a meaning in one interface only, and in which."""
 
 
-def _own_by_engine(simulate: Search[Arguments, Run]) -> Search[Arguments, Run]:
-    """Have runners of models of one's own run by the engine, which knows their pages."""
-
-    @functools.wraps(simulate)
-    def found(*given: Arguments.args, **named: Arguments.kwargs) -> xarray.Dataset:
-        runner: Any = given[0] if given else named.get("runner")
-        own = model_of(runner, None).runner_class
-        if own is None:
-            return simulate(*given, **named)
-        starts = getattr(runner, "start_values", None)  # of a gait
-        made = own(runner).replace(starts if isinstance(starts, Mapping) else {})
-        asked: dict[str, Any] = {"stop_time": 10.0} | {n: v for n, v in named.items() if v is not None}
-        stop = checked("stop_time", asked["stop_time"], *TIMES, "s")
-        step = checked("output_interval", asked.get("output_interval") or stop / ROWS_OF_OWN, *INTERVALS, "s")
-        along: xarray.Dataset = made.trajectory(np.arange(0.0, stop * (1.0 + 1e-12), step))
-        return along
-
-    made: Any = found
-    return made  # type: ignore[no-any-return] # with the attributes of `simulate`
-
-
-@_own_by_engine
 @in_dataset(dataset_of)
 def simulate(
     runner: RunnerLike = None,
@@ -154,8 +130,8 @@ def simulate(
 ) -> Run:
     """Run the unit once through FMPy; a fall ends the run and is a result, not an error.
 
-    A runner of a model of one's own, as `load_model` gives, is run by the engine: the result has all outputs
-    and states over `time`, from `stop_time` (10 s) and `output_interval` (a thousandth of it).
+    A runner of a model of one's own, as `load_model` gives, is run by the unit of its build. A unit that does
+    not count strides runs for 10 s by default, in a thousand rows. `trajectory` runs the engine instead.
 
     Parameters
     ----------
@@ -214,13 +190,18 @@ def simulate(
     >>> print(run.attrs["stride.count"], run.fallen)
     2 0
     """
-    fmu = load_fmu(fmu)
+    own = model_of(runner, None)
+    fmu = load_fmu(own.unit if own.map_class and fmu is None else fmu)  # type: ignore[attr-defined]
     interface = interface_over(profile, interface, inputs, fmu)
-    starts = fmu.variables.start_values(start_values_of(runner), "start values")
-    if isinstance(runner, Mapping) and not hasattr(runner, "start_values"):
+    given = own_start_values(runner, own, fmu) if own.map_class else start_values_of(runner)
+    starts = fmu.variables.start_values(given, "start values")
+    if isinstance(runner, Mapping) and not hasattr(runner, "start_values") and not own.map_class:
         paper_units.warn_of_mixture({n: fmu.variables.start_of(n, starts) for n in paper_units.COMPARED})
-    if stop_time is not None:
-        stop_time = checked("stop_time", stop_time, *TIMES, "s")
+    counts = STRIDES in fmu.variables and set(SCALES) <= set(fmu.variables)
+    if strides is not None and not counts:
+        raise InputError(f"strides: the unit {fmu.path.name} does not count them; allowed: stop_time")
+    if stop_time is not None or not counts:
+        stop_time = checked("stop_time", DEFAULT_TIME if stop_time is None else stop_time, *TIMES, "s")
     elif strides is None:
         strides = DEFAULT_STRIDES
     if strides is not None:
@@ -230,10 +211,12 @@ def simulate(
     experiment = Experiment(
         stop_time=_stop_time(fmu, starts, stop_time, strides),
         tolerance=checked("tolerance", tolerance, *TOLERANCES),
-        output_interval=_interval(fmu, starts, output_interval, profile is not None),
+        output_interval=_interval(fmu, starts, output_interval, profile is not None, stop_time),
         start_values=starts,
         inputs=signals(fmu, inputs, starts),
-        variables=tuple(dict.fromkeys([*recorded, MODE, PHASE, FALLEN])),
+        variables=tuple(
+            dict.fromkeys([*recorded, *(n for n in (MODE, PHASE, FALLEN) if n in fmu.variables)])
+        ),
     )
     _check_rows(experiment, _min_duration(fmu, starts, stop_time, strides))
     with opened(fmu, interface) as instance:
@@ -241,13 +224,21 @@ def simulate(
             table = _run(instance, experiment, stop_time, strides, progress)
         else:
             table = run_over(instance, profile, experiment, strides, progress)
-        run = _result(instance, experiment, table, recorded, not record_events)
+        run = _result(instance, experiment, table, recorded, not record_events, own.name)
     if strides is not None and stop_time is None and not run.fallen and run.strides < strides:
         raise RunError(
             f"only {run.strides} of {strides} strides closed within {experiment.stop_time:g} s, "
             "and the runner did not fall; give a stop time to see what it does"
         )
     return run
+
+
+def own_start_values(runner: RunnerLike, model: Model, fmu: Fmu) -> dict[str, Value]:
+    """Start values of the unit for a runner of a model of one's own, or for its gait."""
+    given = getattr(runner, "start_values", None)  # of a gait
+    assert model.runner_class is not None
+    values = given if isinstance(given, Mapping) else model.runner_class(runner)
+    return {name if name in fmu.variables else f"start.{name}": value for name, value in values.items()}
 
 
 run_unit = simulate.plain
@@ -291,11 +282,19 @@ def _stop_time(fmu: Fmu, starts: Mapping[str, Value], stop_time: float | None, s
     return longest if stop_time is None else stop_time
 
 
-def _interval(fmu: Fmu, starts: Mapping[str, Value], interval: float | None, over_profile: bool) -> float:
+def _interval(
+    fmu: Fmu,
+    starts: Mapping[str, Value],
+    interval: float | None,
+    over_profile: bool,
+    stop_time: float | None,
+) -> float:
     points = STEPS_PER_TIME_UNIT if over_profile else POINTS_PER_TIME_UNIT
-    if interval is None:
-        return time_unit(fmu, starts) / points
-    return checked("output_interval", interval, *INTERVALS, "s")
+    if interval is not None:
+        return checked("output_interval", interval, *INTERVALS, "s")
+    if stop_time is not None and not set(SCALES) <= set(fmu.variables):
+        return stop_time / ROWS
+    return time_unit(fmu, starts) / points
 
 
 def _min_duration(
@@ -324,7 +323,7 @@ def _run(
     with progress_bar("simulate", total, unit, show) as bar:
 
         def step_finished(time: float, recorder: Recorder) -> bool:
-            closed = instance.integer("stride.count") if strides is not None else 0
+            closed = instance.integer(STRIDES) if strides is not None else 0
             bar.update((closed if stop_time is None else time) - bar.n)
             if len(recorder.rows) > experiment.max_rows:
                 raise experiment.too_many_rows(time)
@@ -342,15 +341,16 @@ def _result(
     table: NDArray[np.void],
     recorded: list[str],
     regular: bool,
+    model: str,
 ) -> Run:
     fmu = instance.fmu
-    fallen = instance.boolean(FALLEN)
+    fallen = FALLEN in fmu.variables and instance.boolean(FALLEN)
     if fallen and not table[FALLEN][-1]:  # FMPy stops before it records the row in which the runner falls
         _, *names = table.dtype.names or ()
         last = (table["time"][-1], *instance.read(names).values())
         table = np.append(table, np.array([last], dtype=table.dtype))
     fall_time = float(table["time"][np.argmax(table[FALLEN])]) if fallen else None
-    events = events_of(table, fmu.variables)
+    events = events_of(table, fmu.variables) if {MODE, PHASE} <= set(fmu.variables) else []
     if regular:
         table = _regular_rows(table, experiment.output_interval)
     names = ["time", *recorded]
@@ -360,6 +360,7 @@ def _result(
         fallen=fallen,
         fall_time=fall_time,
         version=fmu.version,
+        model=model,
         start_values=fmu.variables.all_start_values(experiment.start_values),
         final=instance.read(fmu.variables),
         events=events,

@@ -111,6 +111,7 @@ class Given:
         self.held: NDArray[Any]
         if isinstance(self.model, OwnModel):
             self.models, self.held = own_numbers(runners, self.varied)
+            self.refuse_patches()
             return
         if len(runners) == 1:
             self.models = c_structs.viewed(self.runner.c_model, c_structs.MODEL)
@@ -223,8 +224,6 @@ class Given:
 
     def refuse_patches(self) -> None:
         """Refuse a patch of ground: an apex does not say where the foot stands."""
-        if isinstance(self.model, OwnModel):
-            return
         for runner in self.runners:
             refuse_patch(runner)
         if any(name in self.varied for name in PATCH):

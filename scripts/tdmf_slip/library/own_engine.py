@@ -158,6 +158,7 @@ class OwnEngine:
             tolerance=self.tolerance,
             step_limit=self.step_limit,
             threads=min(self.threads, max(1, len(runs) // 8)),
+            is_reported=self.recorded is not None,
         )
         fates = _FATES[made.ends["outcome"]]
         self.ends["fate"][runs] = fates

@@ -71,6 +71,17 @@ class OwnModel(Model):
         return OwnMap
 
     @property
+    def unit(self) -> Path:
+        """The file of the FMI 2.0 unit that the build made."""
+        path = self.folder / f"{self.table['name']}.fmu"
+        if not path.is_file():
+            raise InputError(
+                f"model {self.name}: {self.folder} has no unit; allowed: a build with its units "
+                "(without unit=False, --no-unit), or trajectory, which needs none"
+            )
+        return path
+
+    @property
     def section_name(self) -> str | None:
         """Name of the section; None for a page without one."""
         return self.table["sections"][self.section]["name"] if self.section >= 0 else None
@@ -124,6 +135,15 @@ class OwnModel(Model):
         for (is_state, number), value in zip(self.value_places, values, strict=True):
             found[is_state][number] = value
         return found[0], found[1]
+
+    def why_refused(self, requirement: int, states: NDArray[np.float64]) -> str:
+        """The reason why a start with these states is refused, in words: a requirement, from 1."""
+        if requirement == 0:
+            return "a number is out of its range or not finite"
+        of = self.table["requirements"][requirement - 1]
+        number = self.state_numbers.get(of["variable"])
+        given = "" if number is None else f" = {states[number]:.9g}"
+        return f"{of['variable']}{given} at the start; it must be {of['allowed']}"
 
     def seed(self, along: Mapping[str, float]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """A direction of parameters and inputs, as changes of parameters and states."""

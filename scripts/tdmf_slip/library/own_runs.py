@@ -129,7 +129,7 @@ class OwnStrides:
             c.TDMF_PAGE_CROSSED: None,
             c.TDMF_PAGE_ENDED: f"the run ends {at}",
             c.TDMF_PAGE_TOO_LONG: f"the run comes to no `{event}` and is {at}",
-            c.TDMF_PAGE_REFUSED: "a number is out of its range or not finite",
+            c.TDMF_PAGE_REFUSED: self.model.why_refused(end["requirement"], self.states[number]),
         }.get(end["outcome"], f"the run cannot be followed {at}")
 
 
@@ -153,18 +153,23 @@ def strides_of(
     seeds: NDArray[np.float64] | None = None,
     step_limit: int = 0,
     threads: int = 1,
+    is_reported: bool = True,
 ) -> OwnStrides:
     """One stride of each of many runners from points of the section, shape (runners, n).
 
     Parameters and states have a row for each runner, or one for all. With `seeds`, shape (seeds, parameters
     + states), strides are differentiated by the coordinates and along these directions. `longest` is the
-    duration of a stride at the most, s.
+    duration of a stride at the most, s. Strides that are not reported have points and ends alone, and take
+    less time: their events are not kept, and nothing is observed along them.
     """
     count, width = len(points), len(states[0])
     request = MapRequest(model, parameters, states, tolerance, longest, seeds)
-    request.map.step_limit, request.map.event_room = step_limit, EVENT_ROOM
-    ends, rows = np.zeros(count, END), np.zeros((count, EVENT_ROOM), EVENT)
-    request.map.events = ffi.from_buffer("tdmf_page_event[]", rows)
+    room = EVENT_ROOM if is_reported else 0
+    request.map.step_limit, request.map.event_room = step_limit, room
+    request.map.is_unobserved = not is_reported
+    ends, rows = np.zeros(count, END), np.zeros((count, room), EVENT)
+    if is_reported:
+        request.map.events = ffi.from_buffer("tdmf_page_event[]", rows)
     made, by = np.zeros((count, width)), None
     points = np.ascontiguousarray(points, float)
     flag = stop_flag()

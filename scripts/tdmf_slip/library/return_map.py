@@ -108,7 +108,7 @@ def map_of(runner: Runner) -> Map:
 
 def refuse_patch(values: Mapping[str, float]) -> None:
     """Refuse a patch of ground: an apex does not determine where the foot is."""
-    begin, end = (values[name] for name in PATCH)
+    begin, end = (values.get(name, 0.0) for name in PATCH)
     if begin < end:
         raise InputError(
             f"ground.patch_end = {end:g}: gaits and maps of apices have no place for a patch of ground; "

@@ -1,7 +1,8 @@
 """A region of attraction: how many strides each start takes to settle on the gait, or until it falls."""
 
 import math
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 import matplotlib
 import numpy as np
@@ -21,10 +22,9 @@ from ..analysis.basin import FOLLOWED, STRIDES
 from ..library.batch_tables import CLOSED
 from ..library.engine import FATES, SETTLED
 from ..library.runner import Runner
-from ..library.section import REDUCED
 from ..record import runner_in
 from ..variables import paper_units
-from ..variables.table import FRICTION, VARIABLES, paper_unit, scale
+from ..variables.table import FRICTION, VARIABLES, model_named, paper_unit, scale
 from . import style
 
 if TYPE_CHECKING:
@@ -117,12 +117,23 @@ def _without_palest(name: str) -> Colormap:
 
 
 def _title(data: "xarray.Dataset", settled: NDArray[np.bool_]) -> str:
-    friction, word = runner_in(data)["ground.friction"], style.word(data.attrs["word"])
-    title = f"friction {friction:g}, gait {word}: {settled.mean():.1%} of {settled.size:,} starts settle"
+    begin = _at_friction(runner_in(data))
+    gait = f"gait {style.word(data.attrs['word'])}"
+    title = f"{begin}{gait}: {settled.mean():.1%} of {settled.size:,} starts settle"
     if FOLLOWED in data:
         share = float(data[FOLLOWED].mean())
         title += f"\npreview: {share:.1%} of the starts followed, the rest painted; islands may be missed"
     return title
+
+
+def _at_friction(values: Mapping[str, Any]) -> str:
+    """The friction of a runner's ground, as the beginning of a title; empty for a model without one."""
+    return f"friction {values[FRICTION]:g}, " if FRICTION in values else ""
+
+
+def _in_words(axis: str) -> str:
+    """The name of a coordinate of the section."""
+    return NAMES.get(axis, axis.replace("_", " "))
 
 
 def _cross(axes: Axes, data: "xarray.Dataset", horizontal: str, vertical: str) -> Line2D:
@@ -172,8 +183,9 @@ def _mark_small(
 def _label(data: "xarray.Dataset", axis: str) -> str:
     """With the unit, in SI units also how much of it the runner's own scale is."""
     unit, values = data[axis].attrs["units"], runner_in(data)
-    label = style.with_unit(NAMES[axis], paper_units.label(unit, values))
-    if unit == "rad" or paper_units.are_in_use(values):
+    label = style.with_unit(_in_words(axis), paper_units.label(unit, values))
+    has_scales = set(paper_units.SCALES) <= values.keys()
+    if unit == "rad" or paper_units.are_in_use(values) or not has_scales:
         return label
     mass = values["body.mass"]
     size = scale(unit, values["leg.free_length"], math.sqrt(mass / values["leg.stiffness"]), mass)
@@ -193,10 +205,12 @@ def of_strides(made: "xarray.Dataset") -> Figure:
     apices = np.concatenate([made["apex"].values[:, :1], made["next_apex"].values], axis=1)
     with style.styled():
         figure, panels = style.subplots(2, 1, figsize=(6.8, 5.4), sharex=True)
-        for axes, name in zip(panels, DRAWN, strict=True):
-            _draw_runners(axes, apices[..., made["coordinate"].values.tolist().index(name)])
-            unit = paper_units.label(VARIABLES[f"apex.{name}"].unit, runner_in(made))
-            style.label(axes, "", style.with_unit(NAMES[name], unit))
+        model, names = model_named(made.model), made["coordinate"].values.tolist()
+        drawn = DRAWN if set(DRAWN) <= set(names) else names[: len(DRAWN)]
+        for axes, name in zip(panels, drawn, strict=False):
+            _draw_runners(axes, apices[..., names.index(name)])
+            unit = paper_units.label(model.coordinate(name).unit, runner_in(made))
+            style.label(axes, "", style.with_unit(_in_words(name), unit))
         panels[-1].set_xlabel("strides")
         panels[-1].xaxis.set_major_locator(MaxNLocator(integer=True))
         if len(apices) > MAX_LINES:
@@ -276,18 +290,18 @@ def of_viable_set(found: xarray.Dataset) -> Figure:
         ),
     ]
     figure.legend(handles=handles, loc="outside lower center", ncols=2)
-    friction = Runner(runner_in(found), model=found.model)[FRICTION]
+    begin = _at_friction(Runner(runner_in(found), model=found.model)).replace(", ", ": ")
     actions = found["viable_pair"].size // found["viable"].size
     axes.set_title(
-        f"friction {friction:g}: {found.inner_share:.1%} to {found.outer_share:.1%} of the plane viable, "
-        f"{actions} actions"
+        f"{begin}{found.inner_share:.1%} to {found.outer_share:.1%} of the plane viable, {actions} actions"
     )
     return figure
 
 
 def paint_viable_set(axes: Axes, found: xarray.Dataset, maximum: float | None = None) -> ScalarMappable:
     """Paint the sets into axes of a figure."""
-    heights, speeds = (found[f"{axis}_edge"].values for axis in REDUCED)
+    vertical, horizontal = map(str, found["viable"].dims)
+    heights, speeds = (found[f"{axis}_edge"].values for axis in (vertical, horizontal))
     states, robustness = found["viable"].values, found["inner_robustness"].values
     for level, colour in ((0, NOT_VIABLE), (1, OPEN)):
         shown = np.ma.masked_where(states != level, np.zeros(states.shape))
@@ -298,8 +312,9 @@ def paint_viable_set(axes: Axes, found: xarray.Dataset, maximum: float | None = 
         speeds, heights, shares, cmap=VIABLE_COLOURS, vmin=0.0, vmax=largest, rasterized=True
     )
     runner = Runner(runner_in(found), model=found.model)
-    units = [runner.label(VARIABLES[f"apex.{axis}"].unit) for axis in REDUCED]
-    style.label(
-        axes, style.with_unit(NAMES[REDUCED[1]], units[1]), style.with_unit(NAMES[REDUCED[0]], units[0])
-    )
+    labels = [
+        style.with_unit(_in_words(axis), runner.label(runner.model.coordinate(axis).unit))
+        for axis in (horizontal, vertical)
+    ]
+    style.label(axes, *labels)
     return mesh

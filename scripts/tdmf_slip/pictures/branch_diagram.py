@@ -22,12 +22,12 @@ from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..record import runner_in
 from ..variables.display_units import DisplayUnits
-from ..variables.table import VARIABLES
+from ..variables.table import MODELS, VARIABLES
 from . import style
 from .style import CurveLabel
 
 DRAWN = "com_speed"
-"""The quantity that is drawn unless another is asked for."""
+"""The quantity that is drawn unless another is asked for; of a model without it its first coordinate."""
 MIN_SHOWN, LARGEST_SHOWN = 1.15, 4.0
 """Least and largest reach of the axis of eigenvalues."""
 COLOURS = (style.CURVE, style.SECOND_CURVE, "#8a5a00", "#5b2a86")
@@ -67,6 +67,8 @@ def values_of(data: xarray.Dataset, quantity: str) -> NDArray[np.float64]:
 
 def figure_of(data: xarray.Dataset, quantity: str = DRAWN, display: DisplayUnits | None = None) -> Figure:
     """A quantity of the gaits, and the size of their largest eigenvalue, over the parameter."""
+    if quantity == DRAWN and data.model not in MODELS and DRAWN not in data["coordinate"]:
+        quantity = str(data["coordinate"].values[0])
     values_of(data, quantity)
     name = data.over
     display = display or DisplayUnits(values=Runner(runner_in(data), model=data.model))

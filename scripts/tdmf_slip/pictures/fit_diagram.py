@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..files.whole import write_whole
-from ..fitting.measurements import MEASURABLE
+from ..fitting.measurements import measurable
 from ..fitting.result import CONFIDENCE, PARAMETER_HEADER, QUANTILE, RESIDUAL_HEADER, Fit, Residual
 from ..library.quantities import unit_of
 from ..library.runner import Runner
@@ -21,15 +21,15 @@ DATA, FITTED = style.INK, style.MODE_COLOURS["slip_positive"]
 WIDTH, HEIGHT = 7.6, 2.5
 """Width of the figure and height of each row of panels, inches."""
 COLOURS = ("#0b7a75", "#1f5fa8", "#b3216f", "#e07b00", "#5b2a86", "#8a5a00")
-"""Colours of residuals, by quantity in the order of `MEASURABLE`, repeated."""
-NAMES = {name: name.replace("_", " ") for name in MEASURABLE}
+"""Colours of residuals, by quantity in the order of `measurable`, repeated."""
 FEW = 12
 """Rows that are numbered each."""
 
 
 def figure_of(fit: Fit) -> Figure:
     """A panel for each quantity, and one for the residuals over their errors."""
-    names = [name for name in MEASURABLE if any(of.name == name for of in fit.residuals)]
+    known = measurable(fit.runners[0].model)
+    names = [name for name in known if any(of.name == name for of in fit.residuals)]
     ticks, title = _tick_positions(fit)
     shown = [name for name in names if title.startswith("row") or name != "speed"] or names
     lines = (len(shown) + 1) // 2
@@ -46,11 +46,17 @@ def figure_of(fit: Fit) -> Figure:
     return figure
 
 
+def in_words(name: str) -> str:
+    """The name of a quantity as words."""
+    return name.replace("_", " ")
+
+
 def _tick_positions(fit: Fit) -> tuple[Sequence[float], str]:
     """Places of the rows on the horizontal axis, and its title."""
     speeds = [row["speed"].value for row in fit.measurements.rows if "speed" in row]
     if len(speeds) > 1 and len(set(speeds)) == len(fit.measurements.rows):
-        return speeds, style.with_unit("measured speed", fit.runners[0].label(unit_of("speed")))
+        runner = fit.runners[0]
+        return speeds, style.with_unit("measured speed", runner.label(unit_of("speed", runner.model)))
     return range(1, len(fit.measurements.rows) + 1), "row"
 
 
@@ -78,17 +84,17 @@ def _quantity(axes: Axes, residuals: Sequence[Residual], ticks: Sequence[float],
     )
     axes.plot(at, [of.fitted for of in residuals], "x", color=FITTED, markersize=7, label="fitted", zorder=4)
     name = residuals[0].name
-    axes.set_title(style.with_unit(NAMES[name], runner.label(unit_of(name))))
+    axes.set_title(style.with_unit(in_words(name), runner.label(unit_of(name, runner.model))))
     _ticks(axes, ticks)
 
 
 def _residuals(axes: Axes, fit: Fit, names: Sequence[str], ticks: Sequence[float], title: str) -> None:
     """Residuals over their errors, and where 95 % of them are to be."""
-    for name, colour in zip(MEASURABLE, cycle(COLOURS), strict=False):
+    for name, colour in zip(measurable(fit.runners[0].model), cycle(COLOURS), strict=False):
         its = [of for of in fit.residuals if of.name == name]
         if name in names:
             at = [ticks[of.row - 1] for of in its]
-            axes.plot(at, [of.residual for of in its], "o", color=colour, markersize=4, label=NAMES[name])
+            axes.plot(at, [of.residual for of in its], "o", color=colour, markersize=4, label=in_words(name))
     axes.axhline(0.0, color=style.GROUND, linewidth=0.8, zorder=0)
     for quantile in (-QUANTILE, QUANTILE):
         axes.axhline(quantile, **style.LIMIT_LINE)

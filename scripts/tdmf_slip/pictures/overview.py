@@ -8,12 +8,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
+from ..analysis.trajectories import trajectory
 from ..errors import InputError
 from ..fmu.run import MODE
 from ..library.gait import Gait
 from ..record import runner_in
 from ..variables import paper_units
-from ..variables.table import VARIABLES
+from ..variables.table import MODELS, VARIABLES
 from . import style
 
 PANELS: Sequence[tuple[str, Sequence[tuple[str, str]]]] = (
@@ -23,13 +24,17 @@ PANELS: Sequence[tuple[str, Sequence[tuple[str, str]]]] = (
     ("foot velocity", (("foot.vx", "foot, horizontal"),)),
 )
 """Label of each panel, and variables with their names."""
+POINTS = 1001
+"""Times at which the gait of an own model is drawn."""
 MAX_PANELS = 8
 """Largest number of quantities of an own model that are drawn; outputs come first."""
 
 
 def figure_of(run: xarray.Dataset) -> Figure:
-    """A run's panels, in the units of its table."""
+    """A run's panels, in the units of its table; of another model's unit all that moves."""
     missing = {MODE, *(name for _, curves in PANELS for name, _ in curves)} - set(run.variables)
+    if missing and run.model not in MODELS:
+        return of_trajectory(run)
     if missing:
         raise InputError(f"plot: the run has not recorded {', '.join(sorted(missing))}")
     with style.styled():
@@ -74,18 +79,16 @@ def _key(run: xarray.Dataset) -> list[Patch]:
 
 def of_own_gait(gait: Gait) -> Figure:
     """The outputs and states over the strides of a gait."""
-    from ..fmu.simulation import simulate  # FMPy loads only where a unit is run
-
-    run: xarray.Dataset = simulate(gait, stop_time=gait.period)
-    return of_trajectory(run)
+    return of_trajectory(trajectory(gait, times=np.linspace(0.0, gait.period, POINTS)))
 
 
 def of_trajectory(run: xarray.Dataset) -> Figure:
     """A panel for each output and state; dashed lines where the mode changes."""
-    moving = [name for name, of in run.data_vars.items() if name != "mode" and len(set(of.values)) > 1]
+    over_time = {name: of for name, of in run.data_vars.items() if of.dims == ("time",) and name != "mode"}
+    moving = [name for name, of in over_time.items() if len(set(of.values)) > 1]
     if not moving:
         raise InputError("plot: a trajectory on which nothing changes; allowed: one that moves")
-    times, modes = run["time"].values, run["mode"].values
+    times, modes = run["time"].values, run["mode"].values if "mode" in run else ()
     pairs = zip(times[1:], modes, modes[1:], strict=False)
     changes = [time for time, before, after in pairs if before != after]
     with style.styled():

@@ -11,13 +11,29 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
+from ..errors import InputError
 from ..fmu.run import MODE
 from ..library.gait import Gait
-from ..variables.table import VARIABLES, scale
+from ..variables.table import Model, scale
 from . import style
 
 POINTS = 6000
 """Recorded points in the stride; each event adds two."""
+
+
+DRAWN = "body.x", "contact.mode", "hip.phase"
+"""Outputs without which no runner is drawn."""
+
+
+def check_is_drawn(model: Model) -> None:
+    """Refuse a model of one's own that has no body, leg and foot."""
+    if model.map_class:
+        missing = [name for name in DRAWN if name not in {of["public"] for of in model.table["outputs"]}]  # type: ignore[attr-defined]
+        if missing:
+            raise InputError(
+                f"model {model.name}: has no {', '.join(missing)}, and no picture of a runner; allowed: a "
+                "subclass of the runner, or plot, which draws outputs over time"
+            )
 
 
 @dataclass(frozen=True)
@@ -38,9 +54,10 @@ class Stride:
         from ..fmu.simulation import run_unit  # FMPy loads only where the unit is run
 
         self.gait = gait
+        check_is_drawn(gait.runner.model)
         run = run_unit(gait, strides=1, output_interval=gait.period / POINTS)
         self.events = run.events
-        self._table = run.table
+        self._table, self._variables = run.table, run.variables
         values = gait.runner
         self._length = values["leg.free_length"]
         self._mass = values["body.mass"]
@@ -49,7 +66,7 @@ class Stride:
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """A recorded variable, one value per row."""
         rows: NDArray[np.float64] = self._table[name]
-        return rows / scale(VARIABLES[name].unit or "1", self._length, self._time, self._mass)
+        return rows / scale(self._variables[name].unit or "1", self._length, self._time, self._mass)
 
     @cached_property
     def time(self) -> NDArray[np.float64]:
@@ -59,7 +76,7 @@ class Stride:
     @cached_property
     def modes(self) -> list[str]:
         """Contact mode of each row."""
-        items = VARIABLES[MODE].items
+        items = self._variables[MODE].items
         return [items[int(mode)] for mode in self._table[MODE]]
 
     @cached_property

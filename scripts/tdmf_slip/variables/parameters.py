@@ -103,8 +103,8 @@ def refuse_own(runner: object, what: str) -> None:
         name = getattr(own, "name", own)
         raise InputError(
             f"runner of the model {name}: {what} needs a model of the package itself; allowed for it: "
-            "find_gait, sweep, continue_branch, continue_curves, optimize, stride_map, Batch, basin, lqr, "
-            "dead_beat, place_poles, simulate, plot"
+            "find_gait, sweep, continue_branch, continue_curves, optimize, fit, stride_map, Batch, basin, "
+            "viability, lqr, dead_beat, place_poles, simulate, trajectory, plot"
         )
 
 

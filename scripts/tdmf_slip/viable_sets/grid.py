@@ -31,7 +31,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..blocks import run_blocks
-from ..checks import check_kind, check_size, checked_whole
+from ..checks import check_size, checked_whole
 from ..errors import InputError
 from ..files.resume import Resumed
 from ..given import counts_given, ends_given, mapping_of, row_of
@@ -42,7 +42,7 @@ from ..library.section import REDUCED, check_axes
 from ..library.settings import check_acts, checked_values, setting_number
 from ..record import dataset
 from ..terminal.progress import progress_bar
-from ..variables.table import VARIABLES, by_full_name
+from ..variables.table import by_full_name
 
 MAX_CELLS = 2048
 """Largest number of cells along an axis."""
@@ -56,7 +56,7 @@ VALUES = 16
 
 @dataclass(frozen=True, eq=False)
 class Grid:
-    """Cells over the two coordinates of the reduced map, and what may be set at each apex."""
+    """Cells over two coordinates of the section, and what may be set at each apex."""
 
     edges: Mapping[str, NDArray[np.float64]]
     """Borders of the cells by coordinate, rising, shape (cells + 1,)."""
@@ -73,6 +73,10 @@ class Grid:
     def nodes(self) -> tuple[int, int]:
         """How many corners of cells along each coordinate."""
         return self.cells[0] + 1, self.cells[1] + 1
+
+    def columns(self, runner: Runner) -> list[int]:
+        """Places of both coordinates in a point of the runner's section."""
+        return [runner.coordinates.index(axis) for axis in self.edges]
 
     @property
     def action_shape(self) -> tuple[int, ...]:
@@ -116,54 +120,49 @@ class Grid:
 def grid_of(runner: Runner, axes: Any, vary: Any, n: Any) -> Grid:
     """The grid that is asked for."""
     ranges = mapping_of(axes, "axes", "a mapping of both coordinates to ranges (low, high)")
-    check_axes(tuple(ranges), REDUCED)
-    missing = next((axis for axis in REDUCED if axis not in ranges), None)
-    if missing is not None:
-        raise InputError(f"axes: without {missing}; allowed: ranges of {' and '.join(REDUCED)}")
-    counts = counts_given(n, MAX_CELLS)
+    known = runner.coordinates if runner.model.map_class else REDUCED
+    check_axes(tuple(ranges), known)
+    names = tuple(axis for axis in known if axis in ranges)
+    if len(names) != 2:
+        missing = ", ".join(axis for axis in known if axis not in ranges)
+        raise InputError(f"axes: without {missing or 'two'}; allowed: ranges of two of {', '.join(known)}")
+    of = {axis: runner.model.coordinate(axis) for axis in names}
     edges = {
-        axis: np.linspace(
-            *ends_given(f"axes: {axis}", ranges[axis], read=VARIABLES[f"apex.{axis}"].without_units),
-            count + 1,
-        )
-        for axis, count in zip(REDUCED, counts, strict=True)
+        axis: np.linspace(*ends_given(f"axes: {axis}", ranges[axis], read=of[axis].without_units), count + 1)
+        for axis, count in zip(names, counts_given(n, MAX_CELLS), strict=True)
     }
     for axis, along in edges.items():
-        VARIABLES[f"apex.{axis}"].values_of(along, f"axes: {axis}")
+        of[axis].values_of(along, f"axes: {axis}")
     grid = Grid(edges, _actions(runner, vary))
     check_size("grid", math.prod(grid.nodes) * grid.action_count, "strides", MAX_STRIDES)
     return grid
 
 
 def _actions(runner: Runner, vary: Any) -> dict[str, NDArray[np.float64]]:
-    ranges = by_full_name(vary, "vary", "a mapping of settings to ranges (low, high) or (low, high, values)")
+    model, allowed = runner.model, "a mapping of settings to ranges (low, high) or (low, high, values)"
+    ranges = by_full_name(vary, "vary", allowed, model.aliases)
     if not ranges:
         raise InputError("vary: nothing; allowed: one or more settings with their ranges")
     actions: dict[str, NDArray[np.float64]] = {}
     for name, span in ranges.items():
-        setting_number(name, "vary")
+        setting_number(name, "vary", model)
         check_acts(name, runner, tuple(ranges), "vary")
         what = f"vary: {name}"
         row = row_of(span, what, "(low, high) or (low, high, values)")
         count = checked_whole(f"{what}: values", row[2], 1, MAX_ACTIONS) if len(row) == 3 else VALUES
         ends = row[:2] if len(row) == 3 else row
-        low, high = ends_given(what, ends, may_be_one=count == 1, read=VARIABLES[name].without_units)
-        actions[name] = checked_values(name, np.linspace(low, high, count), "vary", {"value": 0})
+        low, high = ends_given(what, ends, may_be_one=count == 1, read=model.variables[name].without_units)
+        actions[name] = checked_values(name, np.linspace(low, high, count), "vary", {"value": 0}, model)
     return actions
 
 
-def starts_at(runner: Runner, apices: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Apices of the runner's own map at heights and speeds.
-
-    Of the full model the leg is at rest where the runner's own settings have placed it, as long as it is
-    unloaded: what the last placement leaves.
-    """
-    check_kind(runner, Runner, "runner", "a Runner")
-    if runner.reduced:
-        return apices
-    state = Runner(runner, model="reduced").state_at([1.0, 0.0])
-    leg = [state[f"leg.{name}"] for name in ("length", "angle", "length_rate", "angle_rate")]
-    return np.column_stack([apices, np.tile(leg, (len(apices), 1))])
+def starts_at(
+    point: NDArray[np.float64], columns: Sequence[int], pairs: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Points of the section that have pairs of numbers, shape (n, 2), for two of their coordinates."""
+    starts = np.tile(point, (len(pairs), 1))
+    starts[:, columns] = pairs
+    return starts
 
 
 NOT_YET = -1
@@ -181,7 +180,7 @@ class Transitions:
     fate: NDArray[np.int8]
     """Numbers into `library.batch_tables.STRIDE_FATES`, shape (nodes, nodes, actions)."""
     next_apex: NDArray[np.float32]
-    """Height and speed, NaN where the stride did not close, shape (2, nodes, nodes, actions)."""
+    """Both coordinates, NaN where the stride did not close, shape (2, nodes, nodes, actions)."""
 
     @property
     def closed(self) -> int:
@@ -190,32 +189,38 @@ class Transitions:
 
 
 def strides_of(
-    runner: Runner, grid: Grid, rows: Sequence[int]
+    runner: Runner, grid: Grid, point: NDArray[np.float64], rows: Sequence[int]
 ) -> tuple[NDArray[np.int8], NDArray[np.float32]]:
-    """All actions from all corners in rows of a grid: a block of work."""
-    count = grid.action_count
-    heights, speeds = grid.edges.values()
-    nodes = np.array([(height, speed) for height in heights[list(rows)] for speed in speeds])
+    """All actions from all corners in rows of a grid: a block of work.
+
+    All corners have the coordinates of a point of the section that are no axes of the grid.
+    """
+    count, columns = grid.action_count, grid.columns(runner)
+    along, across = grid.edges.values()
+    nodes = np.array([(first, second) for first in along[list(rows)] for second in across])
     actions = grid.all_actions()
     fates = np.empty((len(nodes), count), np.int8)
-    nexts = np.empty((len(REDUCED), len(nodes), count), np.float32)
+    nexts = np.empty((2, len(nodes), count), np.float32)
     at_once = max(1, STRIDES_IN_A_CALL // count)
     for first in range(0, len(nodes), at_once):
         some = slice(first, first + at_once)
-        starts = starts_at(runner, nodes[some])
+        starts = starts_at(point, columns, nodes[some])
         settings = {name: np.tile(values, len(starts))[:, None] for name, values in actions.items()}
         batch = Batch(runner, np.repeat(starts, count, axis=0), inputs=settings)
         run = batch.run(1)
         closed = run.strides == 1
-        apices = np.where(closed[:, None], run.apex[:, : len(REDUCED)], np.nan)
+        apices = np.where(closed[:, None], run.apex[:, columns], np.nan)
         fates[some] = np.where(closed, CLOSED, run.fate).reshape(len(starts), count)
-        nexts[:, some] = apices.T.reshape(len(REDUCED), len(starts), count)
-    shape = (len(rows), len(speeds), count)
-    return fates.reshape(shape), nexts.reshape(len(REDUCED), *shape)
+        nexts[:, some] = apices.T.reshape(2, len(starts), count)
+    shape = (len(rows), len(across), count)
+    return fates.reshape(shape), nexts.reshape(2, *shape)
 
 
-def transitions_file(runner: Runner, grid: Grid, path: Path | None = None) -> Resumed:
+def transitions_file(
+    runner: Runner, grid: Grid, point: NDArray[np.float64], path: Path | None = None
+) -> Resumed:
     """Strides of a grid, of which some may be on file."""
+    shared = dict(zip(runner.coordinates, point.tolist(), strict=True)) if runner.model.map_class else {}
     corners = [f"{axis}_edge" for axis in grid.edges]
     over, shape = (*corners, *grid.actions), (*grid.nodes, *grid.action_shape)
     flags = {
@@ -227,10 +232,11 @@ def transitions_file(runner: Runner, grid: Grid, path: Path | None = None) -> Re
         runner.record(),
         {
             "fate": (over, np.full(shape, NOT_YET, np.int8), flags),
-            **{f"next_{axis}": (over, np.full(shape, np.nan, np.float32)) for axis in REDUCED},
+            **{f"next_{axis}": (over, np.full(shape, np.nan, np.float32)) for axis in grid.edges},
         },
         dict(zip(corners, grid.edges.values(), strict=True)) | dict(grid.actions),
         tolerance=TOLERANCE,
+        **{f"at_{name}": value for name, value in shared.items() if name not in grid.edges},
     )
     return Resumed(path, blank, "viable set")
 
@@ -238,6 +244,7 @@ def transitions_file(runner: Runner, grid: Grid, path: Path | None = None) -> Re
 def make_transitions(
     runner: Runner,
     grid: Grid,
+    point: NDArray[np.float64],
     file: Resumed,
     *,
     executor: Executor | None = None,
@@ -251,16 +258,18 @@ def make_transitions(
     blocks = [missing[first : first + at_once] for first in range(0, len(missing), at_once)]
     with (
         progress_bar(what, fate.size, "strides", progress) as bar,
-        run_blocks(partial(strides_of, runner, grid), blocks, executor) as results,
+        run_blocks(partial(strides_of, runner, grid, point), blocks, executor) as results,
     ):
         bar.update((len(fate) - len(missing)) * math.prod(fate.shape[1:]))
         for number, (fates, nexts) in results:
-            arrays = dict(zip(("fate", *(f"next_{axis}" for axis in REDUCED)), (fates, *nexts), strict=True))
+            arrays = dict(
+                zip(("fate", *(f"next_{axis}" for axis in grid.edges)), (fates, *nexts), strict=True)
+            )
             shape = (len(blocks[number]), *fate.shape[1:])
             file.write({corner: blocks[number]}, {name: a.reshape(shape) for name, a in arrays.items()})
             bar.update(fates.size)
     flat = (*grid.nodes, grid.action_count)
-    nexts = np.stack([file.data[f"next_{axis}"].values.reshape(flat) for axis in REDUCED])
+    nexts = np.stack([file.data[f"next_{axis}"].values.reshape(flat) for axis in grid.edges])
     return Transitions(grid, file.data["fate"].values.reshape(flat), nexts)
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..analysis.search import periodic_gait
 from ..checks import checked, refusal, shown
 from ..errors import InputError
 from ..files.whole import check_destination
@@ -19,8 +20,9 @@ from ..library.return_map import refuse_patch
 from ..library.runner import Runner
 from ..library.section import REDUCED, Apex, checked_apex
 from ..record import runner_in
-from ..variables.parameters import RunnerLike, refuse_own
-from ..variables.table import VARIABLES, by_full_name
+from ..variables.parameters import RunnerLike
+from ..variables.table import by_full_name
+from ..variables.values import model_of
 from ..variables.variable import Given
 from .grid import (
     Grid,
@@ -79,22 +81,23 @@ class ViableController:
     def __init__(self, viable: xarray.Dataset, wish: Mapping[str, Given] | None = None) -> None:
         if getattr(viable, "attrs", {}).get("result") != "viability" or "viable_pair" not in viable:
             raise refusal("viable", viable, "a viable set, with all its variables and attributes")
-        pairs, names = viable["viable_pair"].values, viable["viable_pair"].dims[len(REDUCED) :]
+        pairs, (first, second, *names) = viable["viable_pair"].values, viable["viable_pair"].dims
         self.grid = Grid(
-            {axis: viable[f"{axis}_edge"].values for axis in REDUCED},
+            {str(axis): viable[f"{axis}_edge"].values for axis in (first, second)},
             {str(name): viable[name].values for name in names},
         )
         levels = pairs.reshape(*self.grid.cells, self.grid.action_count)
         self.inner, self.outer = levels == 2, levels > 0
-        given = by_full_name(wish, "wish", "a mapping of settings to numbers")
+        runner = Runner(runner_in(viable), model=viable.attrs["model"])
+        self.columns = self.grid.columns(runner)
+        given = by_full_name(wish, "wish", "a mapping of settings to numbers", runner.model.aliases)
         unknown = next((name for name in given if name not in self.grid.actions), None)
         if unknown is not None:
             raise InputError(
                 f"wish: {shown(unknown)} is not allowed; allowed: {', '.join(self.grid.actions)}"
             )
-        runner = Runner(runner_in(viable), model=viable.attrs["model"])
         self.wish = tuple(
-            float(VARIABLES[name].value_of(given.get(name, runner[name]), "wish"))
+            float(runner.model.variables[name].value_of(given.get(name, runner[name]), "wish"))
             for name in self.grid.actions
         )
 
@@ -104,7 +107,7 @@ class ViableController:
         Parameters
         ----------
         apex : sequence of float
-            Height and speed first; further coordinates, as of the full model, are not looked at.
+            In the order of the section. Coordinates that are no axes of the viable set are not looked at.
 
         Returns
         -------
@@ -126,16 +129,22 @@ class ViableController:
         str
             `viable`, `open` or `not viable`.
         """
-        cell = self.grid.cell_of(np.asarray(apex, float)[None, : len(REDUCED)])[0]
+        return self._grade(int(self.grid.cell_of(np.asarray(apex, float)[None, self.columns])[0]))
+
+    def _grade(self, cell: int) -> str:
+        """The grade of a cell, -1 for a place outside of the grid."""
         if cell < 0:
             return GRADES[0]
-        row, column = divmod(int(cell), self.grid.cells[1])
+        row, column = divmod(cell, self.grid.cells[1])
         return GRADES[int(self.inner[row, column].any()) + int(self.outer[row, column].any())]
 
     def __call__(self, apices: NDArray[np.float64], stride_number: int = 0) -> dict[str, NDArray[np.float64]]:
         """Actions at the apices of many runners, by name: the controller is a law for a `Batch`."""
-        cells = self.grid.cell_of(apices[:, : len(REDUCED)])
-        best = np.full(len(apices), -1)
+        return self._settings(self.grid.cell_of(apices[:, self.columns]))
+
+    def _settings(self, cells: NDArray[np.intp]) -> dict[str, NDArray[np.float64]]:
+        """Actions in cells, by name."""
+        best = np.full(len(cells), -1)
         for number in np.unique(cells[cells >= 0]):
             best[cells == number] = self._choice(int(number))
         actions = self.grid.all_actions()
@@ -153,11 +162,12 @@ class ViableController:
             Names first; then of each cell its middle, its grade and what is set, in SI units.
         """
         rows, columns = (self.grid.centers(axis) for axis in self.grid.edges)
-        middles = np.stack(np.meshgrid(rows, columns, indexing="ij"), axis=-1).reshape(-1, len(REDUCED))
-        chosen = np.stack([values.tolist() for values in self(middles).values()], axis=-1)
+        middles = np.stack(np.meshgrid(rows, columns, indexing="ij"), axis=-1).reshape(-1, 2)
+        cells = np.arange(len(middles))
+        chosen = np.stack([values.tolist() for values in self._settings(cells).values()], axis=-1)
         table: list[tuple[str | float, ...]] = [(*self.grid.edges, "grade", *self.grid.actions)]
-        for middle, values in zip(middles, chosen, strict=True):
-            table.append((*middle.tolist(), self.grade_at(middle), *values.tolist()))
+        for cell, middle, values in zip(cells, middles, chosen, strict=True):
+            table.append((*middle.tolist(), self._grade(int(cell)), *values.tolist()))
         return table
 
     def _choice(self, cell: int) -> int:
@@ -212,7 +222,8 @@ def viability(
     ----------
     runner : as in `find_gait`
     axes : mapping of str to (float, float)
-        Ranges of `com_height`, m, and `com_speed`, m/s, at the apex.
+        Ranges of `com_height`, m, and `com_speed`, m/s, at the apex; of a model of one's own ranges of any
+        two coordinates of its section.
     vary : mapping of str to (low, high) or (low, high, values)
         Settings that are chosen at each apex, by names of `library.settings.SETTINGS`, with their ranges and
         the number of values, by default 16.
@@ -221,7 +232,8 @@ def viability(
     model : str, default 'reduced'
         Map from apex to apex: `reduced`, whose states are these planes; or `full`, whose other coordinates
         are those that the last placement leaves: a leg at rest, unloaded, where the runner's own settings
-        place it.
+        place it. A model of one's own goes by its own map; coordinates that are no axes are those of the gait
+        that is given, else of the one that `find_gait` finds.
     factor : float, default 1.5
         Derivatives within a cell are assumed to be at most this many times, 1 or above, the largest at its
         corners, which are differences to the neighbouring corners.
@@ -240,7 +252,7 @@ def viability(
         - `viable`, by its flags, and over the settings, too, `viable_pair`;
         - `inner_robustness` and `outer_robustness`, the share of actions that are viable: Heim's measure;
         - `inner_drop` and `outer_drop`, m: the largest drop of the ground at the apex that leaves a viable
-          state, for all points of the cell, and for some; NaN outside of the set;
+          state, for all points of the cell, and for some; NaN outside of the set; only over `com_height`;
         - with a gait `inner_strides` and `outer_strides`, -1 where no actions lead to it, and `at_gait`.
 
         Over the corners of the cells and the settings: `fate` and the next height and speed. The shares of
@@ -272,16 +284,16 @@ def viability(
     S. Heim and A. Badri-Sproewitz, Beyond Basins of Attraction: Quantifying Robustness of Natural Dynamics,
     IEEE Transactions on Robotics 2019, doi 10.1109/TRO.2019.2910739.
     """
-    refuse_own(runner, "viability")
-    runner = Runner(runner, model=model)
+    runner = Runner(runner, model=None if model_of(runner, None).map_class else model)
     refuse_patch(runner)
     factor = checked("factor", factor, 1.0, LARGEST_FACTOR)
     path = None if path is None else check_destination(path, (".nc",), "path")
     grid = grid_of(runner, axes, vary, n)
-    target = None if gait is None else _cells_about(grid, gait)
-    file = transitions_file(runner, grid, path)
-    made = make_transitions(runner, grid, file, executor=executor, progress=progress)
-    found = _sets(runner, made, factor, target, transitions_file(runner, grid).data)
+    target = None if gait is None else _cells_about(runner, grid, gait)
+    point = point_of(runner, tuple(grid.edges), gait)
+    file = transitions_file(runner, grid, point, path)
+    made = make_transitions(runner, grid, point, file, executor=executor, progress=progress)
+    found = _sets(runner, made, factor, target, transitions_file(runner, grid, point).data)
     if path is not None:
         file.finish(found)
     return found
@@ -298,13 +310,13 @@ def _sets(
     grid = made.grid
     over, shape = tuple(grid.edges), (*grid.nodes, *grid.action_shape)
     data["fate"].values[...] = made.fate.reshape(shape)
-    for number, axis in enumerate(REDUCED):
+    for number, axis in enumerate(grid.edges):
         data[f"next_{axis}"].values[...] = made.next_apex[number].reshape(shape)
     attributes: dict[str, Any] = {"factor": factor}
     levels = np.zeros((*grid.cells, grid.action_count), np.int8)
     arrays: dict[str, Any] = {}
     for name in ("inner", "outer"):
-        boxes = boxes_of(made, runner.scales[: len(REDUCED)], factor, inner=name == "inner")
+        boxes = boxes_of(made, runner.scales[grid.columns(runner)], factor, inner=name == "inner")
         kept = largest_kept(boxes, grid.cells, inner=name == "inner")
         pairs = np.zeros((*grid.cells, grid.action_count), bool)
         pairs.reshape(-1, grid.action_count)[boxes.cells[kept.pairs], boxes.actions[kept.pairs]] = True
@@ -312,8 +324,9 @@ def _sets(
         levels += pairs
         about = {"units": "1", "long_name": "share of actions that are viable"}
         arrays[f"{name}_robustness"] = over, pairs.mean(axis=2), about
-        about = {"units": "m", "long_name": "largest drop of the ground that leaves a viable state"}
-        arrays[f"{name}_drop"] = over, _largest_drop(states, grid, inner=name == "inner"), about
+        if REDUCED[0] == over[0]:
+            about = {"units": "m", "long_name": "largest drop of the ground that leaves a viable state"}
+            arrays[f"{name}_drop"] = over, _largest_drop(states, grid, inner=name == "inner"), about
         attributes |= {f"{name}_share": float(states.mean()), f"{name}_passes": kept.passes}
         if target is not None:
             strides = strides_to(boxes, target, inner=name == "inner")
@@ -339,13 +352,32 @@ def _largest_drop(states: NDArray[np.bool_], grid: Grid, *, inner: bool) -> NDAr
     return np.where(states, (above if inner else above + 1.0) * grid.sizes[0], np.nan)
 
 
-def _cells_about(grid: Grid, gait: Gait | Apex) -> NDArray[np.bool_]:
+def point_of(runner: Runner, axes: Sequence[str], gait: Gait | Apex | None) -> NDArray[np.float64]:
+    """A point of the section, whose coordinates other than the axes all starts have.
+
+    Of the full model the leg is at rest where the runner's own settings have placed it, as long as it is
+    unloaded: what the last placement leaves. Of a model of one's own it is a gait, by default the one found.
+    """
+    if len(runner.coordinates) == len(axes):
+        return np.zeros(len(axes))
+    if runner.model.map_class:
+        apex = periodic_gait(runner) if gait is None else gait
+        return np.array(apex.apex if isinstance(apex, Gait) else checked_apex(apex, runner.coordinates))
+    state = Runner(runner, model="reduced").state_at([1.0, 0.0])
+    leg = [state[f"leg.{name}"] for name in ("length", "angle", "length_rate", "angle_rate")]
+    return np.array([1.0, 0.0, *leg])
+
+
+def _cells_about(runner: Runner, grid: Grid, gait: Gait | Apex) -> NDArray[np.bool_]:
     """The cells about a gait's apex."""
     allowed = "a Gait, or the coordinates of an apex"
     apex = gait.apex if isinstance(gait, Gait) else np.atleast_1d(numbers_of("gait", gait, allowed))
     if apex.ndim != 1 or not np.isfinite(apex).all():
         raise refusal("gait", gait, allowed)
-    point = checked_apex(apex[: len(REDUCED)], REDUCED)
+    if runner.model.map_class:
+        point = checked_apex(apex, runner.coordinates)[grid.columns(runner)]
+    else:
+        point = checked_apex(apex[: len(REDUCED)], REDUCED)
     near = [
         (edges[:-1] >= at - NEAR * size) & (edges[1:] <= at + NEAR * size)
         for edges, at, size in zip(grid.edges.values(), point, grid.sizes, strict=True)
