@@ -339,11 +339,11 @@ def test_a_file_is_gone_on_with(found, tmp_path, monkeypatch):
     make = grid.strides_of
     made = []
 
-    def dies(runner, cells, rows):
+    def dies(runner, cells, point, rows):
         if len(made) == 2:
             raise KeyboardInterrupt
         made.append(tuple(rows))
-        return make(runner, cells, rows)
+        return make(runner, cells, point, rows)
 
     monkeypatch.setattr(grid, "strides_of", dies)
     one_by_one = ThreadPoolExecutor(1)  # a block that still runs at the interrupt is not in the file
@@ -351,9 +351,9 @@ def test_a_file_is_gone_on_with(found, tmp_path, monkeypatch):
         tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path, executor=one_by_one)
     again = []
 
-    def counts(runner, cells, rows):
+    def counts(runner, cells, point, rows):
         again.append(tuple(rows))
-        return make(runner, cells, rows)
+        return make(runner, cells, point, rows)
 
     monkeypatch.setattr(grid, "strides_of", counts)
     assert_same(tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path), found)
