@@ -17,7 +17,7 @@ from own_pages import loaded
 from page_runs import COMPILER
 from scipy_strides import Stride, torque_of_gains
 from tdmf_slip import Batch, InputError, Runner, find_gait, load_model, stride_map
-from tdmf_slip.building.build import derived
+from tdmf_slip.building.build import derived, new_folder
 from tdmf_slip.building.sources import page_in
 from tdmf_slip.builds import TABLE, host
 from tdmf_slip.errors import Note
@@ -167,6 +167,20 @@ def test_an_error_on_a_page_is_one_message_and_nothing_is_left(tmp_path, text, m
         tdmf_slip.build(tmp_path)
     assert "\n" not in str(problem.value)
     assert [path.name for path in tmp_path.iterdir()] == ["page.py"]
+
+
+def test_a_build_replaces_files_and_never_writes_into_them(tmp_path):
+    """A library that is written into while another process loads it ends that process by a bus error."""
+    for text in ("first", "second"):
+        with new_folder(tmp_path / "build") as made:
+            (made / TABLE).write_text("{}", encoding="utf-8")
+            (made / "model.so").write_text(text, encoding="utf-8")
+        if text == "first":
+            loaded_before = (tmp_path / "build" / "model.so").open(encoding="utf-8")
+    with loaded_before:
+        assert loaded_before.read() == "first"
+    assert (tmp_path / "build" / "model.so").read_text(encoding="utf-8") == "second"
+    assert [path.name for path in tmp_path.iterdir()] == ["build"]
 
 
 def test_a_failing_or_missing_compiler_leaves_nothing_and_says_what_to_install(tmp_path, monkeypatch):

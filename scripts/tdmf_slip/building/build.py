@@ -97,7 +97,7 @@ def build(
         raise InputError("build: a class without a folder; allowed: build(page, folder)")
     compiler = compiler_for(platform)
     table, files = derived(model)
-    with _new_folder(target) as made:
+    with new_folder(target) as made:
         _compile(table, files, compiler, made)
         known = _libraries_of_other_platforms(target, table["id"], made)
         table["libraries"] = {**known, compiler.platform: _library_name(table, compiler)}
@@ -249,10 +249,11 @@ def _libraries_of_other_platforms(target: Path, id: str, made: Path) -> dict[str
 
 
 @contextmanager
-def _new_folder(target: Path) -> Iterator[Path]:
+def new_folder(target: Path) -> Iterator[Path]:
     """A folder whose files go to the target in the end; where something goes wrong, nothing changes there.
 
-    The table goes last: until then the libraries that it names are there. A library that is loaded may stay.
+    The table goes last: until then the libraries that it names are there. Files are replaced, never written
+    into: a process that loads a library meanwhile has the earlier one, whole.
     """
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
