@@ -1,30 +1,12 @@
-"""Co-Simulation through FMPy: the five gaits to the native solver's accuracy, states across processes."""
+"""Co-Simulation of FMI 2.0 through FMPy: states across processes, derivatives. Gaits are in test_fmi3."""
 
 import multiprocessing
 import pathlib
 
 import fmpy
 import pytest
-from conftest import HANGS, QUANTITIES, apex_start, name_of_gait, reference_gaits, runner_of_gait
+from conftest import HANGS
 from fmpy.fmi2 import FMU2Slave
-
-OUTPUTS = [f"stride.{name}" for name in QUANTITIES]
-
-
-@pytest.mark.parametrize("gait", reference_gaits(), ids=name_of_gait)
-def test_three_strides_of_a_gait(unpacked, description, gait):
-    rows = fmpy.simulate_fmu(
-        unpacked,
-        model_description=description,
-        fmi_type="CoSimulation",
-        stop_time=3.3 * gait["period"],
-        output_interval=0.7,
-        start_values=apex_start(gait["apex"]) | runner_of_gait(gait),
-        output=[*OUTPUTS, "stride.count"],
-    )
-    assert rows["stride.count"][-1] == 3
-    for name in QUANTITIES:
-        assert rows[f"stride.{name}"][-1] == pytest.approx(gait[name], rel=1e-8), name
 
 
 class Slave:

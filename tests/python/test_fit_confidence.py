@@ -10,7 +10,7 @@ from tdmf_slip.fitting.measurements import Measured, Measurements
 from tdmf_slip.fitting.problem import Problem
 from tdmf_slip.fitting.result import QUANTILE
 from tdmf_slip.fitting.search import HUBER, loss_of, searched, weights_of
-from tdmf_slip.library.quantities import quantities_of
+from test_fit import measured
 
 SEEDS, MINIMUM, MAXIMUM = (400, 0.92, 0.98) if RELEASE else (20, 0.80, 1.0)
 """By chance the share of 400 is outside these limits once in 200 times, that of 20 once in 390."""
@@ -50,13 +50,6 @@ SCENARIOS = {
 """Map, runners, what is measured of each, to which share of it, what all share and what each has for itself.
 The weak one has five speeds and errors of 8 %."""
 FIRST = {"ground.friction": 0.6}
-
-
-def measured(gait, names, error):
-    """What a gait has, as if measured without error; a slip of none is told to a thousandth of a stride."""
-    smallest = {"slip_distance": 1e-3 * gait.stride["length"]}
-    quantities = quantities_of(gait, names)
-    return {name: Measured(v, error * max(abs(v), smallest.get(name, 0.0))) for name, v in quantities.items()}
 
 
 def disturbed(row, random):

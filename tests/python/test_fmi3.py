@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 import fmpy
 import numpy as np
 import pytest
-from conftest import QUANTITIES, apex_start, name_of_gait, reference_gaits, runner_of_gait, unit_reference
+from conftest import QUANTITIES, apex_start, name_of_gait, reference_gaits, runner_of_gait
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 from fmpy.validation import validate_fmu
 from lxml import etree
@@ -54,8 +54,8 @@ def test_model_exchange_has_the_reference_strides(unpacked3, gait):
 
 
 @pytest.mark.parametrize("interface", ["ModelExchange", "CoSimulation"])
-def test_both_versions_record_the_same(unpacked, unpacked3, interface):
-    gait = unit_reference()
+@pytest.mark.parametrize("gait", reference_gaits(), ids=name_of_gait)
+def test_both_versions_record_the_same(unpacked, unpacked3, interface, gait):
     two, three = (strides(fmu, gait, fmi_type=interface) for fmu in (unpacked, unpacked3))
     assert len(two) == len(three)
     for name in two.dtype.names:

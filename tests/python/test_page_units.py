@@ -13,7 +13,7 @@ from fmpy.fmi3 import FMU3Slave
 from fmpy.validation import validate_fmu
 from page_runs import compiler
 from scipy.integrate import solve_ivp
-from unit_pages import Ball, Cart, Hopper, Yoyo, units_of
+from unit_pages import Ball, Cart, Hopper, Yoyo, ball_at, units_of
 from unit_runs import UnitRun
 
 from c_core.hybrid.unit_files import compile_unit, fmi_headers, write_unit
@@ -23,15 +23,6 @@ RESULTS = (
     *("y", "vy", "push.work", "push.positive_work", "jump.work", "stance.peak_force", "stance.time"),
     *("spring.force", "energy.total", "hop.count", "hop.word", "contact"),
 )
-
-
-def ball_at(time, restitution=0.8, height=1.0, gravity=9.81):
-    """Height and bounces of a ball that was dropped."""
-    speed, left, bounces = np.sqrt(2 * gravity * height), time - np.sqrt(2 * height / gravity), 1
-    while left > 2 * restitution * speed / gravity:
-        left -= 2 * restitution * speed / gravity
-        speed, bounces = speed * restitution, bounces + 1
-    return restitution * speed * left - gravity * left**2 / 2, bounces
 
 
 @pytest.mark.parametrize("model", [Ball, Hopper, Yoyo])

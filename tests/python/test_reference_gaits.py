@@ -8,7 +8,6 @@ import dataclasses
 import numpy as np
 import pytest
 from conftest import apex_start, name_of_gait, reference_gaits, runner_of_gait, some_of
-from scipy_strides import Stride
 from tdmf_slip import find_gait
 
 SCALARS = ("period", "length", "speed", "work", "cost_of_transport")
@@ -60,15 +59,6 @@ def settled(reference, run, settled_runs):
     if name not in settled_runs:
         settled_runs[name] = settle(reference, run)
     return settled_runs[name]
-
-
-@pytest.mark.parametrize("reference", reference_gaits(), ids=name_of_gait)
-def test_a_reference_is_a_gait_of_two_point_masses_by_scipy(reference):
-    stride = Stride(reference["friction"], reference["swing_clamp"]).run(reference["apex"])
-    assert stride["word"] == reference["word"]
-    assert np.abs(stride["apex"] - reference["apex"]).max() < 1e-8
-    for name in ("period", "length", "work"):
-        assert stride[name] == pytest.approx(reference[name], abs=1e-8), name
 
 
 def test_word(settled, reference):

@@ -4,6 +4,7 @@ import functools
 import tempfile
 from pathlib import Path
 
+import numpy as np
 from page_runs import compiler  # puts the folder of c_core on the path, too
 
 from c_core.hybrid import (
@@ -261,6 +262,15 @@ class Yoyo(Model):
     def tight(m):
         """The string takes the velocity along it."""
         return m.to("swing", swings=m.swings + 1)
+
+
+def ball_at(time, restitution=0.8, height=1.0, gravity=9.81):
+    """Height and bounces of a ball that was dropped."""
+    speed, left, bounces = np.sqrt(2 * gravity * height), time - np.sqrt(2 * height / gravity), 1
+    while left > 2 * restitution * speed / gravity:
+        left -= 2 * restitution * speed / gravity
+        speed, bounces = speed * restitution, bounces + 1
+    return restitution * speed * left - gravity * left**2 / 2, bounces
 
 
 @functools.cache
