@@ -1,6 +1,9 @@
 """Pages of users' own, built once for all tests, and loaded."""
 
+import functools
 import shutil
+import tempfile
+from pathlib import Path
 
 import tdmf_slip
 from conftest import ROOT, locked
@@ -25,3 +28,17 @@ def loaded(path, unit=False, cache={}):  # noqa: B006
                 tdmf_slip.build(page, folder, unit=unit)
         cache[path, unit] = tdmf_slip.load_model(folder)
     return cache[path, unit]
+
+
+@functools.cache
+def template(name, **start):
+    """The model of what `new` writes, with its units: all tests share a build of each template."""
+    return loaded(tdmf_slip.new(Path(tempfile.mkdtemp(), name), **start) / "page.py", unit=True)
+
+
+def my_ball():
+    return template("my_ball", start="scratch")
+
+
+def my_runner():
+    return template("my_runner")

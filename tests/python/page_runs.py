@@ -336,8 +336,6 @@ class PageRun:
         self.run.seed_count, self.run.log_size = len(seeds), LOG_SIZE
         self.run.dp, self.run.dx, self.run.shift = (a.ctypes.data for a in (self.dp, self.dx, self.shift))
         self.run.log = ctypes.addressof(self.rows)
-        self.states_before = np.zeros((LOG_SIZE, len(self.x)))
-        self.run.log_states = self.states_before.ctypes.data
         self.outcome = None
 
     def _place(self, name):

@@ -5,10 +5,10 @@ import inspect
 import shutil
 
 import matplotlib.pyplot as plt
+import own_pages
 import pytest
 import tdmf_slip
 from conftest import RELEASE
-from own_pages import loaded
 
 FUNCTIONS = {
     name: getattr(tdmf_slip, name)
@@ -26,10 +26,9 @@ def test_every_function_has_an_example():
 
 
 @pytest.fixture
-def build_once(monkeypatch, tmp_path_factory):
+def build_once(monkeypatch):
     """Let `tdmf_slip.build` hand out the build that all tests share."""
-    page = tdmf_slip.new(tmp_path_factory.mktemp("new") / "my_ball", start="scratch") / "page.py"
-    shared = loaded(page).folder
+    shared = own_pages.my_ball().folder
     monkeypatch.setattr(tdmf_slip, "build", lambda page: shutil.copytree(shared, page / "build"))
 
 

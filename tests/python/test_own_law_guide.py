@@ -6,11 +6,11 @@ import shutil
 
 import fmpy
 import numpy as np
+import own_pages
 import pytest
 import tdmf_slip
 from conftest import ROOT
 from fmpy.validation import validate_fmu
-from own_pages import loaded
 from page_runs import COMPILER
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
@@ -34,7 +34,7 @@ def test_the_guide_s_code_and_the_folder_s_test_run(tmp_path, monkeypatch):
     """All tests share one build of this page."""
     monkeypatch.chdir(tmp_path)
     folder = tdmf_slip.new("my_runner")
-    shutil.copytree(loaded(folder.resolve() / "page.py", unit=True).folder, folder / "build")
+    shutil.copytree(own_pages.my_runner().folder, folder / "build")
     names = {}
     assert len(CODE) == 2
     for code in CODE:

@@ -1,10 +1,10 @@
 """Analyses of models of users' own: a page that is the package's runner gives what the runner gives."""
 
 import numpy as np
+import own_pages
 import pytest
 import tdmf_slip
 from conftest import ROOT
-from own_pages import loaded
 from page_runs import COMPILER
 from tdmf_slip import (
     Batch,
@@ -28,29 +28,29 @@ SETTINGS = ["hip.touchdown_angle", "hip.stance_torque"]
 
 
 @pytest.fixture(scope="module")
-def ball(tmp_path_factory):
-    page = tdmf_slip.new(tmp_path_factory.mktemp("new") / "my_ball", start="scratch") / "page.py"
-    return loaded(page, unit=True)
+def ball():
+    return own_pages.my_ball()
 
 
 @pytest.fixture(scope="module")
-def pd_runner():
-    return loaded(ROOT / "examples" / "pages" / "pd_runner.py")
+def my_runner():
+    """A runner with gains in stance; without them it is the paper's."""
+    return own_pages.my_runner()
 
 
 @pytest.fixture(scope="module")
-def paper_s(pd_runner):
+def paper_s(my_runner):
     """The paper's runner by a page of one's own."""
-    return Runner(pd_runner, **NO_GAINS)
+    return Runner(my_runner, **NO_GAINS)
 
 
-def test_many_strides_in_lanes_are_single_strides_bit_for_bit(pd_runner):
-    starts = find_gait(pd_runner).apex + np.random.default_rng(1).uniform(-0.6, 0.6, (150, 6))
+def test_many_strides_in_lanes_are_single_strides_bit_for_bit(my_runner):
+    starts = find_gait(my_runner).apex + np.random.default_rng(1).uniform(-0.6, 0.6, (150, 6))
     kp = np.linspace(0.0, 0.1, 150)
-    together = Batch(pd_runner, starts, vary={"stance_kp": kp}).stride(jacobian=True)
+    together = Batch(my_runner, starts, vary={"stance_kp": kp}).stride(jacobian=True)
     assert len(set(together.word)) > 3 and np.count_nonzero(together.outcome == 0) > 50
     for k in (0, 3, 77, 149):
-        one = Batch(Runner(pd_runner, stance_kp=kp[k]), starts[k]).stride(jacobian=True)
+        one = Batch(Runner(my_runner, stance_kp=kp[k]), starts[k]).stride(jacobian=True)
         np.testing.assert_array_equal(one.next_apex, together.next_apex[k])
         np.testing.assert_array_equal(one.jacobian, together.jacobian[k])
         assert one.word == together.word[k]
@@ -190,7 +190,7 @@ def test_a_viable_set_is_that_of_the_built_in_runner(paper_s):
 
 def test_a_map_of_a_walker_is_over_its_own_coordinates():
     """The simplest walker has a section of two coordinates, which are no apex's."""
-    walker = loaded(ROOT / "examples" / "pages" / "simplest_walker.py")
+    walker = own_pages.loaded(ROOT / "examples" / "pages" / "simplest_walker.py")
     gait = find_gait(walker)
     first, second = walker.coordinates
     axes = {name: (at - 2e-3, at + 2e-3) for name, at in zip((first, second), gait.apex, strict=True)}
@@ -263,13 +263,13 @@ def test_derivatives_of_a_run_from_the_start_are_the_closed_form(ball):
         tdmf_slip.trajectory(ball, times=times, derivatives=["height"])
 
 
-def test_what_needs_the_package_s_own_models_says_so(pd_runner, ball):
+def test_what_needs_the_package_s_own_models_says_so(my_runner, ball):
     with pytest.raises(InputError, match="rare_falls needs a model of the package itself; allowed for it"):
-        tdmf_slip.rare_falls(pd_runner, 0.3)
+        tdmf_slip.rare_falls(my_runner, 0.3)
     with pytest.raises(InputError, match="needs a model of the package itself; allowed for it"):
-        tdmf_slip.prove(pd_runner)
-    with pytest.raises(InputError, match="by the model pd_runner; allowed: by the full model"):
-        tdmf_slip.strides_to_fall(pd_runner, 0.3, 10, 1, 5)
+        tdmf_slip.prove(my_runner)
+    with pytest.raises(InputError, match="by the model my_runner; allowed: by the full model"):
+        tdmf_slip.strides_to_fall(my_runner, 0.3, 10, 1, 5)
     with pytest.raises(InputError, match=r"stiffness.* is neither an argument nor a variable"):
         find_gait(ball, stiffness=1)
     with pytest.raises(InputError, match="push cannot change in a run; allowed: none; a page declares"):
@@ -277,13 +277,13 @@ def test_what_needs_the_package_s_own_models_says_so(pd_runner, ball):
 
 
 @pytest.mark.parametrize("draw", ["gait", "branch", "sweep"])
-def test_pictures_of_models_of_one_s_own_are_drawn(pd_runner, draw):
+def test_pictures_of_models_of_one_s_own_are_drawn(my_runner, draw):
     pytest.importorskip("matplotlib")
     values = {"stance_kp": [0.0, 0.01]}
     made = {
-        "branch": lambda: continue_branch(pd_runner, {"stance_kp": (0.0, 0.01)}),
-        "sweep": lambda: sweep(pd_runner, values).gaits,
-        "gait": lambda: find_gait(pd_runner),
+        "branch": lambda: continue_branch(my_runner, {"stance_kp": (0.0, 0.01)}),
+        "sweep": lambda: sweep(my_runner, values).gaits,
+        "gait": lambda: find_gait(my_runner),
     }
     figure = tdmf_slip.plot(made[draw]())
     assert len(figure.axes) >= 2
@@ -302,10 +302,10 @@ def test_pictures_of_a_model_without_a_runner_s_quantities_are_drawn(ball, draw)
     assert len(tdmf_slip.plot(made[draw]()).axes) >= 1
 
 
-def test_runs_end_alike_whether_strides_are_recorded(pd_runner):
+def test_runs_end_alike_whether_strides_are_recorded(my_runner):
     """Without a record nothing is observed along strides, whose steps may then be longer."""
-    starts = find_gait(pd_runner).apex + np.random.default_rng(3).uniform(-0.1, 0.1, (40, 6))
-    plain, recorded = (Batch(pd_runner, starts).run(4, record=record) for record in (False, True))
+    starts = find_gait(my_runner).apex + np.random.default_rng(3).uniform(-0.1, 0.1, (40, 6))
+    plain, recorded = (Batch(my_runner, starts).run(4, record=record) for record in (False, True))
     np.testing.assert_array_equal(plain.fate, recorded.fate)
     closed = plain.strides == 4
     assert closed.sum() > 10

@@ -9,11 +9,11 @@ import zipfile
 
 import fmpy
 import numpy as np
+import own_pages
 import pytest
 import tdmf_slip
 from conftest import ROOT
 from fmpy.validation import validate_fmu
-from own_pages import loaded
 from page_runs import COMPILER
 from scipy_strides import Stride, torque_of_gains
 from tdmf_slip import Batch, InputError, Runner, find_gait, load_model, stride_map
@@ -24,17 +24,18 @@ from tdmf_slip.errors import Note
 from tdmf_slip.library.engine import FATES
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
-GAINS = {"stance_kp": 0.02, "stance_kd": 0.03, "stance_target": -0.3}
+GAINS = {"stance_kp": 0.02, "stance_kd": 0.03}
 
 
 @pytest.fixture(scope="module")
-def ball(tmp_path_factory):
-    return loaded(tdmf_slip.new(tmp_path_factory.mktemp("new") / "my_ball", start="scratch") / "page.py")
+def ball():
+    return own_pages.my_ball()
 
 
 @pytest.fixture(scope="module")
-def pd_runner():
-    return loaded(ROOT / "examples" / "pages" / "pd_runner.py")
+def my_runner():
+    """A runner with gains in stance; without them it is the paper's."""
+    return own_pages.my_runner()
 
 
 def ball_gait(gravity, restitution, push):
@@ -69,17 +70,17 @@ def test_strides_of_many_balls_are_those_of_the_closed_form(ball):
     assert found["fate"].values.max() == 0
 
 
-def test_a_stride_under_a_law_of_one_s_own_is_scipy_s(pd_runner):
+def test_a_stride_under_a_law_of_one_s_own_is_scipy_s(my_runner):
     apex = (1.4, 1.05, 1.0, -0.55, 0.0, 0.0)
-    stride = Batch(Runner(pd_runner, friction=0.43, **GAINS), apex).stride()
-    wanted = Stride(0.43, torque=torque_of_gains(**GAINS)).run(apex)
+    stride = Batch(Runner(my_runner, friction=0.43, **GAINS), apex).stride()
+    wanted = Stride(0.43, torque=torque_of_gains(**GAINS, stance_target=0.0)).run(apex)
     assert stride.next_apex == pytest.approx(wanted["apex"], abs=1e-9)
     assert (stride.period, stride.work) == pytest.approx((wanted["period"], wanted["work"]), abs=1e-9)
 
 
-def test_the_gait_under_a_law_of_one_s_own_closes_in_scipy_and_its_jacobian_is_differences(pd_runner):
-    gait = find_gait(pd_runner, friction=0.6, **GAINS)
-    again = Stride(0.6, torque=torque_of_gains(**GAINS)).run(gait.apex)
+def test_the_gait_under_a_law_of_one_s_own_closes_in_scipy_and_its_jacobian_is_differences(my_runner):
+    gait = find_gait(my_runner, friction=0.6, **GAINS)
+    again = Stride(0.6, torque=torque_of_gains(**GAINS, stance_target=0.0)).run(gait.apex)
     assert again["apex"] == pytest.approx(gait.apex, abs=1e-9)
     names = ["hip.stance_kp", "stance_kd", "friction", "hip.stance_torque"]
     exact = Batch(gait, gait.apex).stride(along=names)
@@ -94,9 +95,9 @@ def test_the_gait_under_a_law_of_one_s_own_closes_in_scipy_and_its_jacobian_is_d
         assert (ahead - behind) / 2e-6 == pytest.approx(exact.next_apex_by[:, 6 + k], abs=1e-7)
 
 
-def test_without_gains_it_is_the_built_in_runner_with_all_its_quantities(pd_runner):
+def test_without_gains_it_is_the_built_in_runner_with_all_its_quantities(my_runner):
     none = dict.fromkeys(GAINS, 0.0)
-    mine, own = find_gait(pd_runner, friction=0.43, **none), find_gait(friction=0.43)
+    mine, own = find_gait(my_runner, friction=0.43, **none), find_gait(friction=0.43)
     assert mine.apex == pytest.approx(own.apex, abs=1e-10) and mine.word == own.word
     shared = set(mine.stride) & set(own.stride)
     assert len(shared) >= 18
