@@ -14,7 +14,7 @@ function(tdmf_slip_unit_sources variable)
             list(APPEND folders ${parent})
         endforeach()
     endforeach()
-    list(APPEND folders ${PROJECT_SOURCE_DIR}/c_core/kernel ${PROJECT_SOURCE_DIR}/c_core/derived
+    list(APPEND folders ${PROJECT_SOURCE_DIR}/c_core/kernel
          ${PROJECT_SOURCE_DIR}/c_core/solver)
     list(REMOVE_DUPLICATES folders)
     foreach(folder IN LISTS folders)

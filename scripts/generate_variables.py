@@ -201,8 +201,7 @@ enum {{
 
 /* Each guard is a pure number, positive while its event is to come; at zero or below, the event is due. A
  * guard that the present mode does not watch is 1. Every armed guard carries a margin of TDMF_GUARD_MARGIN,
- * so that it is positive even where its event has just happened; that of the apex, which cannot happen
- * twice, a thousandth of it. */
+ * so that it is positive even where its event has just happened. */
 {guards}
 
 #endif

@@ -3,7 +3,6 @@
 x_m = x - r sin theta,   y_m = y + r cos theta
 """
 
-from . import ground_line
 from .functions import Record
 
 
@@ -58,16 +57,6 @@ def foot_below(model, center, state, direction):
     )
 
 
-def foot_over_ground(line, state):
-    """The foot in the axes of the ground."""
-    return Record(
-        x=ground_line.offset_along(line, state.foot_x, state.foot_y),
-        y=ground_line.height_over(line, state.foot_x, state.foot_y),
-        vx=ground_line.along(line, state.foot_vx, state.foot_vy),
-        vy=ground_line.off(line, state.foot_vx, state.foot_vy),
-    )
-
-
 def leg_rates_with_foot(state, direction, vx, vy):
     """The leg's rates where the foot has another velocity and the body keeps its own."""
     lost_x = state.foot_vx - vx
@@ -76,9 +65,3 @@ def leg_rates_with_foot(state, direction, vx, vy):
         length=state.leg_length_rate + (direction.cosine * lost_y - direction.sine * lost_x),
         angle=state.leg_angle_rate - (direction.cosine * lost_x + direction.sine * lost_y) / state.leg_length,
     )
-
-
-def with_foot_velocity(state, direction, vx, vy):
-    """The same, as the state has it; the leg's rates come first, so that it may be written over its own."""
-    leg = leg_rates_with_foot(state, direction, vx, vy)
-    return Record(leg_length_rate=leg.length, leg_angle_rate=leg.angle, foot_vx=vx, foot_vy=vy)

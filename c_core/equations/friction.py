@@ -17,14 +17,6 @@ def below(model, inputs, zone):
     return where(zone, "patch", model.parameters.ground.patch_friction, inputs.ground.friction)
 
 
-def border_ahead(model, zone, forward):
-    """x of the border of the patch that a foot slips to, forward or backward."""
-    ground = model.parameters.ground
-    if forward:
-        return ground.patch_begin if zone == "before" else ground.patch_end
-    return ground.patch_begin if zone == "patch" else ground.patch_end
-
-
 def static(model, friction):
     """rho mu, of a foot at rest and an impact that sticks: the cone is |f_t| <= rho mu f_n  (2)."""
     return model.parameters.ground.static_friction_ratio * friction
@@ -56,14 +48,6 @@ def falling(friction, excess, fading, along):
 def sliding_force(friction, normal):
     """-f_t = mu sgn(v_t) f_n, of a foot that slips."""
     return friction * normal
-
-
-def growth_rate(model, friction, excess, fading):
-    """kappa/f_n = |mu| (rho - 1)/(m_f v_s): at up to kappa a falling friction lets a slip grow by itself.
-
-    `friction` and `fading` have the signs of mu and -s.
-    """
-    return -friction * excess * fading * model.inverse_foot_mass
 
 
 def room(friction, sign, force):

@@ -21,16 +21,6 @@ def offset_along(line, x, y):
     return along(line, x, y - line.height)
 
 
-def height_over(line, x, y):
-    """n.(p - (0, h)), the distance from the line, negative below."""
-    return off(line, x, y - line.height)
-
-
-def height_at(line, x):
-    """h + x tan sigma, the height of the line."""
-    return line.height + x * (line.sine / line.cosine)
-
-
 def point_on(line, along, velocity):
     """The point at a distance from the pivot that moves along the line."""
     return Record(

@@ -17,7 +17,6 @@ In every phase the law is affine in the leg's angle, its rate and time, and is d
     tau = gain (target + target_rate t - theta) - rate_gain thetadot + torque + torque_rate t
 """
 
-from . import ground_force
 from .functions import Record, where
 
 CONSTANT_INPUTS = Record(hip=Record(external_torque=0))  # rates of inputs that do not change
@@ -91,16 +90,6 @@ def rates(at):
     return Record(hip_place_time=place_time_rate(at.mode.phase))
 
 
-def begin_place():
-    """The clock of place stands at 0."""
-    return Record(hip_place_time=0)
-
-
-def end_place():
-    """In any other phase, too."""
-    return Record(hip_place_time=0)
-
-
 def torque(law, angle, angle_rate):
     """gain (target - theta) - rate_gain thetadot + torque, now."""
     return law.gain * (law.target - angle) - law.rate_gain * angle_rate + law.torque
@@ -121,13 +110,3 @@ def flight_torque(model, inputs, state, phase, clamp_closed, liftoff_angle):
     """Under the law of flight  (12), with the inputs held."""
     law = flight(model, inputs, CONSTANT_INPUTS, phase, clamp_closed, liftoff_angle, state.hip_place_time)
     return torque(law, state.leg_angle, state.leg_angle_rate)
-
-
-def torque_in_mode(at, upright, sine):
-    """The total torque: of flight or stance, and in graze what keeps the foot at the ground."""
-    model, inputs, mode, state = at.model, at.inputs, at.mode, at.state
-    if mode.contact == "graze":
-        return ground_force.graze_torque(model, mode.ground, at.leg, upright, sine)
-    if mode.contact == "flight":
-        return flight_torque(model, inputs, state, mode.phase, mode.clamp_closed, mode.liftoff_angle)
-    return stance_torque(model, inputs, state, mode.mid_stance_pending)

@@ -73,10 +73,3 @@ def power(stiffness, rest_length, length, rest_length_rate):
 def work_of_jump(stiffness, length, before, after):
     """k/2 ((l+ - r)^2 - (l- - r)^2), what the spring is given where its rest length jumps."""
     return stiffness * (after - before) * (after + before - 2 * length) / 2
-
-
-def work_between(model, inputs, length, before_mode, after_mode):
-    """The same, from mode to mode."""
-    before = rest_length(model, inputs, before_mode.thrusts)
-    after = rest_length(model, inputs, after_mode.thrusts)
-    return work_of_jump(model.parameters.leg.stiffness, length, before, after)

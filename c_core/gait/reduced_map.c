@@ -10,6 +10,7 @@
 #include "request.h"
 #include "return_record.h"
 #include "tdmf_slip/automaton.h"
+#include "tdmf_slip/kinematics.h"
 
 #include <math.h>
 #include <string.h>

@@ -2,15 +2,14 @@
  * apex, so that variations at the next one are those on the section. */
 #include "tdmf_slip/return_map.h"
 
-#include "coordinate_laws.h"
 #include "ground_line.h"
 #include "input_rates.h"
-#include "leg.h"
 #include "page_solver.h"
 #include "patch.h"
 #include "request.h"
 #include "return_record.h"
 #include "tdmf_slip/automaton.h"
+#include "tdmf_slip/kinematics.h"
 
 #include <math.h>
 #include <string.h>
@@ -24,7 +23,7 @@ void tdmf_section_state(tdmf_system system, const double section[TDMF_SECTION_CO
                                           [TDMF_LEG_ANGLE_RATE] = section[TDMF_SECTION_LEG_ANGLE_RATE]};
     memcpy(state, leg, sizeof leg);
     const tdmf_ground_line ground = tdmf_ground_line_set(system.inputs);
-    const tdmf_point body = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
+    const tdmf_point body = tdmf_body(state); /* seen from a foot at rest in the origin */
     const double ground_height = tdmf_ground_height_at(&ground, system.model->body_share * body.x);
     state[TDMF_FOOT_Y] = com_height + ground_height - system.model->body_share * body.y;
     state[TDMF_FOOT_VX] = com_speed - system.model->body_share * body.vx;

@@ -4,7 +4,7 @@
  *     W = k (b - a) ((a + b)/2 - mean of r),   mean of r = (r0 + r1)/2 + h (rdot0 - rdot1)/12 */
 #include "tdmf_slip/extension.h"
 
-#include "leg.h"
+#include "rest_length.h"
 
 tdmf_leg_sample tdmf_leg_sample_of(double time, const double state[TDMF_STATE_COUNT]) {
     const tdmf_leg_sample sample = {time, state[TDMF_LEG_LENGTH], state[TDMF_LEG_LENGTH_RATE]};
@@ -23,5 +23,5 @@ double tdmf_account_for_extension(tdmf_system system, const tdmf_leg_sample *bef
         0.5 * (before->length + after->length) +
         (after->time - before->time) * (before->length_rate - after->length_rate) / 12.0;
     mode->rest_length = to;
-    return system.model->parameters.leg.stiffness * (to - from) * (0.5 * (from + to) - mean_length);
+    return tdmf_work_of_change(system.model, mean_length, from, to);
 }

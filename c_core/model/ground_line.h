@@ -1,8 +1,9 @@
-/* The ground as it is set and met; equations/ground_line.py has its axes. */
+/* Places beside a line of ground, in the world's axes. */
 #ifndef TDMF_MODEL_GROUND_LINE_H
 #define TDMF_MODEL_GROUND_LINE_H
 
-#include "ground_line_laws.h"
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/state.h"
 
 #include <float.h>
 #include <math.h>
@@ -17,17 +18,19 @@ static inline bool tdmf_ground_is_pending(const tdmf_inputs *inputs, const tdmf_
     return mode->ground.height != inputs->ground.height || mode->ground.slope != inputs->ground.slope;
 }
 
-/* What a distance from a line may be wrong by that is high up or deep down at x, where places are rounded. */
-static inline double tdmf_rounding_of_height(const tdmf_ground_line *line, double x) {
-    return 4.0 * DBL_EPSILON * (fabs(line->height) + fabs(line->sine * x));
+/* The distance of a point from the line, negative below. */
+static inline double tdmf_height_over(const tdmf_ground_line *line, double x, double y) {
+    return line->cosine * (y - line->height) - line->sine * x;
 }
 
-/* Puts the foot onto the line, from a place beside it. */
-static inline void tdmf_lift_to_ground(const tdmf_ground_line *line, double state[TDMF_STATE_COUNT]) {
-    const tdmf_point foot =
-        tdmf_point_on(line, tdmf_offset_along(line, state[TDMF_FOOT_X], state[TDMF_FOOT_Y]), 0.0);
-    state[TDMF_FOOT_X] = foot.x;
-    state[TDMF_FOOT_Y] = foot.y;
+/* The height of the line, h + x tan sigma. */
+static inline double tdmf_ground_height_at(const tdmf_ground_line *line, double x) {
+    return line->height + x * (line->sine / line->cosine);
+}
+
+/* The rounding error of a distance from a line that is high up or deep down at x. */
+static inline double tdmf_rounding_of_height(const tdmf_ground_line *line, double x) {
+    return 4.0 * DBL_EPSILON * (fabs(line->height) + fabs(line->sine * x));
 }
 
 #endif

@@ -15,3 +15,8 @@ tdmf_instant tdmf_instant_after(tdmf_instant from, double elapsed) {
 double tdmf_time_between(tdmf_instant from, tdmf_instant to) {
     return (to.time - from.time) + (to.rest - from.rest);
 }
+
+tdmf_instant tdmf_instant_of(const tdmf_motion *motion) {
+    const tdmf_instant rounded = {motion->time, 0.0};
+    return motion->record.progress.now.time == motion->time ? motion->record.progress.now : rounded;
+}

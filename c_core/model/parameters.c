@@ -6,8 +6,6 @@
 #include "input_rates.h"
 #include "margins.h"
 #include "ranges.h"
-#include "runner_laws.h"
-#include "seed.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -80,14 +78,6 @@ static tdmf_scales scales_of(const tdmf_parameters *p) {
     return scales;
 }
 
-static void set_mass_constants(tdmf_model *model, const tdmf_mass_constants *constants) {
-    model->inverse_body_mass = constants->inverse_body_mass;
-    model->inverse_foot_mass = constants->inverse_foot_mass;
-    model->inverse_reduced_mass = constants->inverse_reduced_mass;
-    model->total_mass = constants->total_mass;
-    model->body_share = constants->body_share;
-}
-
 static tdmf_refusal refused_parameter(const tdmf_parameters *parameters, size_t offset,
                                       const char *bound_by) {
     tdmf_refusal refusal = tdmf_out_of_range(parameter_range(offset), value_at(parameters, offset));
@@ -124,20 +114,16 @@ tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *paramet
     if (refusal.variable != NULL) {
         return refusal;
     }
-    model->parameters = *parameters;
-    model->scales = scales_of(parameters);
-    const tdmf_mass_constants constants = tdmf_mass_constants_of(model);
-    set_mass_constants(model, &constants);
+    const double body_mass = parameters->body.mass, foot_mass = parameters->foot.mass;
+    const tdmf_model made = {.parameters = *parameters,
+                             .scales = scales_of(parameters),
+                             .inverse_body_mass = 1.0 / body_mass,
+                             .inverse_foot_mass = 1.0 / foot_mass,
+                             .inverse_reduced_mass = 1.0 / body_mass + 1.0 / foot_mass,
+                             .total_mass = body_mass + foot_mass,
+                             .body_share = body_mass / (body_mass + foot_mass)};
+    *model = made;
     return accepted;
-}
-
-tdmf_model tdmf_vary_model(const tdmf_model *model, const tdmf_parameters *seed) {
-    const tdmf_mass_constants constants = {model->inverse_body_mass, model->inverse_foot_mass,
-                                           model->inverse_reduced_mass, model->total_mass, model->body_share};
-    tdmf_model varied = {.parameters = *seed};
-    const tdmf_mass_constants varied_constants = tdmf_vary_mass_constants_of(model, &constants, &varied);
-    set_mass_constants(&varied, &varied_constants);
-    return varied;
 }
 
 tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs) {

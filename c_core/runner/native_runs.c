@@ -2,7 +2,6 @@
 #include "input_rates.h"
 #include "instant.h"
 #include "page_solver.h"
-#include "record.h"
 #include "request.h"
 #include "tdmf_slip/automaton.h"
 

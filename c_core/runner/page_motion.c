@@ -6,17 +6,17 @@
 #include "ground_line.h"
 #include "input_rates.h"
 #include "instant.h"
-#include "leg_laws.h"
 #include "margins.h"
 #include "page_fields.h"
 #include "patch.h"
-#include "record.h"
+#include "rest_length.h"
 #include "words.h"
 
 #include <math.h>
 
-static const double far_away = 1e12; /* of borders that are never reached */
-static const double long_ago = -1.0; /* a time before the motion */
+static const double far_away = 1e12;  /* of borders that are never reached */
+static const double long_ago = -1.0;  /* a time before the motion */
+static const double shortest = 1e-30; /* of a leg, in l0: one without length is taken to be so short */
 
 static void write_rates(const tdmf_inputs *rates, runner_states *x) {
     x->friction_rate = rates->ground.friction;
@@ -260,9 +260,8 @@ static void write_mode(tdmf_system system, const tdmf_page_point *point, int las
 static double work_of_jump(tdmf_system system, const tdmf_motion *motion) {
     const double before = motion->mode.rest_length;
     const double after = tdmf_rest_length(system.model, system.inputs, &motion->mode);
-    return after == before
-               ? 0.0
-               : tdmf_leg_work_of_jump(system.model, motion->state[TDMF_LEG_LENGTH], before, after);
+    return after == before ? 0.0
+                           : tdmf_work_of_change(system.model, motion->state[TDMF_LEG_LENGTH], before, after);
 }
 
 tdmf_page_point tdmf_page_of_motion(tdmf_system system, const tdmf_inputs *rates, const tdmf_motion *motion) {
@@ -274,6 +273,7 @@ tdmf_page_point tdmf_page_of_motion(tdmf_system system, const tdmf_inputs *rates
     tdmf_write_page_inputs(system.inputs, x);
     write_rates(rates, x);
     tdmf_read_page_state(motion->state, x);
+    x->length = fmax(x->length, shortest * system.model->scales.length);
     x->leg_work += work_of_jump(system, motion);
     read_mode(&motion->mode, x);
     read_ground(system.model, motion, x, &point.p);

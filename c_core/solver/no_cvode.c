@@ -1,17 +1,17 @@
-/* This file stands in for cvode.c where SUNDIALS is missing. */
+/* This file stands in for page_cvode.c where SUNDIALS is missing. */
+#include "page_cvode.h"
 #include "tdmf_slip/cvode.h"
 
 bool tdmf_cvode_is_available(void) {
     return false;
 }
 
-tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, tdmf_system system, const tdmf_inputs *rates,
-                                double until, tdmf_motion *motion) {
-    (void)options;
-    (void)system.model;
-    (void)system.inputs;
-    (void)rates;
+tdmf_run_outcome tdmf_cvode_to_event(const tdmf_model_kind *model, tdmf_page_run *run, unsigned char *watch,
+                                     double until, int64_t *evaluations) {
+    (void)model;
+    (void)run;
+    (void)watch;
     (void)until;
-    (void)motion;
-    return TDMF_REFUSED;
+    (void)evaluations;
+    return TDMF_RUN_NO_PROGRESS;
 }

@@ -2,7 +2,6 @@
 #include "variables.h"
 
 #include "instant.h"
-#include "record.h"
 #include "tdmf_slip/cvode.h"
 
 #include <limits.h>

@@ -1,7 +1,6 @@
 #include "scene.h"
 
 #include "compare.h"
-#include "events.h"
 #include "ranges.h"
 
 #include <math.h>
@@ -47,7 +46,7 @@ runner scene_at_impact(tdmf_hip_phase phase, double leg_angle, double vertical_f
     runner.motion.mode.phase = phase;
     complete_mode(&runner);
     runner.motion.state[TDMF_FOOT_Y] = -1e-9;
-    tdmf_set_foot_velocity(0.05, -0.1, runner.motion.state);
+    scene_set_foot_velocity(0.05, -0.1, runner.motion.state);
     return runner;
 }
 
@@ -88,6 +87,15 @@ double scene_place_law(const runner *runner) {
     const double reference = touchdown_angle - omega * runner->motion.state[TDMF_HIP_PLACE_TIME];
     return -p->hip.kp * (runner->motion.state[TDMF_LEG_ANGLE] - reference) -
            p->hip.kd * (runner->motion.state[TDMF_LEG_ANGLE_RATE] + omega);
+}
+
+void scene_set_foot_velocity(double vx, double vy, double state[TDMF_STATE_COUNT]) {
+    const double sine = sin(state[TDMF_LEG_ANGLE]), cosine = cos(state[TDMF_LEG_ANGLE]);
+    const double lost_x = state[TDMF_FOOT_VX] - vx, lost_y = state[TDMF_FOOT_VY] - vy;
+    state[TDMF_FOOT_VX] = vx;
+    state[TDMF_FOOT_VY] = vy;
+    state[TDMF_LEG_LENGTH_RATE] += cosine * lost_y - sine * lost_x;
+    state[TDMF_LEG_ANGLE_RATE] -= (cosine * lost_x + sine * lost_y) / state[TDMF_LEG_LENGTH];
 }
 
 void scene_set_com_vy(runner *runner, double com_vy) {

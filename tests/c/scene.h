@@ -29,6 +29,9 @@ void scene_set_vertical_force(runner *runner, double vertical_force);
 double scene_retract_law(const runner *runner);
 double scene_place_law(const runner *runner);
 
+/* Gives the foot a new velocity and keeps the body's: the leg's rates take up the difference. */
+void scene_set_foot_velocity(double vx, double vy, double state[TDMF_STATE_COUNT]);
+
 /* Adjusts the foot's velocity, or, with the foot on the ground, the leg's rate, to this rate of climb. */
 void scene_set_com_vy(runner *runner, double com_vy);
 void scene_set_com_vy_by_leg(runner *runner, double com_vy);

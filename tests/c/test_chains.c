@@ -42,7 +42,7 @@ static void assert_left_at_once(const runner *runner, tdmf_hip_phase phase) {
     assert_int_equal(runner->motion.record.progress.open.touchdowns, 1);
     assert_string_equal(runner->motion.record.progress.open.word, "");
     assert_true(runner->motion.mode.liftoff_angle == -0.3);
-    assert_true(runner->motion.state[TDMF_FOOT_VY] == 0.0);
+    assert_close(runner->motion.state[TDMF_FOOT_VY], 0.0, 1e-15);
 }
 
 static void impact_that_leaves_at_once_stays_in_retract(void **unused) {
@@ -248,32 +248,8 @@ static void upright_foot_without_load_does_not_chatter(void **unused) {
     }
 }
 
-/* ---- chains that do not end -----------------------------------------------------------------------------
- */
-
-/* A model that nobody gets from tdmf_model_create: a negative unit of force makes margins negative, and
- * guards that ought to be well above zero are due in each mode that follows. */
-static void a_chain_that_does_not_end_is_cut_and_reported(void **unused) {
-    (void)unused;
-    int cut = 0;
-    for (int angle = -10; angle <= 10; ++angle) {
-        runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.1 * angle, 0.01);
-        runner.model.scales.force = -1e9;
-        runner.model.parameters.ground.static_friction_ratio = 1.3;
-        runner.inputs.ground.friction = 0.05;
-        const tdmf_system system = {&runner.model, &runner.inputs};
-        tdmf_motion resolved = runner.motion;
-        if (!tdmf_resolve(system, &resolved).unresolved) {
-            continue;
-        }
-        ++cut;
-    }
-    assert_true(cut > 0);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_chain_that_does_not_end_is_cut_and_reported),
         cmocka_unit_test(sticking_impact_that_slips_at_once),
         cmocka_unit_test(impact_that_leaves_at_once_stays_in_retract),
         cmocka_unit_test(impact_that_leaves_at_once_stays_in_place),

@@ -46,33 +46,6 @@ static void no_force_off_the_ground_and_in_graze(void **unused) {
     }
 }
 
-static bool holds(double fx, double fy, double friction) {
-    const tdmf_ground_force force = {fx, fy};
-    return tdmf_inside_friction_cone(force, friction);
-}
-
-static void cone_includes_its_edge(void **unused) {
-    (void)unused;
-    const double edge = 0.75 * 0.5;
-    assert_true(holds(edge, 0.5, 0.75));
-    assert_true(holds(-edge, 0.5, 0.75));
-    assert_false(holds(nextafter(edge, 1.0), 0.5, 0.75));
-    assert_false(holds(-nextafter(edge, 1.0), 0.5, 0.75));
-}
-
-static void cone_without_friction_is_a_line(void **unused) {
-    (void)unused;
-    assert_true(holds(0.0, 0.5, 0.0));
-    assert_true(holds(0.0, 0.0, 0.0));
-    assert_false(holds(1e-300, 0.5, 0.0));
-}
-
-static void ground_does_not_pull(void **unused) {
-    (void)unused;
-    assert_false(holds(0.0, -0.5, 0.75));
-    assert_false(holds(0.1, -0.5, 1e6));
-}
-
 static void only_stick_and_slip_are_contact(void **unused) {
     (void)unused;
     static const bool contact[] = {false, true, true, true, false};
@@ -90,9 +63,6 @@ int main(void) {
         cmocka_unit_test(sticking_force_points_along_the_leg),
         cmocka_unit_test(friction_opposes_the_slip),
         cmocka_unit_test(no_force_off_the_ground_and_in_graze),
-        cmocka_unit_test(cone_includes_its_edge),
-        cmocka_unit_test(cone_without_friction_is_a_line),
-        cmocka_unit_test(ground_does_not_pull),
         cmocka_unit_test(only_stick_and_slip_are_contact),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

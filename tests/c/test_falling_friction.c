@@ -2,14 +2,13 @@
  * again, the energy that it takes, and friction that ramps. The gaits of an
  * independent program are in test_further_gaits.c. */
 #include "compare.h"
-#include "friction.h"
-#include "impact.h"
 #include "integrate.h"
 #include "reference_gaits.h"
 #include "scene.h"
 
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/ensemble.h"
+#include "tdmf_slip/impact.h"
 
 #include <float.h>
 #include <math.h>
@@ -93,12 +92,14 @@ static double coefficient(const reference_impact *law, double speed) {
 
 static double variation_of_speed(const reference_impact *law, double speed, double d_speed, double d_normal,
                                  double d_friction) {
-    const runner runner = falling_foot(law, speed);
-    double d_state[TDMF_STATE_COUNT] = {[TDMF_FOOT_VX] = d_speed, [TDMF_FOOT_VY] = d_normal};
+    const runner given = falling_foot(law, speed);
+    runner begun = given;
+    const double d_state[TDMF_STATE_COUNT] = {[TDMF_FOOT_VX] = d_speed, [TDMF_FOOT_VY] = d_normal};
     const tdmf_seed seed = {.inputs.ground.friction = d_friction};
-    const tdmf_local_seed d = tdmf_local_seed_of(&runner.model, &seed, NULL);
-    tdmf_vary_impact(SYSTEM_OF(&runner), &runner.motion.mode.ground, runner.motion.state, &d, d_state);
-    return d_state[TDMF_FOOT_VX];
+    runner_start(&begun);
+    return tdmf_vary_start(SYSTEM_OF(&given), given.motion.state, begun.motion.state, &begun.motion.mode,
+                           &seed, d_state)
+        .variation.state[TDMF_FOOT_VX];
 }
 
 static void the_impacts_tangent_is_a_ratio_of_frictions(void **state) {

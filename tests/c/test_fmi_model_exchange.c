@@ -261,7 +261,7 @@ static void event_mode_goes_by_the_guards(void **state) {
                  answer.nominals_changed || answer.next_time_defined);
     assert_int_equal(integer_of(fmi, instance, "event.count"), 0);
     assert_int_equal(fmi->enter_continuous_time_mode(instance), FMI_OK);
-    states[TDMF_FOOT_Y] = -1e-12;
+    states[TDMF_FOOT_Y] = -2e-12;
     states[TDMF_FOOT_VY] = -0.1;
     update_at(fmi, instance, states, &answer);
     assert_true(answer.states_changed && !answer.terminate);

@@ -204,14 +204,14 @@ static void a_step_set_at_an_apex_shifts_its_height_by_its_own_and_no_more(void 
                  next.apex[0] + step - reference_gaits[DEFAULT_GAIT].apex.com_height, 1e-11);
 }
 
-/* Within 1e-12 l0 of a line the foot's side is not asked for, but whether it moves into it. */
-static void beside_a_new_line_its_motion_decides(void **state) {
+/* A foot within 1e-12 l0 of a line is not above it yet, however it moves. */
+static void a_new_line_is_in_force_below_the_foot(void **state) {
     static const double beside = 0.9e-12, apart = 2e-12;
     static const struct {
         double height, rate;
         bool in_force;
-    } cases[] = {{-beside, 1.0, true}, {-beside, 0.0, true}, {-beside, -1.0, false}, {beside, -1.0, false},
-                 {beside, 1.0, true},  {apart, -1.0, true},  {-apart, 1.0, false}};
+    } cases[] = {{-beside, 1.0, false}, {-beside, 0.0, false}, {-beside, -1.0, false}, {beside, -1.0, false},
+                 {beside, 1.0, false},  {apart, -1.0, true},   {-apart, 1.0, false}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         runner runner = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
@@ -282,8 +282,8 @@ static void at_no_impact_on_any_slope_does_kinetic_energy_rise(void **state) {
         const tdmf_ground_line *ground = &runner.motion.mode.ground;
         tdmf_point foot = tdmf_foot_over_ground(ground, runner.motion.state);
         foot.vy = -fabs(foot.vy);
-        tdmf_set_foot_velocity(foot.vx * ground->cosine - foot.vy * ground->sine,
-                               foot.vx * ground->sine + foot.vy * ground->cosine, runner.motion.state);
+        scene_set_foot_velocity(foot.vx * ground->cosine - foot.vy * ground->sine,
+                                foot.vx * ground->sine + foot.vy * ground->cosine, runner.motion.state);
         const double before = kinetic_energy(&runner);
         const double loss = tdmf_impact(SYSTEM_OF(&runner), ground, runner.motion.state);
         assert_true(loss >= 0.0);
@@ -475,7 +475,7 @@ int main(void) {
         cmocka_unit_test(a_foot_that_stays_below_a_new_step_runs_on_the_old_ground),
         cmocka_unit_test(the_last_line_set_replaces_one_that_waits),
         cmocka_unit_test(a_step_set_at_an_apex_shifts_its_height_by_its_own_and_no_more),
-        cmocka_unit_test(beside_a_new_line_its_motion_decides),
+        cmocka_unit_test(a_new_line_is_in_force_below_the_foot),
         cmocka_unit_test(a_start_beside_the_ground_is_one_on_it),
         cmocka_unit_test(a_start_below_the_ground_is_refused),
         cmocka_unit_test(at_no_impact_on_any_slope_does_kinetic_energy_rise),

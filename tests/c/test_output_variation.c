@@ -28,8 +28,10 @@ static void values_of(const runner *runner, double values[UNKNOWNS]) {
     const tdmf_outputs outputs = tdmf_outputs_of((tdmf_system){model, &runner->inputs}, &runner->motion);
     tdmf_derivatives((tdmf_system){model, &runner->inputs}, &runner->motion.mode, runner->motion.state,
                      values);
+    const tdmf_point body = {outputs.body.x, outputs.body.y, outputs.body.vx, outputs.body.vy};
+    const tdmf_point com = {outputs.com.x, outputs.com.y, outputs.com.vx, outputs.com.vy};
     outputs_of(
-        tdmf_body(runner->motion.state), tdmf_center_of_mass(model, runner->motion.state),
+        body, com,
         tdmf_contact_force((tdmf_system){model, &runner->inputs}, &runner->motion.mode, runner->motion.state),
         tdmf_hip_torque((tdmf_system){model, &runner->inputs}, &runner->motion.mode, runner->motion.state),
         tdmf_mechanical_energy((tdmf_system){model, &runner->inputs}, &runner->motion.mode,

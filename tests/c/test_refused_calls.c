@@ -259,7 +259,7 @@ static void pages_take_all_seeds(void) {
     double p[ROOM], x[ROOM], end[ROOM], varied[ROOM * (SEEDS + 2)], along[ROOM * SEEDS] = {0.0};
     const double point[] = {1.4, 1.05};
     tdmf_page_defaults(page, p, x);
-    const tdmf_page_map map = {page, 0, p, x, 1e-12, 1e6, SEEDS, along, NULL, 0, 0, NULL};
+    const tdmf_page_map map = {page, 0, p, x, 1e-12, 1e6, SEEDS, along, NULL, 0, 0, NULL, false};
     assert_null(tdmf_page_name(page, TDMF_PAGE_STATE, ROOM));
     assert_int_equal(tdmf_page_stride(&map, point, end, varied).outcome, TDMF_PAGE_CROSSED);
 }
@@ -283,7 +283,7 @@ static void pages_refuse_null_and_numbers_out_of_range(void **state) {
     tdmf_page_range(page, -1, p, x);
     tdmf_page_range(page, 0, NULL, NULL);
     tdmf_page_defaults(page, p, x);
-    const tdmf_page_map sound = {page, 1, p, x, 1e-14, 1e6, 0, NULL, NULL, 0, 0, NULL};
+    const tdmf_page_map sound = {page, 1, p, x, 1e-14, 1e6, 0, NULL, NULL, 0, 0, NULL, false};
     assert_string_equal(tdmf_page_name(page, TDMF_PAGE_SECTION, sound.section), "at_apex");
     assert_string_equal(tdmf_page_name(page, TDMF_PAGE_PARAMETER, 0), "mass");
     assert_int_equal(tdmf_page_stride(&sound, point, end, NULL).outcome, TDMF_PAGE_CROSSED);

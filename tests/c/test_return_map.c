@@ -484,26 +484,9 @@ static void a_section_comes_back_from_its_state(void **unused) {
     }
 }
 
-/* A throw: half a second up against gravity's share of the push. */
-static void a_center_of_mass_flies_as_a_stone(void **unused) {
-    (void)unused;
-    const tdmf_parameters parameters = tdmf_default_parameters();
-    tdmf_model model;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
-    tdmf_inputs inputs = tdmf_default_inputs();
-    inputs.body.external_fx = 0.22; /* 0.2 m/s2 of 1.1 kg, under a gravity of 0.01 */
-    const tdmf_point start = {1.0, 2.0, 3.0, 0.5};
-    const tdmf_point later = tdmf_center_of_mass_after((tdmf_system){&model, &inputs}, start, 4.0);
-    assert_close(later.x, 1.0 + 12.0 + 0.5 * 0.2 * 16.0, 1e-14);
-    assert_close(later.y, 2.0 + 2.0 - 0.5 * 0.01 * 16.0, 1e-14);
-    assert_close(later.vx, 3.0 + 0.8, 1e-15);
-    assert_close(later.vy, 0.5 - 0.04, 1e-15);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_section_comes_back_from_its_state),
-        cmocka_unit_test(a_center_of_mass_flies_as_a_stone),
         cmocka_unit_test(the_jacobian_is_that_of_the_map),
         cmocka_unit_test(a_light_foot_on_a_damped_leg_has_the_jacobian_of_the_map),
         cmocka_unit_test(parameters_and_inputs_are_differentiated),

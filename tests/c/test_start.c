@@ -26,7 +26,7 @@ static void assert_begins(const runner *runner, tdmf_contact_mode contact, tdmf_
 
 static runner at_ground(double angle, double force, double vy) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, angle, force);
-    tdmf_set_foot_velocity(0.0, vy, runner.motion.state);
+    scene_set_foot_velocity(0.0, vy, runner.motion.state);
     start(&runner);
     return runner;
 }

@@ -24,7 +24,7 @@ static runner begin_stride(void) {
 
 static void put_on_ground(runner *runner, double force) {
     runner->motion.state[TDMF_FOOT_Y] = 0.0;
-    tdmf_set_foot_velocity(0.0, 0.0, runner->motion.state);
+    scene_set_foot_velocity(0.0, 0.0, runner->motion.state);
     scene_set_vertical_force(runner, force);
 }
 
@@ -36,7 +36,7 @@ static void land(runner *runner, double time) {
     runner->motion.state[TDMF_LEG_LENGTH_RATE] = 0.1;
     runner->motion.state[TDMF_FOOT_Y] = -1e-9;
     runner->inputs.ground.friction = 1000.0;
-    tdmf_set_foot_velocity(0.0, -0.1, runner->motion.state);
+    scene_set_foot_velocity(0.0, -0.1, runner->motion.state);
     at_time(runner, time);
     assert_int_equal(runner->motion.mode.contact, TDMF_CONTACT_STICK);
 }
@@ -370,7 +370,8 @@ static void both_peaks_of_the_force_are_found_on_a_slope(void **unused) {
         const sampling seen = sample_stride(&runner, step);
         const tdmf_stride *stride = &runner.motion.record.stride;
         assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), 1e3, &native).closed);
-        assert_true(stride->peak_vertical_force >= seen.largest_vertical_force);
+        /* two functions of one force, rounded in two ways */
+        assert_true(stride->peak_vertical_force >= seen.largest_vertical_force * (1.0 - 1e-15));
         assert_close(stride->peak_vertical_force, seen.largest_vertical_force, 10.0 * step * step);
         assert_close(native.record.stride.peak_vertical_force, stride->peak_vertical_force, 1e-9);
         assert_close(native.record.stride.peak_force, stride->peak_force, 1e-9);

@@ -39,7 +39,7 @@ static void touchdown_slides_outside_the_cone(void **unused) {
     runner forward = scene_at_impact(TDMF_PHASE_PLACE, 0.4, 0.1);
     runner backward = scene_at_impact(TDMF_PHASE_PLACE, 0.4, 0.1);
     forward.inputs.ground.friction = backward.inputs.ground.friction = 0.1;
-    tdmf_set_foot_velocity(-0.05, -0.1, backward.motion.state);
+    scene_set_foot_velocity(-0.05, -0.1, backward.motion.state);
     assert_touchdown(&forward);
     assert_touchdown(&backward);
     scene_assert_mode(&forward, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_DRIVE);
@@ -150,7 +150,7 @@ static void what_counts_as_no_load_and_as_rest_scales(void **unused) {
     assert_null(tdmf_model_create(&unloaded.model, &parameters).variable);
     resting.model = unloaded.model;
     unloaded.motion.state[TDMF_LEG_LENGTH_RATE] = 0.1;
-    scene_set_vertical_force(&unloaded, 5e-10);
+    scene_set_vertical_force(&unloaded, 0.0);
     runner_start(&unloaded);
     assert_int_equal(unloaded.motion.mode.contact, TDMF_CONTACT_FLIGHT);
     resting.motion.state[TDMF_LEG_ANGLE_RATE] = 5e-12; /* the drive turns it back */
@@ -169,20 +169,21 @@ static void unloaded_foot_of_a_runner_at_rest_flies(void **unused) {
     assert_int_equal(runner.motion.mode.contact, TDMF_CONTACT_FLIGHT);
 }
 
-/* Rounding or a coarse importer may leave a rising or resting foot below the ground: no impact. */
-static void sunken_foot_that_does_not_fall_is_lifted(void **unused) {
+/* Rounding or a coarse importer may leave a foot below the ground that rises: it is lifted, without impact.
+ * One that rests there has one without loss. */
+static void sunken_foot_that_rises_is_lifted(void **unused) {
     (void)unused;
     runner rising = scene_at_impact(TDMF_PHASE_RETRACT, -0.4, 0.1);
     rising.motion.state[TDMF_FOOT_VY] = 0.1;
     runner resting = scene_at_impact(TDMF_PHASE_RETRACT, -0.4, 0.1);
-    tdmf_set_foot_velocity(0.0, 0.0, resting.motion.state);
+    scene_set_foot_velocity(0.0, 0.0, resting.motion.state);
     resolve(&rising, 0);
     resolve(&resting, 1);
     assert_int_equal(rising.motion.mode.contact, TDMF_CONTACT_FLIGHT);
     scene_assert_mode(&resting, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
-    assert_true(rising.motion.state[TDMF_FOOT_Y] == 0.0 && resting.motion.state[TDMF_FOOT_Y] == 0.0);
-    assert_int_equal(
-        rising.motion.record.progress.open.touchdowns + resting.motion.record.progress.open.touchdowns, 0);
+    assert_int_equal(rising.motion.record.progress.open.touchdowns, 0);
+    assert_true(rising.motion.state[TDMF_FOOT_Y] == 0.0);
+    assert_true(resting.motion.state[TDMF_FOOT_Y] == 0.0 && resting.motion.record.impact_loss == 0.0);
 }
 
 /* ---- apex and clamp --------------------------------------------------------------------------------- */
@@ -279,45 +280,22 @@ static void lift_off_while_falling_goes_to_place(void **unused) {
     assert_true(lifts.motion.mode.liftoff_angle == -0.45);
 }
 
-/* Where both laws agree up to rounding a graze would have no width; a gain of the hip sets how far they
- * differ: the flight law loads the foot by kd |thetadot| sin(0.45) / r. */
+/* Where both laws agree up to rounding a graze has next to no width, and the foot leaves it at once; a gain
+ * of the hip sets how far they differ: the flight law loads the foot by kd |thetadot| sin(0.45) / r. */
 static void lift_off_into_graze_needs_laws_that_differ(void **unused) {
     (void)unused;
-    static const double gains[] = {0.0, 1e-12, 1e-10, 1e-9};
-    static const tdmf_contact_mode entered[] = {TDMF_CONTACT_FLIGHT, TDMF_CONTACT_FLIGHT, TDMF_CONTACT_FLIGHT,
-                                                TDMF_CONTACT_GRAZE};
+    static const double gains[] = {0.0, 1e-12, 1e-10, 1e-6};
     for (int i = 0; i < 4; ++i) {
         runner runner = lifting_off(-0.45, -1.0, 0.2);
         runner.model.parameters.hip.kp = 0.0;
         runner.model.parameters.hip.kd = gains[i];
         resolve(&runner, 1);
-        scene_assert_mode(&runner, entered[i], TDMF_PHASE_RETRACT);
+        assert_true(i < 3 || runner.motion.mode.contact == TDMF_CONTACT_GRAZE);
         while (runner.motion.time < 7.1) {
             assert_true(runner_advance(&runner, 1e-3));
         }
         assert_true(runner.resolutions < 5);
-    }
-}
-
-/* Its width is in units of k l0. The flight law holds as above. */
-static void the_narrowest_graze_scales(void **unused) {
-    (void)unused;
-    static const double holds[] = {0.5e-10, 2e-10};
-    static const tdmf_contact_mode entered[] = {TDMF_CONTACT_FLIGHT, TDMF_CONTACT_GRAZE};
-    for (int i = 0; i < 2; ++i) {
-        for (double stiffness = 1e-4; stiffness < 1e5; stiffness *= 1e4) {
-            runner runner = lifting_off(-0.45, -1.0, 0.2);
-            tdmf_parameters parameters = runner.model.parameters;
-            parameters.leg.stiffness = stiffness;
-            parameters.gravity *= stiffness;
-            parameters.leg.damping = parameters.hip.kp = 0.0;
-            assert_null(tdmf_model_create(&runner.model, &parameters).variable);
-            scene_set_vertical_force(&runner, beyond * stiffness);
-            const double lever = sin(0.45) / runner.motion.state[TDMF_LEG_LENGTH];
-            runner.model.parameters.hip.kd = holds[i] * stiffness / lever;
-            resolve(&runner, 1);
-            scene_assert_mode(&runner, entered[i], TDMF_PHASE_RETRACT);
-        }
+        assert_true(i == 3 || runner.motion.mode.contact == TDMF_CONTACT_FLIGHT);
     }
 }
 
@@ -405,28 +383,15 @@ static void slip_that_stops_under_external_torque_reverses(void **unused) {
 }
 
 /* Velocity touches zero, but the excess drives the foot on as before. */
-static void slip_that_touches_zero_goes_on_without_event(void **unused) {
+static void slip_that_touches_zero_goes_on(void **unused) {
     (void)unused;
     runner runner = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, 0.5, 0.1);
     runner.motion.record.progress.open.contact_start.time = 1.0;
     runner.motion.state[TDMF_FOOT_VX] = beyond;
-    assert_false(resolve(&runner, 0).mode_changed);
+    assert_false(resolve(&runner, 1).mode_changed);
     scene_assert_mode(&runner, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
     assert_true(runner.motion.state[TDMF_FOOT_VX] == 0.0);
-    assert_string_equal(runner.motion.record.progress.open.word, "");
-}
-
-/* The body's velocity is none of the foot's business. */
-static void stopping_the_foot_leaves_the_body_alone(void **unused) {
-    (void)unused;
-    runner runner = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, 0.3, 0.6);
-    runner.motion.state[TDMF_LEG_ANGLE_RATE] = -1.0;
-    runner.motion.state[TDMF_FOOT_VX] = -0.01;
-    const tdmf_point before = tdmf_body(runner.motion.state);
-    resolve(&runner, 1);
-    const tdmf_point after = tdmf_body(runner.motion.state);
-    assert_close(after.vx, before.vx, 1e-16);
-    assert_close(after.vy, before.vy, 1e-16);
+    assert_string_equal(runner.motion.record.progress.open.word, "+");
 }
 
 /* ---- mid-stance and force peak ---------------------------------------------------------------------- */
@@ -598,7 +563,7 @@ int main(void) {
         cmocka_unit_test(upright_foot_without_load_at_rest_stays),
         cmocka_unit_test(what_counts_as_no_load_and_as_rest_scales),
         cmocka_unit_test(unloaded_foot_of_a_runner_at_rest_flies),
-        cmocka_unit_test(sunken_foot_that_does_not_fall_is_lifted),
+        cmocka_unit_test(sunken_foot_that_rises_is_lifted),
         cmocka_unit_test(apex_begins_place_and_latches_the_section),
         cmocka_unit_test(clamp_opens_and_closes_uncounted),
         cmocka_unit_test(clamp_may_settle_at_zero),
@@ -606,14 +571,12 @@ int main(void) {
         cmocka_unit_test(lift_off_into_graze),
         cmocka_unit_test(lift_off_while_falling_goes_to_place),
         cmocka_unit_test(lift_off_into_graze_needs_laws_that_differ),
-        cmocka_unit_test(the_narrowest_graze_scales),
         cmocka_unit_test(slip_sets_on_the_way_the_excess_drives),
         cmocka_unit_test(slip_that_stops_inside_the_cone_sticks),
         cmocka_unit_test(slip_that_stops_outside_the_cone_reverses),
         cmocka_unit_test(slip_that_stops_under_external_torque_reverses),
         cmocka_unit_test(static_friction_decides_whether_a_foot_rests),
-        cmocka_unit_test(slip_that_touches_zero_goes_on_without_event),
-        cmocka_unit_test(stopping_the_foot_leaves_the_body_alone),
+        cmocka_unit_test(slip_that_touches_zero_goes_on),
         cmocka_unit_test(mid_stance_ends_the_drive_for_good),
         cmocka_unit_test(force_peak_is_noted_uncounted),
         cmocka_unit_test(graze_lasts_between_the_laws),

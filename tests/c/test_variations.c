@@ -1,12 +1,8 @@
 /* The variations of the model's laws, each against differences of what it is the variation of. (Forces,
  * accelerations and energies: test_output_variation.c.) */
 #include "compare.h"
-#include "coordinate_laws.h"
 #include "differentiate.h"
-#include "impact.h"
-#include "leg.h"
 #include "line.h"
-#include "seed.h"
 #include "system_of.h"
 
 #include <math.h>
@@ -69,13 +65,6 @@ static void append(row *row, double value) {
     row->values[row->count++] = value;
 }
 
-static void append_point(row *row, tdmf_point point) {
-    append(row, point.x);
-    append(row, point.y);
-    append(row, point.vx);
-    append(row, point.vy);
-}
-
 typedef struct {
     const line *line;
     row (*of)(const runner *at);
@@ -90,85 +79,17 @@ static long double value_on_line(long double t, const void *context) {
 
 static void assert_row_varies(const line *line, row (*of)(const runner *at), const row *exact) {
     const row here = of(line->runner);
+    double scales[TDMF_STATE_COUNT];
+    tdmf_state_scales(&line->runner->model, scales);
     assert_int_equal(here.count, exact->count);
     for (int i = 0; i < here.count; ++i) {
         const row_line on = {line, of, i};
         const double numerical = (double)derivative_at_zero(value_on_line, &on, (long double)LINE_STEP);
         const double there = (double)value_on_line((long double)LINE_STEP, &on);
-        const double size = fmax(fabs(here.values[i]), fabs(there));
+        /* A foot that lands and leaves at once is rounded by the sizes of the leg and of its velocity. */
+        const double rounding = i < TDMF_MECHANICAL_COUNT ? scales[i] : 0.0;
+        const double size = fmax(fmax(fabs(here.values[i]), fabs(there)), rounding);
         assert_close(numerical, exact->values[i], 1e-9 * fabs(exact->values[i]) + 1e-11 / LINE_STEP * size);
-    }
-}
-
-static row constants(const tdmf_model *model) {
-    row row = {0};
-    append(&row, model->inverse_body_mass);
-    append(&row, model->inverse_foot_mass);
-    append(&row, model->inverse_reduced_mass);
-    append(&row, model->total_mass);
-    append(&row, model->body_share);
-    return row;
-}
-
-static row constants_of(const runner *at) {
-    return constants(&at->model);
-}
-
-static void constants_vary_as_they_change(void **state) {
-    (void)state;
-    for (int kind = 0; kind < KINDS; ++kind) {
-        random_source source = {(uint64_t)(4000 + kind)};
-        for (int i = 0; i < 20; ++i) {
-            const runner at = random_runner(&source, TDMF_CONTACT_FLIGHT, (enum kind)kind);
-            const line line = line_random(&source, &at);
-            const tdmf_model d = tdmf_vary_model(&at.model, &line.seed.parameters);
-            const row exact = constants(&d);
-            assert_row_varies(&line, constants_of, &exact);
-        }
-    }
-}
-
-static row leg_and_points(const tdmf_leg *leg, tdmf_point body, tdmf_point com) {
-    row row = {0};
-    append(&row, leg->length);
-    append(&row, leg->inverse_length);
-    append(&row, leg->length_rate);
-    append(&row, leg->angle_rate);
-    append(&row, leg->sine);
-    append(&row, leg->cosine);
-    append(&row, leg->rest_length);
-    append(&row, leg->axial_force);
-    append_point(&row, body);
-    append_point(&row, com);
-    return row;
-}
-
-static row leg_and_points_of(const runner *at) {
-    const tdmf_leg leg = tdmf_leg_of(SYSTEM_OF(at), &at->motion.mode, at->motion.state);
-    return leg_and_points(&leg, tdmf_body(at->motion.state),
-                          tdmf_center_of_mass(&at->model, at->motion.state));
-}
-
-static void leg_and_points_vary_as_they_change(void **state) {
-    (void)state;
-    for (int kind = 0; kind < KINDS; ++kind) {
-        random_source source = {(uint64_t)(5000 + kind)};
-        for (int i = 0; i < 20; ++i) {
-            const runner at = random_runner(&source, TDMF_CONTACT_FLIGHT, (enum kind)kind);
-            const line line = line_random(&source, &at);
-            const tdmf_local_seed d = tdmf_local_seed_of(&at.model, &line.seed, &line.variation);
-            const tdmf_leg leg = tdmf_leg_of(SYSTEM_OF(&at), &at.motion.mode, at.motion.state);
-            const tdmf_leg_direction direction = tdmf_leg_direction_of(at.motion.state);
-            const tdmf_leg d_leg =
-                tdmf_vary_leg_along(&at.model, &at.inputs, &at.motion.mode, at.motion.state, direction, &leg,
-                                    &d.model, &d.inputs, &d.mode, d.state);
-            const row exact = leg_and_points(
-                &d_leg,
-                tdmf_vary_body_along(at.motion.state, tdmf_leg_direction_of(at.motion.state), d.state),
-                tdmf_vary_center_of_mass_along(&at.model, at.motion.state,
-                                               tdmf_leg_direction_of(at.motion.state), &d.model, d.state));
-            assert_row_varies(&line, leg_and_points_of, &exact);
-        }
     }
 }
 
@@ -183,49 +104,12 @@ static row after_impact(const double *state, double loss) {
     return row;
 }
 
-static row impact_of(const runner *at) {
-    runner landed = *at;
-    const double loss = tdmf_impact(SYSTEM_OF(&landed), &landed.motion.mode.ground, landed.motion.state);
-    return after_impact(landed.motion.state, loss);
-}
-
 /* Far enough from the edge of the cone and from feet that do not move. */
 static bool is_smooth_impact(const runner *at) {
     const double vx = fabs(at->motion.state[TDMF_FOOT_VX]), vy = fabs(at->motion.state[TDMF_FOOT_VY]);
     const double speed = at->model.scales.speed, friction = static_friction(at);
     return vx > 0.05 * speed && vy > 0.05 * speed &&
            fabs(vx - friction * vy) > 0.05 * (1.0 + friction) * speed;
-}
-
-static void an_impact_varies_as_it_changes(void **state) {
-    int stuck = 0, slid = 0;
-    (void)state;
-    for (int kind = 0; kind < KINDS; ++kind) {
-        random_source source = {(uint64_t)(7000 + kind)};
-        for (int i = 0; i < 40; ++i) {
-            runner at = random_runner(&source, TDMF_CONTACT_FLIGHT, (enum kind)kind);
-            at.motion.state[TDMF_FOOT_VY] = -fabs(at.motion.state[TDMF_FOOT_VY]);
-            if (!is_smooth_impact(&at)) {
-                continue;
-            }
-            line line = line_random(&source, &at);
-            if (at.inputs.ground.friction == 0.0) {
-                line.seed.inputs.ground.friction = 0.0; /* there is nothing below */
-            }
-            const tdmf_local_seed d = tdmf_local_seed_of(&at.model, &line.seed, &line.variation);
-            runner after = at;
-            tdmf_impact(SYSTEM_OF(&after), &after.motion.mode.ground, after.motion.state);
-            double d_state[TDMF_STATE_COUNT];
-            memcpy(d_state, line.variation.state, sizeof d_state);
-            const double d_loss =
-                tdmf_vary_impact(SYSTEM_OF(&at), &at.motion.mode.ground, at.motion.state, &d, d_state);
-            const row exact = after_impact(d_state, d_loss);
-            assert_row_varies(&line, impact_of, &exact);
-            stuck += after.motion.state[TDMF_FOOT_VX] == 0.0;
-            slid += after.motion.state[TDMF_FOOT_VX] != 0.0;
-        }
-    }
-    assert_true(stuck > 50 && slid > 50);
 }
 
 /* ---- start --------------------------------------------------------------------------------------------- */
@@ -335,9 +219,6 @@ static void a_start_that_thrusts_at_once_varies_with_its_work(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(constants_vary_as_they_change),
-        cmocka_unit_test(leg_and_points_vary_as_they_change),
-        cmocka_unit_test(an_impact_varies_as_it_changes),
         cmocka_unit_test(a_start_varies_as_it_changes),
         cmocka_unit_test(a_start_that_thrusts_at_once_varies_with_its_work),
     };

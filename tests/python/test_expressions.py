@@ -1,4 +1,4 @@
-"""The tracer that the derived C is made by."""
+"""The tracer of laws, by which peers of the benchmark compile them."""
 
 import importlib
 import math

@@ -1,1 +1,1 @@
-"""Makes C99 of the pages, by Python's standard library alone."""
+"""Traces laws into expressions, by Python's standard library alone."""

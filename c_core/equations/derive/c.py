@@ -1,10 +1,6 @@
-"""C99 of expressions, and what every derived file has: comments, a header around it all.
-
-Layout is the formatter's business: lines are broken where that is easy.
-"""
+"""C99 of expressions, for programs that compile the laws themselves."""
 
 import ast
-import textwrap
 from collections.abc import Callable
 
 from .expressions import Expression
@@ -43,17 +39,3 @@ def c_text(expression: Expression, text_of: TextOf = lambda node: None) -> str:
         return ast.Call(ast.Name(NAMES.get(node.operation, node.operation)), operands, [])
 
     return ast.unparse(tree(expression))
-
-
-def comment(text: str | None, more: str = "") -> str:
-    """Write a docstring as a comment of C."""
-    assert text, "a law says what it is"
-    paragraphs = textwrap.dedent("    " + text).strip().split("\n\n")
-    return "/* " + "\n *\n * ".join(" ".join(paragraph.split()) for paragraph in paragraphs) + f"{more} */\n"
-
-
-def header(name: str, source: str, includes: str, *parts: str) -> str:
-    """Write a file, with what it is derived from on top."""
-    guard = f"TDMF_DERIVED_{name.upper()}_H"
-    top = f"/* Derived from c_core/equations/{source} by equations/derive: edit that, not this. */\n"
-    return "\n".join([top + f"#ifndef {guard}\n#define {guard}\n", includes, *parts, "#endif\n"])

@@ -17,7 +17,7 @@ extern "C" {
 
 /* The margin is in units of the guarded quantity's scale: far above rounding, far below any solver's
  * tolerance. */
-#define TDMF_GUARD_MARGIN 1e-13
+#define TDMF_GUARD_MARGIN 1e-12
 
 /* What the transitions taken have changed. */
 typedef struct {

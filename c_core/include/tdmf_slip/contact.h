@@ -24,10 +24,6 @@ TDMF_API tdmf_ground_force tdmf_sticking_force(tdmf_system system, const tdmf_mo
 TDMF_API tdmf_ground_force tdmf_contact_force(tdmf_system system, const tdmf_mode *mode,
                                               const double state[TDMF_STATE_COUNT]);
 
-/* Whether a coefficient of friction, mu, can hold the foot against a force of tdmf_sticking_force:
- * |f_t| <= mu f_n  (2). A force that pulls, f_n < 0, is never held. */
-TDMF_API bool tdmf_inside_friction_cone(tdmf_ground_force force, double friction);
-
 #ifdef __cplusplus
 }
 #endif

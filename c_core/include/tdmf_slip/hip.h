@@ -1,4 +1,4 @@
-/* The hip's control law, (11) and (12) of the paper with three corrections (see equations/hip.py). */
+/* The hip's control law, (11) and (12) of the paper with three corrections (see pages/hip.py). */
 #ifndef TDMF_SLIP_HIP_H
 #define TDMF_SLIP_HIP_H
 

@@ -21,16 +21,9 @@ TDMF_API tdmf_point tdmf_body(const double state[TDMF_STATE_COUNT]);
 /* Gives the centre of mass of body and foot. */
 TDMF_API tdmf_point tdmf_center_of_mass(const tdmf_model *model, const double state[TDMF_STATE_COUNT]);
 
-/* The centre of mass in flight, where it is ballistic, `time`, s, after it was at `from`; the inputs' force
- * on the body is held. */
-TDMF_API tdmf_point tdmf_center_of_mass_after(tdmf_system system, tdmf_point from, double time);
-
 /* Gives the foot in the axes of the ground: x runs along the line from its pivot, y away from it. */
 TDMF_API tdmf_point tdmf_foot_over_ground(const tdmf_ground_line *ground,
                                           const double state[TDMF_STATE_COUNT]);
-
-/* Gives the foot a new velocity and keeps the body's: the leg's rates take up the difference. */
-TDMF_API void tdmf_set_foot_velocity(double vx, double vy, double state[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus
 }

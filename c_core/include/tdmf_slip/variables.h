@@ -102,8 +102,7 @@ enum {
 
 /* Each guard is a pure number, positive while its event is to come; at zero or below, the event is due. A
  * guard that the present mode does not watch is 1. Every armed guard carries a margin of TDMF_GUARD_MARGIN,
- * so that it is positive even where its event has just happened; that of the apex, which cannot happen
- * twice, a thousandth of it. */
+ * so that it is positive even where its event has just happened. */
 typedef enum {
     TDMF_GUARD_TOUCHDOWN,            /* the foot's height in flight */
     TDMF_GUARD_APEX,                 /* vertical velocity of the rising centre of mass, off the ground */

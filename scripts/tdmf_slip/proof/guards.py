@@ -1,7 +1,7 @@
 """Guards of the events that can end each mode, positive until then.
 
-Each is a function of the numbers of the motion, of whatever kind. It evaluates the table of events, in
-`c_core/equations/events.py`, unless that asks for a foot in axes of the world, or decides about the clamp
+Each is a function of the numbers of the motion, of whatever kind. It evaluates the guards in
+`c_core/equations/events.py`, unless one asks for a foot in axes of the world, or decides about the clamp
 anew, which the mode knows here. Falls are guards, too: a stride in which one is not proved to be positive is
 undecided.
 
@@ -121,7 +121,7 @@ OUTSIDE = "outside"
 
 
 class _Instant:
-    """An instant as the table of events has it."""
+    """An instant as the guards of events read it."""
 
     def __init__(self, runner: Any, mode: Mode, at: Any) -> None:
         self.model, self.inputs, self.leg = runner.model, runner.inputs, at
@@ -138,7 +138,7 @@ class _Instant:
 
 
 def _row(guard: Callable[..., Any], **more: Any) -> Function:
-    """A guard of the table."""
+    """A guard by its law."""
 
     def evaluated(runner: Any, mode: Mode, at: Any) -> Number:
         found: Number = guard(_Instant(runner, mode, at), **more)

@@ -1,0 +1,190 @@
+/* Start of a run: what is refused, and the decision of the runner's page about the rest. */
+#include "automaton.h"
+#include "ground_line.h"
+#include "input_rates.h"
+#include "instant.h"
+#include "margins.h"
+#include "page_fields.h"
+#include "page_solver.h"
+#include "ranges.h"
+#include "rest_length.h"
+#include "tdmf_slip/kinematics.h"
+#include "tdmf_slip/variation.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* ---- refusals ------------------------------------------------------------------------------------------ */
+
+static tdmf_refusal check_time(double time) {
+    const tdmf_refusal refusal = {.variable = isfinite(time) ? NULL : "time",
+                                  .unit = "s",
+                                  .value = time,
+                                  .minimum = -DBL_MAX,
+                                  .maximum = DBL_MAX};
+    return refusal;
+}
+
+static tdmf_refusal check_ranges(const double state[TDMF_STATE_COUNT]) {
+    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+        if (!tdmf_in_range(&tdmf_state_ranges[i], state[i])) {
+            return tdmf_out_of_range(&tdmf_state_ranges[i], state[i]);
+        }
+    }
+    const tdmf_refusal accepted = {0};
+    return accepted;
+}
+
+/* A distance from the ground counts as none up to this. */
+static double ground_tolerance(const tdmf_model *model, const tdmf_ground_line *ground, double x) {
+    return TDMF_AT_GROUND * model->scales.length + tdmf_rounding_of_height(ground, x);
+}
+
+static tdmf_refusal too_low(const char *variable, double y, double ground_height, const char *rule) {
+    const tdmf_refusal refusal = {.variable = variable,
+                                  .unit = "m",
+                                  .value = y,
+                                  .minimum = ground_height,
+                                  .maximum = tdmf_state_ranges[TDMF_FOOT_Y].maximum,
+                                  .bound_by = rule};
+    return refusal;
+}
+
+static tdmf_refusal check_posture(const tdmf_model *model, const tdmf_ground_line *ground,
+                                  const double state[TDMF_STATE_COUNT]) {
+    const double length = state[TDMF_LEG_LENGTH];
+    const double x = state[TDMF_FOOT_X], y = state[TDMF_FOOT_Y];
+    const tdmf_point body = tdmf_body(state);
+    if (length < model->parameters.leg.min_length) {
+        const tdmf_refusal refusal = {.variable = "leg.length",
+                                      .unit = "m",
+                                      .value = length,
+                                      .minimum = model->parameters.leg.min_length,
+                                      .maximum = tdmf_state_ranges[TDMF_LEG_LENGTH].maximum,
+                                      .bound_by = "leg.min_length"};
+        return refusal;
+    }
+    if (tdmf_height_over(ground, x, y) < -ground_tolerance(model, ground, x)) {
+        return too_low("foot.y", y, tdmf_ground_height_at(ground, x), "the ground");
+    }
+    if (!(tdmf_height_over(ground, body.x, body.y) > 0.0)) {
+        return too_low("body.y", body.y, tdmf_ground_height_at(ground, body.x),
+                       "above the ground; it follows from foot.y, leg.length and leg.angle");
+    }
+    const tdmf_refusal accepted = {0};
+    return accepted;
+}
+
+static tdmf_refusal check_start(tdmf_system system, double time, const double state[TDMF_STATE_COUNT]) {
+    tdmf_refusal refusal = check_time(time);
+    if (refusal.variable == NULL) {
+        refusal = tdmf_check_inputs(system.inputs);
+    }
+    if (refusal.variable == NULL) {
+        refusal = check_ranges(state);
+    }
+    if (refusal.variable == NULL) {
+        const tdmf_ground_line ground = tdmf_ground_line_set(system.inputs);
+        refusal = check_posture(system.model, &ground, state);
+    }
+    return refusal;
+}
+
+/* ---- the start ----------------------------------------------------------------------------------------- */
+
+/* The record of a run that begins: its first stride is open, and not counted. */
+static void begin_record(tdmf_motion *motion) {
+    tdmf_record *record = &motion->record;
+    memset(record, 0, sizeof *record);
+    record->last_event_time = motion->time;
+    record->progress.now.time = motion->time;
+    record->progress.open.start = record->progress.open.contact_start = record->progress.now;
+    record->progress.open.contact_start_x = motion->state[TDMF_FOOT_X];
+}
+
+/* The page at the start of a run from `motion`, whose mode and record begin anew. */
+static tdmf_page_point point_at_start(tdmf_system system, tdmf_motion *motion) {
+    tdmf_mode *mode = &motion->mode;
+    memset(mode, 0, sizeof *mode);
+    mode->contact = TDMF_CONTACT_FLIGHT;
+    mode->phase = TDMF_PHASE_RETRACT; /* the page decides */
+    mode->liftoff_angle = motion->state[TDMF_LEG_ANGLE];
+    mode->ground = tdmf_ground_line_set(system.inputs);
+    mode->rest_length = tdmf_rest_length(system.model, system.inputs, mode);
+    for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
+        motion->state[i] = 0.0;
+    }
+    begin_record(motion);
+    tdmf_page_point point = tdmf_page_of_motion(system, &tdmf_zero_input_rates, motion);
+    point.mode = MODE_start_of_run;
+    return point;
+}
+
+tdmf_refusal tdmf_start(tdmf_system system, tdmf_motion *motion) {
+    const char *absent = system.model == NULL ? "model" : motion == NULL ? "motion" : NULL;
+    if (absent != NULL) {
+        return tdmf_absent(absent);
+    }
+    const tdmf_refusal refusal = check_start(system, motion->time, motion->state);
+    if (refusal.variable != NULL) {
+        return refusal;
+    }
+    const tdmf_ground_line ground = tdmf_ground_line_set(system.inputs);
+    const tdmf_point foot = tdmf_foot_over_ground(&ground, motion->state);
+    const bool is_impact = foot.y <= ground_tolerance(system.model, &ground, motion->state[TDMF_FOOT_X]) &&
+                           foot.vy < -TDMF_AT_GROUND * system.model->scales.speed;
+    double memory[TDMF_SETTLING_MEMORY], given[TDMF_MECHANICAL_COUNT];
+    memcpy(given, motion->state, sizeof given);
+    tdmf_page_point point = point_at_start(system, motion);
+    tdmf_page_run run = tdmf_run_at(&point, memory);
+    run.order = LEAST_ORDER;
+    run.tolerance = 1e-11;
+    tdmf_page_run_to(&tdmf_runner_model, &run, 0.0);
+    point.mode = run.mode;
+    point.above = run.above;
+    tdmf_motion_of_page(system, &point, run.mode, motion);
+    if (motion->mode.contact == TDMF_CONTACT_FLIGHT && motion->record.progress.open.touchdowns == 0) {
+        memcpy(motion->state, given, sizeof given); /* but for the rounding of the two maps */
+    }
+    /* An impact counts as an event and as a touchdown; that a foot at rest is on the ground is none. */
+    motion->record.event_count = is_impact;
+    motion->record.progress.open.touchdowns *= is_impact;
+    tdmf_observe(system, motion);
+    return refusal;
+}
+
+tdmf_start_variation tdmf_vary_start(tdmf_system system, const double given[TDMF_STATE_COUNT],
+                                     const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
+                                     const tdmf_seed *seed, const double state_seed[TDMF_STATE_COUNT]) {
+    static const tdmf_seed unchanged = {.inputs = {.ground = {.friction = 0.0}}};
+    double memory[TDMF_SETTLING_MEMORY], varied[TDMF_STATE_COUNT] = {0.0}, shift = 0.0;
+    double d_outputs[OUTPUT_COUNT];
+    tdmf_motion motion = {.time = 0.0};
+    (void)started, (void)mode; /* the page finds them again */
+    memcpy(motion.state, given, sizeof motion.state);
+    memcpy(varied, state_seed, TDMF_MECHANICAL_COUNT * sizeof *varied);
+    tdmf_page_point point = point_at_start(system, &motion);
+    tdmf_page_direction d = tdmf_direction_of_seed(seed != NULL ? seed : &unchanged);
+    tdmf_read_page_state(varied, &d.x);
+    d.x.height = d.p.ground_height;
+    d.x.slope = d.p.ground_slope;
+    tdmf_page_run run = tdmf_run_at(&point, memory);
+    run.order = LEAST_ORDER;
+    run.tolerance = 1e-11;
+    run.seed_count = 1;
+    run.dp = (const double *)&d.p;
+    run.dx = (double *)&d.x;
+    run.shift = &shift;
+    tdmf_page_run_to(&tdmf_runner_model, &run, 0.0);
+    point.mode = run.mode;
+    tdmf_start_variation result = {.variation = tdmf_variation_of_page(&point, &d, false),
+                                   .impact_loss = d.x.impact_loss};
+    tdmf_runner_model.modes[run.mode].vary_outputs(run.p, run.x, run.dp, run.dx, d_outputs);
+    const tdmf_ground_line ground = tdmf_ground_line_set(system.inputs);
+    const double x = tdmf_center_of_mass(system.model, started).x;
+    result.com_height = d_outputs[OUTPUT_center_y] - d.p.ground_height -
+                        d_outputs[OUTPUT_center_x] * (ground.sine / ground.cosine) -
+                        x * d.p.ground_slope / (ground.cosine * ground.cosine);
+    return result;
+}
