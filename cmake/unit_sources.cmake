@@ -2,7 +2,7 @@
 # these libraries. Sets <variable>_files, absolute paths with private headers, and <variable>_names, the C files' names. In
 # the unit they lie in one folder, so every name may occur once. SUNDIALS stays out: CVODE is refused with a message.
 function(tdmf_slip_unit_sources variable)
-    set(files ${PROJECT_SOURCE_DIR}/c_core/solver/no_cvode.c)
+    set(files ${PROJECT_SOURCE_DIR}/c_core/solver/no_cvode.c ${PROJECT_SOURCE_DIR}/c_core/runner/cvode_runs.c)
     foreach(target IN ITEMS tdmf_slip tdmf_slip_internal ${ARGN})
         get_target_property(sources ${target} SOURCES)
         list(FILTER sources EXCLUDE REGEX "TARGET_OBJECTS|_seeds.c$") # a unit makes no Jacobians of strides
