@@ -4,7 +4,7 @@
 
 #include "ground_line.h"
 #include "input_rates.h"
-#include "page_solver.h"
+#include "mapped_stride.h"
 #include "patch.h"
 #include "request.h"
 #include "return_record.h"
@@ -51,25 +51,7 @@ void tdmf_section_of_state(const tdmf_model *model, const tdmf_ground_line *grou
     memcpy(section, coordinates, sizeof coordinates);
 }
 
-typedef struct {
-    tdmf_system system;
-    const double *section;
-    const double *foot_x; /* or NULL: 0, and there is no patch */
-    double until;
-    bool derivatives, measures;
-    const tdmf_seed *seeds;
-    int count;
-} stride_request;
-
-typedef struct {
-    const stride_request *request;
-    tdmf_motion start;
-    double
-        d_clearance[TDMF_VARIATION_LIMIT]; /* variation of the foot's height above the ground at the start */
-    tdmf_page_solver solver;
-} stride;
-
-static bool is_sound(const tdmf_solver *solver, const stride_request *request) {
+static bool is_sound(const tdmf_solver *solver, const tdmf_stride_request *request) {
     const bool has_foot_x = request->foot_x != NULL;
     return tdmf_is_sound_solver(solver) && request->system.model != NULL && request->system.inputs != NULL &&
            request->section != NULL && !isnan(request->until) &&
@@ -78,7 +60,7 @@ static bool is_sound(const tdmf_solver *solver, const stride_request *request) {
 }
 
 /* False where the start is no apex. */
-static bool begin_motion(const stride_request *request, tdmf_motion *motion) {
+static bool begin_motion(const tdmf_stride_request *request, tdmf_motion *motion) {
     const double foot_x = request->foot_x == NULL ? 0.0 : *request->foot_x;
     motion->time = 0.0;
     tdmf_section_state_at(request->system, foot_x, request->section, motion->state);
@@ -89,8 +71,8 @@ static bool begin_motion(const stride_request *request, tdmf_motion *motion) {
 
 /* The change of the start along coordinate i of the section, along a seed, or along x. On the page's section
  * the centre of mass is at x = 0; here the foot is at a given place. */
-static tdmf_page_direction direction_at_start(const stride_request *request, const tdmf_page_point *point,
-                                              int i) {
+static tdmf_page_direction direction_at_start(const tdmf_stride_request *request,
+                                              const tdmf_page_point *point, int i) {
     static const tdmf_seed none = {0};
     const int number = i - TDMF_SECTION_COUNT;
     const bool is_seed = number >= 0 && number < request->count;
@@ -156,8 +138,8 @@ static tdmf_stride_variation variation_at_end(const tdmf_page_point *point, cons
 
 /* ---- the stride ---------------------------------------------------------------------------------------- */
 
-static void add_directions(stride *s) {
-    const stride_request *request = s->request;
+static void add_directions(tdmf_mapped_stride *s) {
+    const tdmf_stride_request *request = s->request;
     const tdmf_page_point *point = &s->solver.point;
     const double rise = tan(point->x.slope);
     for (int i = 0; i < TDMF_SECTION_COUNT + request->count + (request->foot_x != NULL); ++i) {
@@ -168,13 +150,13 @@ static void add_directions(stride *s) {
     }
 }
 
-static bool is_kinked(const stride_request *request, int i) {
+static bool is_kinked(const tdmf_stride_request *request, int i) {
     const int number = i - TDMF_SECTION_COUNT;
     return number >= 0 && number < request->count &&
            tdmf_is_kinked(&request->system.model->parameters, &request->seeds[number]);
 }
 
-static void write_variations(const stride *s, tdmf_return *result) {
+static void write_variations(const tdmf_mapped_stride *s, tdmf_return *result) {
     for (int i = 0; i < s->solver.run.run.seed_count; ++i) {
         tdmf_page_direction d = tdmf_direction_at_end(&s->solver, i);
         if (is_kinked(s->request, i)) {
@@ -189,7 +171,7 @@ static void write_variations(const stride *s, tdmf_return *result) {
     }
 }
 
-static void write_stride(const stride *s, tdmf_return *result) {
+static void write_stride(const tdmf_mapped_stride *s, tdmf_return *result) {
     const runner_states *x = &s->solver.point.x;
     const double apex[TDMF_SECTION_COUNT] = {x->apex_com_height, x->apex_com_speed,   x->apex_length,
                                              x->apex_angle,      x->apex_length_rate, x->apex_angle_rate};
@@ -205,8 +187,9 @@ static void write_stride(const stride *s, tdmf_return *result) {
     write_variations(s, result);
 }
 
-static void run_stride(tdmf_solver *solver, stride *s, tdmf_return *result) {
-    const stride_request *request = s->request;
+/* Begins the run of a stride whose start is an apex. */
+static void begin_run(tdmf_solver *solver, tdmf_mapped_stride *s) {
+    const tdmf_stride_request *request = s->request;
     const int seeds = request->derivatives ? request->count : 0;
     const tdmf_inputs rates = tdmf_rates_with_varied_push(&tdmf_zero_input_rates, request->seeds, seeds);
     tdmf_page_point point = tdmf_page_of_motion(request->system, &rates, &s->start);
@@ -221,50 +204,63 @@ static void run_stride(tdmf_solver *solver, stride *s, tdmf_return *result) {
     if (request->measures) {
         s->solver.run.run.observes = TDMF_OBSERVE_ALL;
     }
-    result->solver = tdmf_run_page_solver(&s->solver, request->until, EVENT_apex);
-    const tdmf_stride_outcome ended = {result->solver, s->solver.has_stopped};
-    result->outcome = tdmf_return_outcome_of(ended);
-    if (ended.closed) {
-        ++solver->strides;
-        tdmf_end_runner_run(&s->solver.run, &s->solver.point);
-        write_stride(s, result);
-    }
 }
 
-static tdmf_return stride_from(tdmf_solver *solver, const stride_request *request) {
-    stride s;
-    tdmf_return result;
-    memset(&result, 0, sizeof result);
-    s.request = request;
+bool tdmf_begin_mapped_stride(tdmf_mapped_stride *s, tdmf_solver *solver, const tdmf_stride_request *request,
+                              tdmf_return *result) {
+    memset(result, 0, sizeof *result);
+    s->request = request;
     if (!is_sound(solver, request)) {
-        result.outcome = TDMF_RETURN_REFUSED;
-    } else if (!begin_motion(request, &s.start)) {
-        result.outcome = TDMF_RETURN_NO_START;
-    } else {
-        const double *state = s.start.state;
-        result.foot_clearance =
-            state[TDMF_FOOT_Y] - tdmf_ground_height_at(&s.start.mode.ground, state[TDMF_FOOT_X]);
-        run_stride(solver, &s, &result);
+        result->outcome = TDMF_RETURN_REFUSED;
+        return false;
+    }
+    if (!begin_motion(request, &s->start)) {
+        result->outcome = TDMF_RETURN_NO_START;
+        return false;
+    }
+    const double *state = s->start.state;
+    result->foot_clearance =
+        state[TDMF_FOOT_Y] - tdmf_ground_height_at(&s->start.mode.ground, state[TDMF_FOOT_X]);
+    begin_run(solver, s);
+    return true;
+}
+
+void tdmf_close_mapped_stride(tdmf_mapped_stride *s, tdmf_return *result) {
+    ++s->solver.solver->strides;
+    tdmf_end_runner_run(&s->solver.run, &s->solver.point);
+    write_stride(s, result);
+}
+
+tdmf_return tdmf_make_mapped_stride(tdmf_solver *solver, const tdmf_stride_request *request) {
+    tdmf_mapped_stride s;
+    tdmf_return result;
+    if (tdmf_begin_mapped_stride(&s, solver, request, &result)) {
+        result.solver = tdmf_run_page_solver(&s.solver, request->until, EVENT_apex);
+        const tdmf_stride_outcome ended = {result.solver, s.solver.has_stopped};
+        result.outcome = tdmf_return_outcome_of(ended);
+        if (ended.closed) {
+            tdmf_close_mapped_stride(&s, &result);
+        }
     }
     return result;
 }
 
 tdmf_return tdmf_return_map(tdmf_solver *solver, tdmf_system system, const double section[TDMF_SECTION_COUNT],
                             double until, bool derivatives, const tdmf_seed *seeds, int count) {
-    const stride_request request = {system, section, NULL, until, derivatives, false, seeds, count};
-    return stride_from(solver, &request);
+    const tdmf_stride_request request = {system, section, NULL, until, derivatives, false, seeds, count};
+    return tdmf_make_mapped_stride(solver, &request);
 }
 
 tdmf_return tdmf_return_map_at(tdmf_solver *solver, tdmf_system system, double foot_x,
                                const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
                                const tdmf_seed *seeds, int count) {
-    const stride_request request = {system, section, &foot_x, until, derivatives, false, seeds, count};
-    return stride_from(solver, &request);
+    const tdmf_stride_request request = {system, section, &foot_x, until, derivatives, false, seeds, count};
+    return tdmf_make_mapped_stride(solver, &request);
 }
 
 tdmf_return tdmf_measured_return_map(tdmf_solver *solver, tdmf_system system,
                                      const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
                                      const tdmf_seed *seeds, int count) {
-    const stride_request request = {system, section, NULL, until, derivatives, true, seeds, count};
-    return stride_from(solver, &request);
+    const tdmf_stride_request request = {system, section, NULL, until, derivatives, true, seeds, count};
+    return tdmf_make_mapped_stride(solver, &request);
 }

@@ -316,6 +316,8 @@ class Motion:
                 text = "interval_at(broadcast(-1.0), broadcast(1.0))"
             elif node.operation == "negative":
                 text = f"interval_at(-{of[0]}.high, -{of[0]}.low)"
+            elif node.operation == "*" and node.operands[0] is node.operands[1]:
+                text = f"interval_square({of[0]})"
             elif node.operation in INTERVALS:
                 text = f"{INTERVALS[node.operation]}({', '.join(of)})"
             else:

@@ -448,6 +448,59 @@ static void unsound_ensembles_are_refused(void **state) {
     free(population);
 }
 
+/* ---- strides --------------------------------------------------------------------------------------------
+ */
+
+static void assert_equal_strides(const tdmf_return *made, const tdmf_return *alone, int variations) {
+    assert_int_equal(made->outcome, alone->outcome);
+    assert_memory_equal(made->apex, alone->apex, sizeof alone->apex);
+    assert_memory_equal(&made->measures, &alone->measures, sizeof alone->measures);
+    assert_memory_equal(made->variations, alone->variations, (size_t)variations * sizeof *alone->variations);
+    assert_string_equal(made->stride.word, alone->stride.word);
+}
+
+/* Whichever of them close, fall or take no start. */
+static void strides_in_lanes_are_those_made_alone(put_runner *put) {
+    enum { ALL = TDMF_SECTION_COUNT + 1 };
+    population *population = make_population(put, 1);
+    tdmf_system *systems = calloc(RUNNERS, sizeof *systems);
+    double *until = calloc(RUNNERS, sizeof *until);
+    tdmf_return *made = calloc(RUNNERS, sizeof *made);
+    const tdmf_seed seed = {.inputs = {.ground = {.friction = 1.0}}};
+    tdmf_solver solver = tdmf_solver_default();
+    int closed = 0;
+    for (int i = 0; i < RUNNERS; ++i) {
+        const tdmf_ensemble_case *its_case = &population->cases[population->case_of[i]];
+        const tdmf_system system = {its_case->model, &its_case->inputs};
+        systems[i] = system;
+        until[i] = 1e4 * its_case->model->scales.time;
+    }
+    const tdmf_stride_batch batch = {
+        systems, population->ensemble.starts, until, RUNNERS, true, true, &seed, 1, 2};
+    assert_true(tdmf_run_strides(&solver, &batch, made));
+    for (int i = 0; i < RUNNERS; ++i) {
+        const tdmf_return alone =
+            tdmf_measured_return_map(&solver, systems[i], population->starts[i], until[i], true, &seed, 1);
+        assert_equal_strides(&made[i], &alone, ALL);
+        closed += alone.outcome == TDMF_RETURN_CLOSED;
+    }
+    assert_true(closed > RUNNERS / 20 && closed < RUNNERS);
+    free(systems);
+    free(until);
+    free(made);
+    free(population);
+}
+
+static void strides_near_the_gait_are_those_made_alone(void **state) {
+    (void)state;
+    strides_in_lanes_are_those_made_alone(start_near_the_gait);
+}
+
+static void any_strides_are_those_made_alone(void **state) {
+    (void)state;
+    strides_in_lanes_are_those_made_alone(start_anywhere);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(runners_near_the_gait_end_alike_by_every_instruction_set),
@@ -463,6 +516,8 @@ int main(void) {
         cmocka_unit_test(work_is_counted),
         cmocka_unit_test(each_event_is_met_once),
         cmocka_unit_test(unsound_ensembles_are_refused),
+        cmocka_unit_test(strides_near_the_gait_are_those_made_alone),
+        cmocka_unit_test(any_strides_are_those_made_alone),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1258,7 +1258,7 @@ static void bounds_flight_calm(const real *constants, const real *series, const 
     }
     if (watched >> 8 & 1) {
         const interval span_14 = interval_of_series(s->swing_torque, power, order);
-        const interval span_15 = interval_product(span_14, span_14);
+        const interval span_15 = interval_square(span_14);
         bounds[8] = span_15;
     }
 }
@@ -1715,7 +1715,7 @@ static void bounds_graze(const real *constants, const real *series, const real *
     }
     if (watched >> 9 & 1) {
         const interval span_4 = interval_of_series(s->product_3, power, order);
-        const interval span_5 = interval_product(span_4, span_4);
+        const interval span_5 = interval_square(span_4);
         bounds[9] = span_5;
     }
 }

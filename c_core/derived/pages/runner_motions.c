@@ -738,7 +738,7 @@ static void bounds_slip_constant(const real *constants, const real *series, cons
         const interval span_8 = interval_of_series(s->external_torque, power, 2);
         const interval span_9 = interval_at(c->product_2, c->product_2);
         const interval span_10 = interval_difference(span_8, span_9);
-        const interval span_11 = interval_product(span_10, span_10);
+        const interval span_11 = interval_square(span_10);
         bounds[13] = span_11;
     }
 }
@@ -1345,7 +1345,7 @@ static void bounds_stick(const real *constants, const real *series, const real *
         const interval span_30 = interval_of_series(s->external_torque, power, 2);
         const interval span_31 = interval_at(c->product_2, c->product_2);
         const interval span_32 = interval_difference(span_30, span_31);
-        const interval span_33 = interval_product(span_32, span_32);
+        const interval span_33 = interval_square(span_32);
         bounds[11] = span_33;
     }
 }
@@ -1900,7 +1900,7 @@ static void bounds_flight_calm(const real *constants, const real *series, const 
     }
     if (watched >> 14 & 1) {
         const interval span_21 = interval_of_series(s->swing_torque, power, order);
-        const interval span_22 = interval_product(span_21, span_21);
+        const interval span_22 = interval_square(span_21);
         bounds[14] = span_22;
     }
 }
@@ -2484,7 +2484,7 @@ static void bounds_graze(const real *constants, const real *series, const real *
     }
     if (watched >> 12 & 1) {
         const interval span_4 = interval_of_series(s->product_3, power, order);
-        const interval span_5 = interval_product(span_4, span_4);
+        const interval span_5 = interval_square(span_4);
         bounds[12] = span_5;
     }
 }
@@ -3184,7 +3184,7 @@ static void bounds_slip_falling(const real *constants, const real *series, const
         const interval span_12 = interval_of_series(s->external_torque, power, 2);
         const interval span_13 = interval_at(c->product_2, c->product_2);
         const interval span_14 = interval_difference(span_12, span_13);
-        const interval span_15 = interval_product(span_14, span_14);
+        const interval span_15 = interval_square(span_14);
         bounds[13] = span_15;
     }
 }
@@ -3818,7 +3818,7 @@ static void bounds_flight_pushed(const real *constants, const real *series, cons
     }
     if (watched >> 13 & 1) {
         const interval span_22 = interval_of_series(s->swing_torque, power, order);
-        const interval span_23 = interval_product(span_22, span_22);
+        const interval span_23 = interval_square(span_22);
         bounds[13] = span_23;
     }
 }

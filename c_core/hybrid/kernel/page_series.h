@@ -148,6 +148,13 @@ static inline interval interval_difference(interval a, interval b) {
     return interval_at(a.low - b.high, a.high - b.low);
 }
 
+static inline interval interval_square(interval a) {
+    const real of_low = a.low * a.low, of_high = a.high * a.high;
+    const mask has_zero = mask_not((a.low > 0.0) | (a.high < 0.0));
+    return interval_at(select(has_zero, broadcast(0.0), real_min(of_low, of_high)),
+                       real_max(of_low, of_high));
+}
+
 static inline interval interval_product(interval a, interval b) {
     const real ll = a.low * b.low, lh = a.low * b.high, hl = a.high * b.low, hh = a.high * b.high;
     return interval_at(real_min(real_min(ll, lh), real_min(hl, hh)),

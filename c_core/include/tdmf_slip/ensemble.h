@@ -235,6 +235,25 @@ typedef struct {
 TDMF_API bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends,
                                 tdmf_ensemble_work *work);
 
+/* Strides of many runners, and how they are made. */
+typedef struct {
+    const tdmf_system *systems;                   /* of each runner */
+    const double (*sections)[TDMF_SECTION_COUNT]; /* apices from which the strides start */
+    const double *until;                          /* s, that each stride may take */
+    int64_t count;                                /* of strides */
+    bool derivatives, measures;                   /* as of tdmf_return_map and tdmf_measured_return_map */
+    const tdmf_seed *seeds;                       /* along which all strides are differentiated */
+    int seed_count;                               /* how many */
+    int threads;                                  /* so many work at once */
+} tdmf_stride_batch;
+
+/* Makes strides side by side in lanes. Each result is that of tdmf_return_map or tdmf_measured_return_map,
+ * whoever its neighbours are and however many threads there are. The solver's counters stay as they are.
+ *
+ * Returns false without memory, or if an array is NULL, a number is below 0 or there is no thread. */
+TDMF_API bool tdmf_run_strides(const tdmf_solver *solver, const tdmf_stride_batch *batch,
+                               tdmf_return *results);
+
 /* The step of rough ground, over its roughness, with which a runner's stride begins: the first stride is 0.
  * Normal with mean 0 and standard deviation 1, and the same bits on every machine. */
 TDMF_API double tdmf_ground_step(uint64_t seed, uint64_t runner, uint32_t stride);

@@ -102,28 +102,34 @@ def exact_strides(
     derivatives: bool,
     along: Sequence[Along],
     measured: bool,
+    threads: int = 1,
 ) -> NDArray[Any]:
-    """One stride of each runner by the native solver, shape (runners,), with up to `SEEDS` derivatives."""
-    maps = c.tdmf_reduced_map, c.tdmf_measured_return_map if measured else c.tdmf_return_map
-    function = maps[0] if reduced else maps[1]
+    """One stride of each runner, in lanes, shape (runners,), with up to `SEEDS` derivatives."""
     returns = np.empty(len(apices), RETURN)
     out, sections = ffi.from_buffer("tdmf_return[]", returns), ffi.from_buffer("double[]", apices)
-    model, given = ffi.from_buffer("tdmf_model[]", models), ffi.from_buffer("tdmf_inputs[]", inputs)
     seeds = ffi.NULL
     if along:
         seeds = ffi.new("tdmf_seed[]", len(along))
         for k, direction in enumerate(along):
             seeds[k] = seed_of(direction)[0]
-    system = ffi.new("tdmf_system *")
-    one_model, one_input = len(models) == 1, len(inputs) == 1
-    longest = (LONGEST_STRIDE * models["scales"]["time"]).tolist()
-    for number in range(len(apices)):
-        system.model = model if one_model else model + number
-        system.inputs = given if one_input else given + number
-        section = sections + number * WIDTH
-        out[number] = function(
-            solver, system[0], section, longest[0 if one_model else number], derivatives, seeds, len(along)
-        )
+    systems = np.empty((len(apices), 2), np.uintp)
+    systems[:, 0] = address(models) + models.itemsize * (np.arange(len(apices)) if len(models) > 1 else 0)
+    systems[:, 1] = address(inputs) + inputs.itemsize * (np.arange(len(apices)) if len(inputs) > 1 else 0)
+    until = np.broadcast_to(LONGEST_STRIDE * models["scales"]["time"], len(apices)).copy()
+    system, longest = ffi.from_buffer("tdmf_system[]", systems), ffi.from_buffer("double[]", until)
+    if reduced:
+        for k in range(len(apices)):
+            out[k] = c.tdmf_reduced_map(
+                solver, system[k], sections + k * WIDTH, longest[k], derivatives, seeds, len(along)
+            )
+        return returns
+    batch = ffi.new("tdmf_stride_batch *")
+    batch.systems, batch.until, batch.count = system, longest, len(apices)
+    batch.sections = ffi.cast(f"double(*)[{WIDTH}]", sections)
+    batch.derivatives, batch.measures = derivatives, measured
+    batch.seeds, batch.seed_count, batch.threads = seeds, len(along), threads
+    if not c.tdmf_run_strides(solver, batch, out):
+        raise MemoryError("there is no memory for the strides")
     return returns
 
 

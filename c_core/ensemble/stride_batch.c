@@ -1,0 +1,113 @@
+/* Strides of the return map side by side: some hundred at a time, each in a lane of its page's batch. */
+#include "batch.h"
+#include "mapped_stride.h"
+#include "runner_pages.h"
+#include "tdmf_slip/ensemble.h"
+
+#include <stdlib.h>
+
+enum { STRIDES_AT_ONCE = 512 };
+
+/* Steps that a stride may take in a lane. One that takes more is made alone, by all rules of the solver. */
+static const long most_steps = 2000;
+
+typedef struct {
+    const tdmf_stride_batch *batch;
+    tdmf_solver solver;
+    tdmf_stride_request requests[STRIDES_AT_ONCE];
+    tdmf_mapped_stride strides[STRIDES_AT_ONCE];
+    /* Of the strides that run on one page: their runs, and their numbers in the arrays above. */
+    tdmf_page_run runs[STRIDES_AT_ONCE];
+    double until[STRIDES_AT_ONCE];
+    tdmf_run_outcome outcomes[STRIDES_AT_ONCE];
+    int numbers[STRIDES_AT_ONCE];
+} stride_part;
+
+static tdmf_stride_request request_of(const tdmf_stride_batch *batch, int64_t number) {
+    const tdmf_stride_request request = {.system = batch->systems[number],
+                                         .section = batch->sections[number],
+                                         .until = batch->until[number],
+                                         .derivatives = batch->derivatives,
+                                         .measures = batch->measures,
+                                         .seeds = batch->seeds,
+                                         .count = batch->seed_count};
+    return request;
+}
+
+/* Begins the run of a stride on its page. */
+static void begin_run(stride_part *part, int own, int place) {
+    const tdmf_runner_run *run = &part->strides[own].solver.run;
+    part->runs[place] = run->run;
+    part->runs[place].stop_event = tdmf_event_on_page(run->page, EVENT_apex);
+    part->runs[place].step_limit = most_steps;
+    part->until[place] = part->requests[own].until;
+    part->numbers[place] = own;
+}
+
+/* Writes a stride that has come to its apex. Any other is made once more, alone. */
+static void end_run(stride_part *part, int place, tdmf_return *results) {
+    const int own = part->numbers[place];
+    const tdmf_page_run *run = &part->runs[place];
+    if (part->outcomes[place] == TDMF_RUN_STOPPED && (run->taken >> run->stop_event & 1) != 0) {
+        part->strides[own].solver.run.run = *run;
+        tdmf_close_mapped_stride(&part->strides[own], &results[own]);
+    } else {
+        results[own] = tdmf_make_mapped_stride(&part->solver, &part->requests[own]);
+    }
+}
+
+/* Runs the strides of a part that were begun on a page. */
+static bool run_on_page(stride_part *part, const tdmf_runner_page *page, const bool *is_begun, int count,
+                        tdmf_return *results) {
+    const tdmf_model_kind model = tdmf_model_in_lanes(page);
+    tdmf_batch kernel = tdmf_batch_default();
+    for (int own = 0; own < count; ++own) {
+        if (is_begun[own] && part->strides[own].solver.run.page == page) {
+            begin_run(part, own, (int)kernel.count++);
+        }
+    }
+    kernel.runs = part->runs;
+    kernel.until = part->until;
+    kernel.outcomes = part->outcomes;
+    kernel.threads = part->batch->threads;
+    if (kernel.count > 0 && !tdmf_run_batch(&model, &kernel, NULL)) {
+        return false;
+    }
+    for (int place = 0; place < kernel.count; ++place) {
+        end_run(part, place, results);
+    }
+    return true;
+}
+
+static bool run_part(stride_part *part, int64_t first, int count, tdmf_return *results) {
+    bool is_begun[STRIDES_AT_ONCE];
+    for (int own = 0; own < count; ++own) {
+        part->requests[own] = request_of(part->batch, first + own);
+        is_begun[own] = tdmf_begin_mapped_stride(&part->strides[own], &part->solver, &part->requests[own],
+                                                 &results[first + own]);
+    }
+    return run_on_page(part, &tdmf_plain_page, is_begun, count, results + first) &&
+           run_on_page(part, &tdmf_whole_page, is_begun, count, results + first);
+}
+
+bool tdmf_run_strides(const tdmf_solver *solver, const tdmf_stride_batch *batch, tdmf_return *results) {
+    if (!solver || !batch || batch->count < 0 || batch->threads < 1 ||
+        (batch->count > 0 && (!batch->systems || !batch->sections || !batch->until || !results))) {
+        return false;
+    }
+    stride_part *part = malloc(sizeof *part);
+    if (!part) {
+        return false;
+    }
+    part->batch = batch;
+    part->solver = *solver;
+    part->solver.log = NULL;
+    part->solver.on_event = NULL;
+    bool is_made = true;
+    for (int64_t first = 0; is_made && first < batch->count; first += STRIDES_AT_ONCE) {
+        const int64_t left = batch->count - first;
+        is_made = run_part(part, first, left < STRIDES_AT_ONCE ? (int)left : STRIDES_AT_ONCE, results);
+    }
+    free(part);
+    return is_made;
+}

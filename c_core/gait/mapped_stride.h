@@ -1,0 +1,36 @@
+/* A stride of the return map before and after its run, between return_map.c and the batches of strides. */
+#ifndef TDMF_GAIT_MAPPED_STRIDE_H
+#define TDMF_GAIT_MAPPED_STRIDE_H
+
+#include "page_solver.h"
+#include "tdmf_slip/return_map.h"
+
+typedef struct {
+    tdmf_system system;
+    const double *section;
+    const double *foot_x; /* or NULL: 0, and there is no patch */
+    double until;
+    bool derivatives, measures;
+    const tdmf_seed *seeds;
+    int count;
+} tdmf_stride_request;
+
+typedef struct {
+    const tdmf_stride_request *request;
+    tdmf_motion start;
+    double
+        d_clearance[TDMF_VARIATION_LIMIT]; /* variation of the foot's height above the ground at the start */
+    tdmf_page_solver solver;
+} tdmf_mapped_stride;
+
+/* Begins a stride, whose run goes on to the event `apex`. False if there is none: `result` says why. */
+bool tdmf_begin_mapped_stride(tdmf_mapped_stride *s, tdmf_solver *solver, const tdmf_stride_request *request,
+                              tdmf_return *result);
+
+/* Writes a stride whose run has come to its apex. */
+void tdmf_close_mapped_stride(tdmf_mapped_stride *s, tdmf_return *result);
+
+/* A whole stride. */
+tdmf_return tdmf_make_mapped_stride(tdmf_solver *solver, const tdmf_stride_request *request);
+
+#endif
