@@ -49,14 +49,15 @@ static void vary_seed_lanes(const void *motions, int mode, const tdmf_seed_lanes
     m->vary(of.c, of.s[0], of.d, order, of.t[0]);
 }
 
-/* Copies the variations of one of the two seeds. */
+/* Copies the variations of one of the two seeds, in memory: compilers would move whole registers for one
+ * lane. */
 static void read_seed_lane(const void *motions, int mode, const tdmf_seed_lanes *lanes, int lane, int order,
                            double (*t)[TERMS]) {
     const tdmf_motion_kind *m = (const tdmf_motion_kind *)motions + mode;
     const seed_arrays of = seed_arrays_in(lanes);
     for (int i = 0; i < m->moving_count + m->extra_count; ++i) {
         for (int k = 0; k <= order; ++k) {
-            t[i][k] = of.t[i][k][lane];
+            memcpy(&t[i][k], (const char *)&of.t[i][k] + (size_t)lane * sizeof t[i][k], sizeof t[i][k]);
         }
     }
 }
