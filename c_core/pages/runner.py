@@ -190,12 +190,14 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         return r.to("slip", way=way, law="constant", **onto | r.kept_in_stance(onto))
 
     def resting(r):
-        """A foot at rest sticks inside the friction cone; outside, it slips in the direction of the push."""
+        """A foot at rest sticks inside the friction cone; outside, it slips in the direction of the push.
+
+        Where it stops late, the body keeps its velocity.
+        """
+        r = r.replace(vx=r.vx + r.foot_vx, foot_vx=0)
         along = r.standing().along
         way = select(along > 0, -1, 1)
-        if abs(along) <= r.cone(way):
-            return r.to("stick", foot_vx=0)
-        return r.replace(foot_vx=0).slide(way)
+        return r.to("stick") if abs(along) <= r.cone(way) else r.slide(way)
 
     def fly(r):
         """Flight begins, and thrust ends."""

@@ -91,7 +91,7 @@ void tdmf_write_guards(const tdmf_motion_instant *instant, const tdmf_mode *mode
         guards[i] = INFINITY;
     }
     for (int i = 0; i < kind->guard_count; ++i) {
-        const int guard = tdmf_guard_of_event(kind->guards[i].event);
+        const tdmf_guard guard = tdmf_guard_of_event(kind->guards[i].event);
         const bool must_rise = tdmf_has_to_cross(&kind->guards[i], instant->at.p, instant->at.x) &&
                                instant->watch[kind->guards[i].event] != WATCH_ABOVE;
         if (guard < TDMF_GUARD_COUNT && seen[i].is_watched) {

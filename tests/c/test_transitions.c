@@ -394,6 +394,19 @@ static void slip_that_touches_zero_goes_on(void **unused) {
     assert_string_equal(runner.motion.record.progress.open.word, "+");
 }
 
+/* The foot stops late. */
+static void stopping_the_foot_leaves_the_body_alone(void **unused) {
+    (void)unused;
+    runner runner = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, 0.3, 0.6);
+    runner.motion.state[TDMF_LEG_ANGLE_RATE] = -1.0;
+    runner.motion.state[TDMF_FOOT_VX] = -0.01;
+    const tdmf_point before = tdmf_body(runner.motion.state);
+    resolve(&runner, 1);
+    const tdmf_point after = tdmf_body(runner.motion.state);
+    assert_close(after.vx, before.vx, 1e-15);
+    assert_close(after.vy, before.vy, 1e-15);
+}
+
 /* ---- mid-stance and force peak ---------------------------------------------------------------------- */
 
 static void mid_stance_ends_the_drive_for_good(void **unused) {
@@ -577,6 +590,7 @@ int main(void) {
         cmocka_unit_test(slip_that_stops_under_external_torque_reverses),
         cmocka_unit_test(static_friction_decides_whether_a_foot_rests),
         cmocka_unit_test(slip_that_touches_zero_goes_on),
+        cmocka_unit_test(stopping_the_foot_leaves_the_body_alone),
         cmocka_unit_test(mid_stance_ends_the_drive_for_good),
         cmocka_unit_test(force_peak_is_noted_uncounted),
         cmocka_unit_test(graze_lasts_between_the_laws),

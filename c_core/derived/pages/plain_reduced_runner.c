@@ -1093,7 +1093,8 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
     (void)tables;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real vx_plus_foot_vx = x->vx + x->foot_vx;
+    const real length_rate = (x->x_ * vx_plus_foot_vx + x->y_ * x->vy) / length;
     const real spring = p->stiffness * (p->free_length - length) - p->damping * length_rate;
     const real axial = spring / length;
     const real stance_torque = x->external_torque - p->drive_torque * x->driving;
@@ -1102,6 +1103,7 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + p->foot_mass * p->gravity;
     const real cone = x->friction * normal;
+    y->vx = vx_plus_foot_vx;
     y->foot_vx = 0.0;
     if (real_abs(along) <= cone) {
         return next[0]; /* stick */
@@ -1116,11 +1118,12 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_reduced_runner_parameters *p = (const void *)parameters;
     const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
     plain_reduced_runner_states *y = (void *)after;
-    (void)d_parameters, (void)d_states, (void)tables, (void)seed;
+    (void)d_parameters, (void)tables, (void)seed;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real length_rate = (x->x_ * (x->vx + x->foot_vx) + x->y_ * x->vy) / length;
     const real spring = p->stiffness * (p->free_length - length) - p->damping * length_rate;
     const real axial = spring / length;
     const real stance_torque = x->external_torque - p->drive_torque * x->driving;
@@ -1129,6 +1132,8 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + p->foot_mass * p->gravity;
     const real cone = x->friction * normal;
+    const real vx_plus_foot_vx = dx->vx + dx->foot_vx;
+    y->vx = vx_plus_foot_vx;
     y->foot_vx = 0.0;
     if (real_abs(along) <= cone) {
         return;

@@ -720,7 +720,8 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
     (void)tables;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real vx_plus_foot_vx = x->vx + x->foot_vx;
+    const real length_rate = (x->x_ * vx_plus_foot_vx + x->y_ * x->vy) / length;
     const real spring = p->stiffness * (p->free_length - length) - p->damping * length_rate;
     const real axial = spring / length;
     const real stance_torque = x->external_torque - p->drive_torque * x->driving;
@@ -729,6 +730,7 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + p->foot_mass * p->gravity;
     const real cone = x->friction * normal;
+    y->vx = vx_plus_foot_vx;
     y->foot_vx = 0.0;
     if (real_abs(along) <= cone) {
         return next[0]; /* stick */
@@ -743,11 +745,12 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
+    const plain_runner_states *dx = (const void *)d_states;
     plain_runner_states *y = (void *)after;
-    (void)d_parameters, (void)d_states, (void)tables, (void)seed;
+    (void)d_parameters, (void)tables, (void)seed;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real length_rate = (x->x_ * (x->vx + x->foot_vx) + x->y_ * x->vy) / length;
     const real spring = p->stiffness * (p->free_length - length) - p->damping * length_rate;
     const real axial = spring / length;
     const real stance_torque = x->external_torque - p->drive_torque * x->driving;
@@ -756,6 +759,8 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + p->foot_mass * p->gravity;
     const real cone = x->friction * normal;
+    const real vx_plus_foot_vx = dx->vx + dx->foot_vx;
+    y->vx = vx_plus_foot_vx;
     y->foot_vx = 0.0;
     if (real_abs(along) <= cone) {
         return;
@@ -2015,7 +2020,8 @@ static int react_graze_graze_to_contact(const real *parameters, const real *stat
     }
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real vx_plus_foot_vx = x->vx + x->foot_vx;
+    const real length_rate = (x->x_ * vx_plus_foot_vx + x->y_ * x->vy) / length;
     const real spring = p->stiffness * (p->free_length - length) - p->damping * length_rate;
     const real axial = spring / length;
     const real stance_torque = x->external_torque - p->drive_torque * x->driving;
@@ -2024,6 +2030,7 @@ static int react_graze_graze_to_contact(const real *parameters, const real *stat
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + p->foot_mass * p->gravity;
     const real cone = x->friction * normal;
+    y->vx = vx_plus_foot_vx;
     y->foot_vx = 0.0;
     if (real_abs(along) <= cone) {
         return next[1]; /* stick */
@@ -2038,8 +2045,9 @@ static void vary_react_graze_graze_to_contact(const real *parameters, const real
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
+    const plain_runner_states *dx = (const void *)d_states;
     plain_runner_states *y = (void *)after;
-    (void)d_parameters, (void)d_states, (void)tables, (void)seed;
+    (void)d_parameters, (void)tables, (void)seed;
     y->placing = 0.0;
     if (real_abs(x->foot_vx) > 0.0) {
         y->way = 0.0;
@@ -2047,7 +2055,7 @@ static void vary_react_graze_graze_to_contact(const real *parameters, const real
     }
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real length_rate = (x->x_ * (x->vx + x->foot_vx) + x->y_ * x->vy) / length;
     const real spring = p->stiffness * (p->free_length - length) - p->damping * length_rate;
     const real axial = spring / length;
     const real stance_torque = x->external_torque - p->drive_torque * x->driving;
@@ -2056,6 +2064,8 @@ static void vary_react_graze_graze_to_contact(const real *parameters, const real
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + p->foot_mass * p->gravity;
     const real cone = x->friction * normal;
+    const real vx_plus_foot_vx = dx->vx + dx->foot_vx;
+    y->vx = vx_plus_foot_vx;
     y->foot_vx = 0.0;
     if (real_abs(along) <= cone) {
         return;

@@ -1882,7 +1882,8 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
         0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real vx_plus_foot_vx = x->vx + x->foot_vx;
+    const real length_rate = (x->x_ * vx_plus_foot_vx + x->y_ * x->vy) / length;
     const real spring = p->stiffness * (rest_length - length) - p->damping * length_rate;
     const real axial = spring / length;
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
@@ -1895,6 +1896,7 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
     const real cosine = real_cos(x->slope);
     const real normal = off + foot_mass_times_gravity * cosine;
     const real cone = p->static_ratio * x->friction * normal;
+    y->vx = vx_plus_foot_vx;
     y->foot_vx = 0.0;
     if (real_abs(sum_2) <= cone) {
         return next[0]; /* stick */
@@ -1909,14 +1911,15 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     const real *d_parameters, const real *d_states, const tdmf_table *tables, int seed, real *after) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
+    const reduced_runner_states *dx = (const void *)d_states;
     reduced_runner_states *y = (void *)after;
-    (void)d_parameters, (void)d_states, (void)tables, (void)seed;
+    (void)d_parameters, (void)tables, (void)seed;
     const real longer = p->thrust + p->more_thrust;
     const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
         0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real length_rate = (x->x_ * (x->vx + x->foot_vx) + x->y_ * x->vy) / length;
     const real spring = p->stiffness * (rest_length - length) - p->damping * length_rate;
     const real axial = spring / length;
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
@@ -1928,6 +1931,8 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     const real cosine = real_cos(x->slope);
     const real normal = off + foot_mass_times_gravity * cosine;
     const real cone = p->static_ratio * x->friction * normal;
+    const real vx_plus_foot_vx = dx->vx + dx->foot_vx;
+    y->vx = vx_plus_foot_vx;
     y->foot_vx = 0.0;
     if (real_abs(along + foot_mass_times_gravity * sine) <= cone) {
         return;

@@ -1490,7 +1490,8 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
         0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real vx_plus_foot_vx = x->vx + x->foot_vx;
+    const real length_rate = (x->x_ * vx_plus_foot_vx + x->y_ * x->vy) / length;
     const real spring = p->stiffness * (rest_length - length) - p->damping * length_rate;
     const real axial = spring / length;
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
@@ -1521,6 +1522,7 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + foot_mass_times_gravity * cosine;
     const real cone = p->static_ratio * friction_along * normal;
+    y->vx = vx_plus_foot_vx;
     y->foot_vx = 0.0;
     if (real_abs(sum_2) <= cone) {
         y->friction_ahead = friction_ahead_or_friction;
@@ -1560,7 +1562,7 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
         0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real length_rate = (x->x_ * (x->vx + x->foot_vx) + x->y_ * x->vy) / length;
     const real spring = p->stiffness * (rest_length - length) - p->damping * length_rate;
     const real axial = spring / length;
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
@@ -1598,6 +1600,8 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     const real friction_behind_or_d_friction = select(p->keeps_friction > 0.0, dx->friction_behind,
         variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, sum_3,
         select(abs_of_sum_minus_by_1 > 0.0, 0.0, dp->patch_friction)));
+    const real vx_plus_foot_vx = dx->vx + dx->foot_vx;
+    y->vx = vx_plus_foot_vx;
     y->foot_vx = 0.0;
     if (real_abs(sum_2) <= cone) {
         y->friction_ahead = friction_ahead_or_d_friction;
@@ -5472,7 +5476,8 @@ static int react_graze_graze_to_contact(const real *parameters, const real *stat
         0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real vx_plus_foot_vx = x->vx + x->foot_vx;
+    const real length_rate = (x->x_ * vx_plus_foot_vx + x->y_ * x->vy) / length;
     const real spring = p->stiffness * (rest_length - length) - p->damping * length_rate;
     const real axial = spring / length;
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
@@ -5488,6 +5493,7 @@ static int react_graze_graze_to_contact(const real *parameters, const real *stat
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + foot_mass_times_gravity * cosine;
     const real cone = p->static_ratio * friction_along * normal;
+    y->vx = vx_plus_foot_vx;
     y->foot_vx = 0.0;
     if (real_abs(sum_3) <= cone) {
         y->friction_ahead = friction_ahead_or_friction;
@@ -5567,7 +5573,7 @@ static void vary_react_graze_graze_to_contact(const real *parameters, const real
         0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
-    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real length_rate = (x->x_ * (x->vx + x->foot_vx) + x->y_ * x->vy) / length;
     const real spring = p->stiffness * (rest_length - length) - p->damping * length_rate;
     const real axial = spring / length;
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
@@ -5588,6 +5594,8 @@ static void vary_react_graze_graze_to_contact(const real *parameters, const real
     const real off = axial * x->y_ + turning * x->x_;
     const real normal = off + foot_mass_times_gravity * cosine;
     const real cone = p->static_ratio * friction_along * normal;
+    const real vx_plus_foot_vx = dx->vx + dx->foot_vx;
+    y->vx = vx_plus_foot_vx;
     y->foot_vx = 0.0;
     if (real_abs(sum_3) <= cone) {
         y->friction_ahead = friction_ahead_or_d_friction;
