@@ -1,21 +1,26 @@
-# tdmf_slip_unit_sources(<variable> <object library>...): the C files of a unit, from the lists of the core and of
-# these libraries. Sets <variable>_files, absolute paths with private headers, and <variable>_names, the C files' names. In
-# the unit they lie in one folder, so every name may occur once. SUNDIALS stays out: CVODE is refused with a message.
+# tdmf_slip_unit_sources(<variable> <object library>...): the C files of a unit, from those of the core that run the
+# runner's page and the lists of these libraries. Sets <variable>_files, absolute paths with private headers, and
+# <variable>_names, the C files' names. In the unit they lie in one folder, so every name may occur once. SUNDIALS stays
+# out: CVODE is refused with a message.
 function(tdmf_slip_unit_sources variable)
-    set(files ${PROJECT_SOURCE_DIR}/c_core/solver/no_cvode.c ${PROJECT_SOURCE_DIR}/c_core/runner/cvode_runs.c)
-    foreach(target IN ITEMS tdmf_slip tdmf_slip_internal ${ARGN})
+    set(core ${PROJECT_SOURCE_DIR}/c_core)
+    set(files ${core}/derived/pages/runner.c ${core}/derived/pages/runner.h ${core}/derived/pages/runner_motions.c
+              ${core}/derived/pages/unit_page.h ${core}/hybrid/kernel/driver.c ${core}/hybrid/kernel/observed.c
+              ${core}/hybrid/kernel/page_exchange.c ${core}/hybrid/kernel/page_instant.c
+              ${core}/hybrid/kernel/run_state.c ${core}/hybrid/kernel/no_page_cvode.c)
+    set(folders ${core}/kernel ${core}/hybrid/kernel)
+    foreach(target IN ITEMS ${ARGN})
         get_target_property(sources ${target} SOURCES)
-        list(FILTER sources EXCLUDE REGEX "TARGET_OBJECTS|_seeds.c$") # a unit makes no Jacobians of strides
         get_target_property(folder ${target} SOURCE_DIR)
         foreach(source IN LISTS sources)
             cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${folder})
             list(APPEND files ${source})
             cmake_path(GET source PARENT_PATH parent)
-            list(APPEND folders ${parent})
+            if(NOT parent STREQUAL "${core}/derived/pages")
+                list(APPEND folders ${parent})
+            endif()
         endforeach()
     endforeach()
-    list(APPEND folders ${PROJECT_SOURCE_DIR}/c_core/kernel
-         ${PROJECT_SOURCE_DIR}/c_core/solver)
     list(REMOVE_DUPLICATES folders)
     foreach(folder IN LISTS folders)
         cmake_path(IS_PREFIX PROJECT_BINARY_DIR ${folder} is_generated)

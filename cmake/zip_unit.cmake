@@ -1,5 +1,5 @@
 # Fills a unit's folder, which has its binaries already, and zips it:
-#   cmake -DFOLDER=<folder> -DFILES=<list of file=place> -DINCLUDE=<the core's headers> -DOUTPUT=<file> -P zip_unit.cmake
+#   cmake -DFOLDER=<folder> -DFILES=<list of file=place> -DOUTPUT=<file> -P zip_unit.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/glob.cmake)
 tdmf_slip_glob(old ${FOLDER} *)
 list(FILTER old EXCLUDE REGEX "/binaries$")
@@ -11,7 +11,6 @@ foreach(pair IN LISTS files)
     string(REGEX MATCH "^(.+)=(.+)$" pair "${pair}")
     configure_file(${CMAKE_MATCH_1} ${FOLDER}/${CMAKE_MATCH_2} COPYONLY)
 endforeach()
-file(COPY ${INCLUDE}/ DESTINATION ${FOLDER}/sources)
 tdmf_slip_glob(parts ${FOLDER} * RELATIVE ${FOLDER})
 execute_process(COMMAND ${CMAKE_COMMAND} -E tar cf ${OUTPUT} --format=zip ${parts}
                 WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE result)

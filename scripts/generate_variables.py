@@ -3,7 +3,6 @@
 
     generate_variables.py declarations SOURCE OUTPUT    C: parameters, inputs, states, guards
     generate_variables.py ranges      SOURCE OUTPUT     C: ranges and starts for the core
-    generate_variables.py variables   SOURCE OUTPUT     C: value references and storage for the unit
     generate_variables.py guid        SOURCE OUTPUT --version V     C: the units' guid
     generate_variables.py fmi2        SOURCE OUTPUT --version V --sources F...
                                                                     the description inside the FMI 2.0 unit
@@ -26,8 +25,6 @@ import xml.etree.ElementTree as ElementTree
 
 # Parameters of these groups belong to the unit; all others are the core's.
 UNIT_GROUPS = {"status", "solver"}
-# C's enumerators of the enumerations' items.
-ENUMERATORS = {"contact.mode": "TDMF_CONTACT_", "hip.phase": "TDMF_PHASE_", "solver.method": "SOLVER_"}
 C_TYPES = {"Real": "double", "Boolean": "bool"}
 GUARDS = "guard"
 """The group of the event indicators."""
@@ -280,96 +277,6 @@ def ranges(table):
             "const tdmf_quantity tdmf_state_quantities[TDMF_STATE_COUNT] = {",
             *quantities,
             "};",
-        ]
-    )
-
-
-# ---- the unit's table ----------------------------------------------------------------------------------
-
-
-def storage(variable, table):
-    """Where the unit keeps a variable: (kind, C expression of its offset or index)."""
-    if variable.causality == "independent":
-        return "TIME", "0"
-    if variable.derivative:
-        return "DERIVATIVE", table.by_name[variable.derivative].constant
-    if variable in table.states:
-        return "STATE", variable.constant
-    if variable in table.guards:
-        return "GUARD", variable.constant
-    if variable.causality == "parameter":
-        if variable.group in UNIT_GROUPS:
-            return "SETTING", f"offsetof(fmu_settings, {variable.name})"
-        return "PARAMETER", f"offsetof(tdmf_parameters, {variable.name})"
-    if variable.causality == "input":
-        return "INPUT", f"offsetof(tdmf_inputs, {variable.name})"
-    if variable.group == "solver":
-        return "WORK", f"offsetof(fmu_work, {variable.name})"
-    return "OUTPUT", f"offsetof(tdmf_outputs, {variable.name})"
-
-
-def variable_row(variable, table):
-    """A row of `fmu_variable`."""
-    kind, member = storage(variable, table)
-    unit = f'"{variable.unit}"' if variable.unit else "NULL"
-    settable_before_start = (
-        "true" if variable.initial == "exact" or variable.causality == "input" else "false"
-    )
-    changes_at_events = variable.value.get("reinit", "false")
-    limits = f"{variable.limit('min')}, {variable.limit('max')}, {variable.start}"
-    if variable.type in ("Boolean", "String"):
-        limits = f"0, 1, {variable.start}"
-    return (
-        f'    {{"{variable.name}", {unit}, VARIABLE_{variable.type.upper()}, STORED_{kind}, {member}, '
-        f"VARIABILITY_{variable.variability.upper()}, {settable_before_start}, {changes_at_events}, "
-        f"{limits}}},"
-    )
-
-
-def agreement(claim, what):
-    """A C99 compile-time check: an array of negative size where the claim is false."""
-    return f"typedef char agrees_{what}[({claim}) ? 1 : -1];"
-
-
-def agreements(table):
-    """What XML and C both state, as compile-time checks."""
-    lines = [
-        agreement(f"TDMF_GUARD_COUNT == {len(table.guards)}", "number_of_event_indicators"),
-        agreement(f"TDMF_STATE_COUNT == {len(table.states)}", "number_of_states"),
-    ]
-    for group in (table.states, table.guards):
-        lines += [agreement(f"{v.constant} == {i}", v.constant) for i, v in enumerate(group)]
-    for variable in table.variables:
-        for item in variable.items:
-            constant = ENUMERATORS[variable.name] + item.get("name").upper()
-            lines.append(agreement(f"{constant} == {item.get('value')}", constant))
-    return lines
-
-
-def item_names(table, name):
-    """The names of an enumeration's items as a C array."""
-    names = ", ".join(f'"{item.get("name")}"' for item in table.by_name[name].items)
-    return f"const char *const fmu_{name.replace('.', '_')}_names[] = {{{names}}};"
-
-
-def variables(table):
-    """The C file behind fmu_src/variables.h."""
-    return generated(
-        [
-            '#include "variables.h"',
-            "",
-            "#include <float.h>",
-            "",
-            "/* What C and XML must agree on. */",
-            *agreements(table),
-            "",
-            "const fmu_variable fmu_variables[] = {",
-            *[variable_row(v, table) for v in table.variables],
-            "};",
-            "const size_t fmu_variable_count = sizeof fmu_variables / sizeof fmu_variables[0];",
-            "",
-            item_names(table, "contact.mode"),
-            item_names(table, "hip.phase"),
         ]
     )
 
@@ -763,7 +670,6 @@ def main():
     makers = {
         "declarations": lambda: declarations(table),
         "ranges": lambda: ranges(table),
-        "variables": lambda: variables(table),
         "guid": lambda: guid(arguments.source, arguments.version),
         "fmi2": lambda: fmi2(table, identity, arguments.version, arguments.sources),
         "fmi3": lambda: fmi3(table, identity, arguments.version),

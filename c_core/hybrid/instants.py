@@ -289,6 +289,7 @@ class Instants:
             raise page_error(motion.function, key[0], text)
         row = {"motion": f"&tdmf_{self.page.c}_motions[MODE_{name}]"}
         row |= {"ends": "true"} if motion.function.ends else {}
+        row |= {"keeps_outputs": "true"} if motion.function.keeps_outputs else {}
         row |= self.constants(motion)
         guards = [row_in_c(self.guard_row(key, event)) for event in motion.watched]
         observed = [(o.part.upper().replace(" ", "_"), o.into) for o in motion.observed.values()]

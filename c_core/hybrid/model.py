@@ -51,14 +51,16 @@ def _words(text, what):
     return text.split()
 
 
-def mode(words="", of=None, ends=False, time_scale=None):
+def mode(words="", of=None, ends=False, keeps_outputs=False, time_scale=None):
     """Mark the function that gives the rates of the states in a mode.
 
     Its `words` tell cases apart: each case that a run can reach becomes a mode of its own in C. `of` names
     its coordinates. `time_scale` is that of a law whose series does not show it: steps are at most three
-    times as long. A mode that `ends` the run has no rates.
+    times as long. A mode that `ends` the run has no rates. With `keeps_outputs`, a unit goes on to show the
+    outputs of the mode before.
     """
-    return _marked(is_mode=True, words=_words(words, "mode"), ends=ends, time_scale=time_scale, of=of)
+    marks = {"ends": ends, "keeps_outputs": keeps_outputs, "time_scale": time_scale, "of": of}
+    return _marked(is_mode=True, words=_words(words, "mode"), **marks)
 
 
 def coordinates(name):
@@ -156,7 +158,7 @@ class _Body(dict):
 
 
 NAME_LIMIT = 60
-OVERRIDABLE = "start", "scales", "prefix", "decayed", "leaving"
+OVERRIDABLE = "start", "scales", "nominals", "prefix", "decayed", "leaving"
 """Names of `Model` that a page may set."""
 MARKS = (
     "is_mode", "is_event", "is_output", "is_observed", "is_on_set", "is_required", "is_section", "is_table",
@@ -210,6 +212,8 @@ class Model(metaclass=_Page):
     """The mode in which runs start, and its words."""
     scales: ClassVar = {}
     """Typical size of quantities by unit, as functions of the parameters; 1 by default."""
+    nominals: ClassVar = {}
+    """Typical sizes of states in a unit that are not those of their units, as functions of the parameters."""
     prefix = ""
     """Prefix that a part gives to the names of its quantities in a unit."""
     decayed = 60

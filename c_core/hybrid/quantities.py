@@ -118,9 +118,14 @@ def state(value=0.0, unit="1", meaning="", name=None, of=None, values=float, **w
     return _declared("state", value, unit, meaning, name, within, role="state", of=of, values=values)
 
 
-def clock(meaning="Time"):
-    """The time, a state with rate 1 in every mode."""
-    return _declared("state", 0.0, "s", meaning, None, {}, role="clock", is_clock=True)
+def clock(meaning="Time", held_in=""):
+    """The time, a state with rate 1 in every mode.
+
+    If states are named that hold times of it, a unit counts it from the start of its run, so that durations
+    keep their digits however late that is. Such a state is negative as long as it holds no time.
+    """
+    given = {"role": "clock", "is_clock": True, "held_in": held_in.split()}
+    return _declared("state", 0.0, "s", meaning, None, {}, **given)
 
 
 def letters(alphabet):

@@ -158,7 +158,7 @@ class Unit:
         self.of_outputs, self.moving_outputs = self.world.dependencies(self.world.outputs)
         self.of_guards, _ = self.world.dependencies(self.world.guards)
         self.guards = {n: Guard([n], None) for n in page.events if self.is_indicator(n)}
-        peaks = {n: o.into for n, o in page.observed.items() if o.part == "largest"}
+        peaks = {n: o.into for n, o in page.observed.items() if o.part == "largest" and o.is_usual}
         self.guards |= {n: Guard([], into) for n, into in peaks.items()}
         self.event_names = {n: n for n in page.events}
         kinds = {n: f.kind_of_value for n, f in page.outputs.items()}
@@ -340,7 +340,41 @@ class Unit:
             if function.of_variable not in self.number:
                 near = f"`{function.of_variable}` is no variable of the unit"
                 raise page_error(function, name, near)
-            rows.append(f"{{{self.number[function.of_variable]}, {json.dumps(function.allowed)}, {margin}}},")
+            forget_expressions()
+            value = self.page.number(function, self.page.keys[0], name)
+            of_parameters = c_boolean(
+                not {self.world.names[leaf.value[3:]] for leaf in leaves_of([value])}
+                & self.page.states.keys()
+            )
+            number = self.number[function.of_variable]
+            rows.append(f"{{{of_parameters}, {number}, {json.dumps(function.allowed)}, {margin}}},")
+        return rows
+
+    def nominals(self, functions):
+        """Rows of typical sizes that the page gives to continuous states."""
+        rows = []
+        for name, function in self.model.nominals.items():
+            forget_expressions()
+            value, taken = self.page.number(function, self.page.keys[0], name), {}
+            body = statements([value], taken, set()) + f"    return {c_text(value, taken.get)};\n"
+            answer = functions.add(f"nominal_{name}", "answer", body, f"Typical size of {name}.")
+            rows.append(f"{{{self.world.states.index(name)}, {answer}}},")
+        return rows
+
+    def bounds(self):
+        """Rows of states that belong to no coordinates, and are bounded or of whole numbers."""
+        rows, largest = [], number_text(2.0**53)
+        for number, (name, q) in enumerate(self.page.states.items()):
+            if q.of or q.is_input or (q.values is float and not q.within):
+                continue
+            is_whole = q.values is not float
+            least, most = ("0.0", "1.0") if q.values is bool else (f"-{largest}", largest)
+            if q.within:
+                bounds = range_of(q)
+                least = number_text(bounds[0]) if abs(bounds[0]) < 1e300 else least
+                most = number_text(bounds[1]) if abs(bounds[1]) < 1e300 else most
+            moves = c_boolean(name in self.world.moving)
+            rows.append(f"{{{number}, {least}, {most}, {c_boolean(is_whole)}, {moves}}},")
         return rows
 
     def variable_row(self, row):
@@ -377,8 +411,26 @@ class Unit:
         counts["ENUMERATION"] = self.enumerations
         counts["REQUIREMENT"] = page.model.marked("is_required")
         lines = [f"UNIT_{name}_COUNT = {len(of)}," for name, of in counts.items()]
+        lines.append(f"UNIT_NOMINAL_COUNT = {len(self.model.nominals)},")
+        lines.append(f"UNIT_BOUND_COUNT = {len(self.bounds())},")
+        lines.append(f"UNIT_CLOCK_IS_RELATIVE = {int(bool(self.times()))},")
         top = TOP.format(name=self.identifier)
         return f"{top}#ifndef UNIT_PAGE_H\n#define UNIT_PAGE_H\n\nenum {{\n{lines_of(lines)}}};\n\n#endif\n"
+
+    def times(self):
+        """Names of the states that hold times of a clock."""
+        return {name for clock in self.page.clocks for name in self.page.states[clock].held_in}
+
+    def immediate_events(self):
+        """Events whose guards are below zero for ever, as bits: only their conditions make them due."""
+        page, found = self.page, 0
+        for number, name in enumerate(page.events):
+            keys = [key for key in page.keys if name in page.watched(key)]
+            forget_expressions()
+            guards = [page.guard(key, name) for key in keys]
+            if guards and all(guard.operation == "number" for guard in guards):
+                found |= 1 << number
+        return found
 
     def tables(self):
         """The tables of the unit."""
@@ -401,9 +453,11 @@ class Unit:
             "unit_guard unit_guards": guards,
             "unit_word unit_words": words,
             "unit_requirement unit_requirements": self.requirements(functions),
+            "unit_bound unit_bounds": self.bounds(),
+            "unit_nominal unit_nominals": self.nominals(functions),
             "char *const unit_allowed": [f"{text}," for text in ranges],
             "int unit_input_rates": [f"{ramps.get(n, -1)}," for n in names],
-            "bool unit_is_clock": [f"{c_boolean(n in page.clocks)}," for n in names],
+            "bool unit_holds_time": [f"{c_boolean(n in self.times())}," for n in names],
         }
         variables = [self.variable_row(row) for row in self.rows]
         parts = [
@@ -414,6 +468,8 @@ class Unit:
             f"const tdmf_model_kind *const unit_model = &tdmf_{page.c}_model;\n",
             f"const fmu_variable fmu_variables[] = {{\n{lines_of(variables)}}};",
             f"const size_t fmu_variable_count = {len(variables)};\n",
+            f"const int unit_clock = {names.index(page.clocks[0]) if page.clocks else -1};\n",
+            f"const uint64_t unit_immediate_events = UINT64_C({self.immediate_events()});\n",
             *(f"static const char *const names_of_{n}[] = {{{of}}};\n" for n, of in items),
             *(f"const {name}[] = {{\n{lines_of(of or empty(name))}}};\n" for name, of in rows.items()),
         ]

@@ -11,6 +11,7 @@ from ..hybrid.generate import generate, seeds_of
 from ..hybrid.page import Page
 from ..hybrid.tables import list_in_c
 from . import ClassicSlip, PlainReducedRunner, PlainRunner, ReducedRunner, Runner
+from .unit import runner_unit
 
 PAGES = ClassicSlip, PlainReducedRunner, PlainRunner, ReducedRunner, Runner
 
@@ -46,5 +47,7 @@ for page in pages.values():
 prefixes = {PlainRunner: "", ReducedRunner: "reduced_", PlainReducedRunner: "plain_reduced_"}
 for model, prefix in prefixes.items():
     texts[f"{pages[model].c}_in_runner.h"] = places_in(pages[Runner], pages[model], prefix)
+unit = runner_unit(pages[Runner])
+texts |= {"unit_page.h": unit.header(), "unit_page.c": unit.tables()}
 for name, text in texts.items():
     (folder / name).write_text(text, encoding="utf-8")

@@ -16,7 +16,7 @@ class Friction(Model):
         0, "m/s", "Stribeck velocity: scale of the slip speed over which friction falls, v_s",
         least=0, most=1e9)
 
-    way = state(1, "1", "Direction of slip, 1 or -1")
+    way = state(1, "1", "Direction of slip, 1 or -1", values=int, least=-1, most=1)
     friction_loss = state(
         0, "J", "Energy lost to sliding friction since the start", name="energy.friction_loss")
     impact_loss = state(0, "J", "Energy lost in impacts since the start", name="energy.impact_loss")
@@ -55,6 +55,13 @@ class Friction(Model):
     def friction_falls(r):
         """Whether friction falls with the slip speed."""
         return r.stribeck_velocity > 0 and r.static_ratio > 1
+
+    def speed_of_friction(r):
+        """Speed over which friction changes: the Stribeck velocity where friction falls with speed."""
+        usual = r.scales["m/s"](r)
+        falls = select(r.static_ratio > 1, select(r.stribeck_velocity > 0, 1, 0), 0)
+        return select(falls * r.stribeck_velocity > 0, select(
+            r.stribeck_velocity < usual, r.stribeck_velocity, usual), usual)
 
     def speed_in_layer(r):
         """Slip speed over the Stribeck velocity, by which margins are small in a thin layer, too."""

@@ -29,8 +29,9 @@ class Ground(Model):
         False, "1", "Whether a stance keeps the friction of the segment on which it began")
 
     height = state(0, "m", "Height at x = 0 of the ground line in force")
-    slope = state(0, "rad", "Slope of the ground line in force")
-    segment = state(-1, "1", "Segment of the ground below the foot; a run starts before the first")
+    slope = state(0, "rad", "Slope of the ground line in force", least=-1.5, most=1.5)
+    segment = state(
+        -1, "1", "Segment of the ground below the foot; a run starts before the first", values=int)
     segment_begin = state(-FAR, "m", "Position where the segment begins")
     segment_end = state(-FAR, "m", "Position where the segment ends")
     segment_height = state(0, "m", "Height of the segment's line at x = 0, above ground.height")
@@ -60,7 +61,7 @@ class Ground(Model):
         if r.mode == "start_of_run" or r.trips <= 0:
             return moved
         if moved.foot_above(moved.set_height(), moved.set_slope()) < -r.margin_of("m"):
-            return moved.to("fallen")
+            return moved.to("fallen", has_fallen=1)
         return moved
 
     def kept_in_stance(r, changes):

@@ -37,13 +37,16 @@ class Hip(Model):
 
     liftoff_angle = state(
         0, "rad", "Leg angle when the foot last left the ground, theta_LO", name="hip.liftoff_angle")
-    driving = state(0, "1", "1 from touchdown to mid-stance, else 0")
-    swing = state(PLACE, "1", "Law of the hip in flight: 0 rest, 1 retract, 2 place")
-    placing = state(0, "s", "In place, the time since it began; else 0", name="hip.place_time")
+    driving = state(0, "1", "1 from touchdown to mid-stance, else 0", values=bool)
+    swing = state(
+        PLACE, "1", "Law of the hip in flight: 0 rest, 1 retract, 2 place", values=int, least=REST,
+        most=PLACE)
+    placing = state(0, "s", "In place, the time since it began; else 0", name="hip.place_time", least=0)
     touchdown_time = state(0, "s", "Time of the last impact")
-    was_placed = state(0, "1", "1 if the leg was being placed at the last impact, else 0")
-    placed_for = state(0, "s", "Time in place at the last impact")
-    rises_again = state(0, "1", "1 if an impact with immediate lift-off interrupted place, else 0")
+    was_placed = state(0, "1", "1 if the leg was being placed at the last impact, else 0", values=bool)
+    placed_for = state(0, "s", "Time in place at the last impact", least=0)
+    rises_again = state(
+        0, "1", "1 if an impact with immediate lift-off interrupted place, else 0", values=bool)
     work = state(0, "J", "Work of the total hip torque since the start, W")
 
     def stance_torque(r):

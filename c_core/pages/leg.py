@@ -73,7 +73,7 @@ class Leg(Model):
     """Distance of the foot from the ground in contact and its rate: states of ground that yields."""
     winding = state(0, "rad", "Leg angle less its principal value: a multiple of 2 pi", of="ground")
 
-    thrusting = state(0, "1", "1 from greatest compression to lift-off, else 0")
+    thrusting = state(0, "1", "1 from greatest compression to lift-off, else 0", values=bool)
     leg_work = state(0, "J", "Work of thrust and leg extension since the start", name="leg.work")
     positive_leg_work = state(0, "J", "Positive works of jumps of the rest length since the start")
     external_work = state(

@@ -1,6 +1,6 @@
 """TDMF-SLIP: a spring-legged runner whose foot has a mass and can slip (Or & Moravia 2016)."""
 
-from ..hybrid import Model, Record, cos, event, mode, output, require, section, select, sin, sqrt
+from ..hybrid import Model, Record, cos, event, mode, output, require, section, select, sin, sqrt, state
 from .friction import Friction
 from .ground import Ground
 from .hip import PLACE, REST, RETRACT, Hip
@@ -24,6 +24,8 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         "N2.m2.s": lambda r: (r.stiffness * r.free_length * r.free_length) ** 2
         * sqrt(r.body_mass / r.stiffness),
     }
+
+    nominals = {"seen_vx": lambda r: r.speed_of_friction()}
 
     # ---- forces of the ground
 
@@ -57,10 +59,32 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         """Height of the foot above the ground."""
         return r.foot_above(r.set_height(), r.set_slope()) + r.margin_of("m")
 
-    @require("leg.length", "longer than leg.min_length")
+    @require("leg.length", "at least leg.min_length")
     def starts_long_enough(r):
         """Length of the leg in excess of leg.min_length."""
         return r.length - r.least_length
+
+    @require("body.y", "above the ground; it follows from foot.y, leg.length and leg.angle")
+    def body_starts_above_ground(r):
+        """Positive where the body is above the ground."""
+        body, height, slope = r.body(), r.set_height(), r.set_slope()
+        return select(cos(slope) * (body.y - height) - sin(slope) * body.x > 0, 1, -1)
+
+    @require("leg.min_length", "at most leg.free_length")
+    def can_be_unloaded(r):
+        """Length of the unloaded leg in excess of leg.min_length."""
+        return r.free_length - r.least_length
+
+    @require("ground.patch_end", "at least ground.patch_begin")
+    def patch_has_length(r):
+        """Length of the patch."""
+        return r.patch_end - r.patch_begin
+
+    @require("ground.stribeck_velocity", "0, or at least 1e-9 leg.free_length sqrt(leg.stiffness/body.mass)")
+    def layer_is_wide(r):
+        """Positive if the layer in which friction falls is not too narrow, or absent."""
+        narrowest = 1e-9 * r.free_length * sqrt(r.stiffness / r.body_mass)
+        return select(r.stribeck_velocity > 0, r.stribeck_velocity - narrowest, 0)
 
     @mode(of="world")
     def start_of_run(r):
@@ -152,10 +176,13 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         acceleration = -(push.along + weight.along) / r.foot_mass
         return r.on_ground(push, r.torque(), acceleration) | r.swing_rates()
 
-    @mode(of="world", ends=True)
+    @mode(of="world", ends=True, keeps_outputs=True)
     def fallen(r):
         """The run is over."""
         return {}
+
+    has_fallen = state(
+        0, "1", "Whether the runner has fallen, which freezes the motion", name="status.fallen", values=bool)
 
     # ---- changes of mode
 
@@ -224,13 +251,13 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
     @event("flight stick slip graze", when=lambda r: r.body_above(), unit="m", counted=False)
     def falls(r):
         """The body reaches the ground."""
-        return r.to("fallen")
+        return r.to("fallen", has_fallen=1)
 
     @event("flight stick slip graze", when=lambda r: r.leg().length - r.least_length, unit="m",
            counted=False)
     def collapses(r):
         """The leg is shorter than leg.min_length."""
-        return r.to("fallen")
+        return r.to("fallen", has_fallen=1)
 
     @event("flight", when=lambda r: r.rise(), unit="m/s", crossing=lambda r: r.swing > RETRACT,
            only=lambda r: r.wind == "pushed" or r.swing < PLACE or r.rises_again > 0)
@@ -406,10 +433,6 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
             return select(r.driving > 0, 1, 2)
         return select(r.swing < PLACE, 3, 4) if r.mode in ("flight", "graze") else 4
 
-    has_fallen = output(
-        "1", "Whether the runner has fallen, which freezes the motion", name="status.fallen", kind=bool,
-        of=lambda r: 1 if r.mode == "fallen" else 0)
-
 
 class RunnerOnOneLine(Runner):
     """The runner on ground that is one line, of one friction."""
@@ -417,7 +440,7 @@ class RunnerOnOneLine(Runner):
     patch_begin = patch_end = patch_friction = by_stride = trips = keeps_friction = 0
     segment = segment_begin = segment_end = segment_height = segment_slope = 0
     friction_ahead = friction_behind = -1
-    ground_segment = passes_end = passes_begin = next_segment_comes = crosses_border = None
+    ground_segment = passes_end = passes_begin = next_segment_comes = crosses_border = patch_has_length = None
 
     def on_segment(r, number):
         """Nothing: there is one segment."""
@@ -436,7 +459,7 @@ class PlainRunner(RunnerOnOneLine):
     leg_work = positive_leg_work = external_work = leg_work_of_stride = leg_work_then = 0
     static_ratio, friction_rate, external_torque_rate = 1, 0, 0
     stribeck_velocity, vertical_so_far, vertical_force_on_foot, ramp_ends = 0, 0, None, None
-    new_ground = wind_rises = enters_layer = leaves_layer = None
+    new_ground = wind_rises = enters_layer = leaves_layer = layer_is_wide = None
 
     def peak_of_vertical_force(r):
         """Largest vertical ground force, which is the normal force."""

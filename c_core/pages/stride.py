@@ -12,7 +12,7 @@ class Stride(Model):
     """Gait word, durations, works and peaks, and the section at the last apex."""
 
     prefix = "stride"
-    time = clock()
+    time = clock(held_in="last_event mode_began touchdown_time apex_time")
     events = state(0, "1", "Changes of contact and phase since the start", name="event.count", values=int,
         least=0)
     last_event = state(0, "s", "Time of the last change of contact or phase", name="event.last_time")
@@ -24,7 +24,7 @@ class Stride(Model):
     squared_torque = state(0, "N2.m2.s", "Integral of the squared hip torque since the start")
 
     # The open stride, and values at its start.
-    is_open = state(0, "1", "1 if the open stride began at an apex, else 0")
+    is_open = state(0, "1", "1 if the open stride began at an apex, else 0", values=bool)
     work_then = state(0, "J", "Work of the hip at the start of the stride")
     leg_work_then = state(0, "J", "Work of the leg at the start of the stride")
     positive_work_so_far = state(
@@ -32,13 +32,14 @@ class Stride(Model):
     positive_work_then = state(0, "J", "Positive work of the hip at the start of the stride")
     peak_force_so_far = state(0, "N", "Largest normal force in the open stride")
     vertical_so_far = state(0, "N", "Largest vertical ground force in the open stride")
-    touchdowns_so_far = state(0, "1", "Impacts in the open stride")
+    touchdowns_so_far = state(0, "1", "Impacts in the open stride", values=int, least=0)
     slip_so_far = state(0, "m", "Slip distance in the open stride before the present mode")
     slid_from = state(0, "m", "Position of the foot at the last event")
     stance_so_far = state(0, "s", "Time in contact in the open stride before the present mode")
-    word_so_far = state(0, "1", "Gait word of the open stride, in base 4")
-    last_letter = state(0, "1", "Last letter of the open stride's gait word")
-    bar_is_due = state(0, "1", "1 from touchdown until a contact mode lasts, else 0")
+    word_so_far = state(0, "1", "Gait word of the open stride, in base 4", values=int)
+    last_letter = state(
+        0, "1", "Last letter of the open stride's gait word", values=int, least=0, most=3)
+    bar_is_due = state(0, "1", "1 from touchdown until a contact mode lasts, else 0", values=bool)
     mode_began = state(0, "s", "Time of the last event")
     x_then = state(0, "m", "Position of the centre of mass at the start of the stride")
     y_then = state(0, "m", "Height of the centre of mass at the start of the stride")
@@ -71,7 +72,7 @@ class Stride(Model):
         0, "N", "Largest vertical ground force in the last stride", name="stride.peak_vertical_force")
 
     # The section at the last apex.
-    apex_time = state(0, "s", "Time of the last apex", name="apex.time")
+    apex_time = state(-1, "s", "Time of the last apex", name="apex.time")
     apex_com_height = state(
         0, "m", "Height of the centre of mass at the last apex", name="apex.com_height")
     apex_com_speed = state(0, "m/s", "Speed of the centre of mass at the last apex", name="apex.com_speed")

@@ -8,14 +8,14 @@ from .runner import Runner
 GUARDS = {
     "apex": ["apex", "apex_in_graze"], "clamp": ["clamp", "release"],
     "slip_onset_positive": ["slips_forward"], "slip_onset_negative": ["slips_backward"],
-    "slip_velocity_zero": ["comes_to_rest"], "force_peak": ["force_on_foot"],
+    "slip_velocity_zero": ["comes_to_rest", "enters_layer", "leaves_layer"], "force_peak": ["force_on_foot"],
     "vertical_force_peak": ["vertical_force_on_foot"], "body_down": ["falls"], "leg_too_short": ["collapses"],
     "patch_border": ["crosses_border", "passes_end", "passes_begin"],
 }
 """Events, or the observed quantity, behind event indicators that are called otherwise."""
 
 
-def runner_unit():
-    """The runner's unit."""
+def runner_unit(page=None):
+    """The unit of the runner's page, or of a page of that model which has been generated."""
     source = C_CORE.parent / "modelDescription.xml"
-    return DeclaredUnit(Page(Runner), source, GUARDS, "status.terminate_on_fall")
+    return DeclaredUnit(page or Page(Runner), source, GUARDS, "status.terminate_on_fall")

@@ -11,6 +11,10 @@
 
 #include <string.h>
 
+bool tdmf_cvode_is_available(void) {
+    return tdmf_page_cvode_is_available();
+}
+
 typedef struct {
     tdmf_solver *options;
     tdmf_system system;

@@ -6,7 +6,6 @@
 #include "page_cvode.h"
 
 #include "run_state.h"
-#include "tdmf_slip/cvode.h"
 
 #include <cvode/cvode.h>
 #include <math.h>
@@ -16,7 +15,7 @@
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
-bool tdmf_cvode_is_available(void) {
+bool tdmf_page_cvode_is_available(void) {
     return true;
 }
 
@@ -262,8 +261,9 @@ static int go_on(workspace *space, problem *problem, double left, long limit, re
     for (*time = 0.0;;) {
         long steps = 0;
         put(problem, *time, space->state, problem->x);
-        const double longest = tdmf_longest_step_of_law(mode_of(problem), problem->run->p, problem->x);
+        const double longest = tdmf_longest_step_of_solver(mode_of(problem), problem->run->p, problem->x);
         const bool is_limited = *time + longest < left;
+        const double before = *time;
         if (CVodeGetNumSteps(space->integrator, &steps) != CV_SUCCESS ||
             CVodeSetMaxNumSteps(space->integrator, limit - steps) != CV_SUCCESS ||
             CVodeSetStopTime(space->integrator, is_limited ? *time + longest : left) != CV_SUCCESS) {
@@ -271,7 +271,7 @@ static int go_on(workspace *space, problem *problem, double left, long limit, re
         }
         const int flag =
             CVode(space->integrator, left, space->state, time, isfinite(longest) ? CV_ONE_STEP : CV_NORMAL);
-        problem->run->limited_steps += flag == CV_TSTOP_RETURN && is_limited;
+        problem->run->limited_steps += is_limited && *time - before > 0.5 * longest;
         if (flag < 0 || flag == CV_ROOT_RETURN || !(*time < left)) {
             return flag;
         }

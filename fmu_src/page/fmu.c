@@ -1,18 +1,18 @@
-/* A run of any page: its start, events in Model Exchange, and the driver's work in Co-Simulation. */
+/* A run of any page: its start, events in Model Exchange, and steps of Co-Simulation. */
+#include "drive.h"
 #include "jumps.h"
-
+#include "page_cvode.h"
 #include "run_state.h"
 #include "variables.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { LOG_SIZE = 32 };
-
-static const long step_limit = 1000000, event_limit = 100000; /* of a call */
-static const double finest_tolerance = 1e-16;
+static const long usual_step_limit = 1000000; /* of a call */
+static const double rounding_at_event = 1e-9; /* of a guard, in its scale, where its event was found */
 
 bool fmu_create(fmu *fmu, bool is_exchange) {
     fmu->is_exchange = is_exchange;
@@ -28,6 +28,7 @@ void fmu_reset(fmu *fmu) {
     const struct fmu kept = {
         .is_exchange = fmu->is_exchange,
         .memory = fmu->memory,
+        .step_limit = usual_step_limit,
         .settings =
             {[SETTING_TOLERANCE] = 1e-11, [SETTING_TERMINATES] = 1.0, [SETTING_METHOD] = SOLVER_NATIVE},
         .importer_tolerance = INFINITY,
@@ -38,9 +39,27 @@ void fmu_reset(fmu *fmu) {
     memcpy(fmu->starts, unit_model->state_defaults, UNIT_STATE_COUNT * sizeof(double));
 }
 
+/* A requirement of the page that is not met; NULL: there is none. */
+static const char *unmet_requirement(const fmu *fmu, bool of_parameters, char text[FMU_TEXT]) {
+    for (int i = 0; i < UNIT_REQUIREMENT_COUNT; ++i) {
+        const unit_requirement *row = &unit_requirements[i];
+        if (row->of_parameters == of_parameters &&
+            !(row->margin(parameters_of(fmu), states_of(fmu)) >= 0.0)) {
+            const fmu_variable *of = &fmu_variables[row->variable];
+            fmu_view view;
+            char value[TIME_CAPACITY];
+            fmu_evaluate(fmu, &view);
+            snprintf(text, FMU_TEXT, "%s = %s%s%s is refused: it must be %s", of->name,
+                     time_text(fmu_get_number(fmu, &view, of), value), of->unit == NULL ? "" : " ",
+                     of->unit == NULL ? "" : of->unit, row->allowed);
+            return text;
+        }
+    }
+    return NULL;
+}
+
 const char *fmu_prepare(fmu *fmu, char text[FMU_TEXT]) {
-    (void)fmu, (void)text;
-    return NULL; /* parameters are in force as they are */
+    return unmet_requirement(fmu, true, text);
 }
 
 bool fmu_has_begun(const fmu *fmu) {
@@ -48,21 +67,20 @@ bool fmu_has_begun(const fmu *fmu) {
 }
 
 double fmu_time(const fmu *fmu) {
-    return fmu->motion.time;
+    return fmu->time;
 }
 
 void fmu_set_time(fmu *fmu, double time) {
-    fmu->motion.time = time;
+    fmu->time = time;
+    fmu->motion.time = time - fmu->epoch;
     fmu->motion.time_rest = 0.0;
-    for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
-        if (unit_is_clock[i]) {
-            states_of(fmu)[i] = time;
-        }
+    if (unit_clock >= 0) {
+        states_of(fmu)[unit_clock] = fmu->motion.time;
     }
 }
 
 bool fmu_has_solver(const fmu *fmu) {
-    return fmu->settings[SETTING_METHOD] == SOLVER_NATIVE;
+    return fmu->settings[SETTING_METHOD] == SOLVER_NATIVE || tdmf_page_cvode_is_available();
 }
 
 bool fmu_asks_to_terminate(const fmu *fmu) {
@@ -73,128 +91,6 @@ double fmu_longest_step(const fmu *fmu) {
     return tdmf_longest_step_of_law(mode_of(fmu), parameters_of(fmu), states_of(fmu));
 }
 
-/* ---- the driver ---------------------------------------------------------------------------------------- */
-
-static tdmf_page_run run_of(fmu *fmu) {
-    const page_motion *motion = &fmu->motion;
-    const double wanted = fmin(fmu->settings[SETTING_TOLERANCE], fmu->importer_tolerance);
-    const double tolerance = fmax(wanted, finest_tolerance);
-    const tdmf_page_run run = {.p = parameters_of(fmu),
-                               .x = states_of(fmu),
-                               .memory = fmu->memory,
-                               .time = motion->time,
-                               .time_rest = motion->time_rest,
-                               .mode = motion->mode,
-                               .chain = motion->chain,
-                               .taken = motion->taken,
-                               .above = motion->above,
-                               .late = motion->late,
-                               .tolerance = tolerance,
-                               .order = tdmf_page_order(tolerance),
-                               .stop_event = -1,
-                               .observes = TDMF_OBSERVE_USUAL,
-                               .step_limit = step_limit,
-                               .event_limit = event_limit};
-    return run;
-}
-
-static void keep_run(fmu *fmu, const tdmf_page_run *run) {
-    page_motion *motion = &fmu->motion;
-    motion->time = run->time;
-    motion->time_rest = run->time_rest;
-    motion->mode = run->mode;
-    motion->chain = run->chain;
-    motion->taken = run->taken;
-    motion->above = run->above;
-    motion->late = run->late;
-    fmu->steps += run->steps;
-}
-
-static bool is_counted(const tdmf_event_row *row) {
-    const tdmf_mode_kind *before = &unit_model->modes[row->before];
-    for (int i = 0; i < before->guard_count; ++i) {
-        if (before->guards[i].event == row->event) {
-            return before->guards[i].is_counted || unit_model->modes[row->after].ends;
-        }
-    }
-    return false;
-}
-
-static void append(char text[FMU_TEXT], const char *word) {
-    const size_t length = strlen(text);
-    snprintf(text + length, FMU_TEXT - length, "%s%s", length > 0 ? ", " : "", word);
-}
-
-/* Writes the name of a mode in messages: its enumerations, else its name in the page. */
-static void describe(const fmu *fmu, int mode, const double *x, char text[FMU_TEXT]) {
-    double outputs[UNIT_OUTPUT_COUNT + 1];
-    text[0] = '\0';
-    unit_model->modes[mode].outputs(parameters_of(fmu), x, outputs);
-    for (int i = 0; i < UNIT_ENUMERATION_COUNT; ++i) {
-        const unit_enumeration *of = &unit_enumerations[i];
-        append(text, of->names[(int)outputs[of->output] - 1]);
-    }
-    if (text[0] == '\0' || unit_model->modes[mode].ends) {
-        append(text, unit_model->mode_names[mode]);
-    }
-}
-
-/* Reports events at one instant, with the states before the first and after the last of them. */
-static void report(const fmu *fmu, const fmu_observer *observer, const tdmf_event_row *first,
-                   const double *before, const tdmf_event_row *last, const double *after) {
-    char text[3 * FMU_TEXT], old_mode[FMU_TEXT], new_mode[FMU_TEXT], time[TIME_CAPACITY];
-    describe(fmu, first->before, before, old_mode);
-    describe(fmu, last->after, after, new_mode);
-    snprintf(text, sizeof text, "%s at %s s: %s -> %s", unit_event_names[first->event],
-             time_text(first->time, time), old_mode, new_mode);
-    if (is_counted(first) || strcmp(old_mode, new_mode) != 0) {
-        observer->on_event(observer->subject, text);
-    }
-}
-
-/* Reports the events of a log, those of one instant together. */
-static void report_log(const fmu *fmu, const fmu_observer *observer, const tdmf_page_run *run) {
-    for (int i = 0, next; i < run->log_count; i = next) {
-        for (next = i + 1; next < run->log_count && run->log[next].time == run->log[i].time; ++next) {
-        }
-        const double *before = run->log_states + i * UNIT_STATE_COUNT;
-        const double *after = next < run->log_count ? run->log_states + next * UNIT_STATE_COUNT : run->x;
-        report(fmu, observer, &run->log[i], before, &run->log[next - 1], after);
-    }
-}
-
-static bool has_arrived(tdmf_run_outcome outcome) {
-    return outcome == TDMF_RUN_ARRIVED || outcome == TDMF_RUN_ENDED;
-}
-
-/* Runs the driver, and reports every event if there is an observer. `events` receives the number of events.
- */
-static tdmf_run_outcome drive(fmu *fmu, double until, const fmu_observer *observer, long *events) {
-    const bool is_observed = observer->on_event != NULL;
-    tdmf_run_outcome outcome;
-    tdmf_event_row log[LOG_SIZE];
-    double states[LOG_SIZE * (UNIT_STATE_COUNT + 1)];
-    *events = 0;
-    do {
-        tdmf_page_run run = run_of(fmu);
-        run.log = log;
-        run.log_states = states;
-        run.log_size = is_observed ? LOG_SIZE : 0;
-        run.event_limit = is_observed ? LOG_SIZE : event_limit;
-        outcome = tdmf_page_run_to(unit_model, &run, until);
-        keep_run(fmu, &run);
-        *events += run.events;
-        report_log(fmu, observer, &run);
-    } while (is_observed && outcome == TDMF_RUN_TOO_MANY_EVENTS && *events < event_limit);
-    return outcome;
-}
-
-static const char *message(fmu *fmu, tdmf_run_outcome outcome, char text[FMU_TEXT]) {
-    const tdmf_page_run run = run_of(fmu);
-    tdmf_run_message(unit_model, &run, outcome, text, FMU_TEXT);
-    return text;
-}
-
 /* ---- events of Model Exchange -------------------------------------------------------------------------- */
 
 /* Largest values, which an importer's solver shows at its steps only. */
@@ -203,20 +99,50 @@ static void observe(fmu *fmu) {
     tdmf_note_largest(&at, states_of(fmu));
 }
 
-/* Takes the events that are due, until none is. False where they do not come to an end. */
-static bool settle(fmu *fmu, const fmu_observer *observer, bool *changed) {
-    const page_motion before = fmu->motion;
-    tdmf_page_run run = run_of(fmu);
-    tdmf_chain chain;
-    const bool is_settled =
-        tdmf_take_due_events(unit_model, &run, fmu->watch, memory_of_instant(fmu), &chain);
-    keep_run(fmu, &run);
-    *changed |= chain.count > 0;
-    if (is_settled && chain.count > 0 && observer->on_event != NULL) {
-        report(fmu, observer, &chain.first, before.numbers + UNIT_PARAMETER_COUNT, &chain.last,
-               states_of(fmu));
+void take_immediate_events(fmu *fmu) {
+    const tdmf_mode_kind *mode = mode_of(fmu);
+    for (int i = 0, taken = 0; i < mode->guard_count && taken < TDMF_PAGE_CHAIN_LIMIT; ++i) {
+        const tdmf_guard_kind *kind = &mode->guards[i];
+        const bool is_immediate = (unit_immediate_events >> kind->event & 1) != 0;
+        if (is_immediate &&
+            (kind->is_watched == NULL || kind->is_watched(parameters_of(fmu), states_of(fmu)) != 0.0)) {
+            tdmf_page_run run = run_of(fmu);
+            tdmf_take_event_now(unit_model, kind, &run, fmu->watch);
+            keep_run(fmu, &run);
+            mode = mode_of(fmu);
+            i = -1;
+            ++taken;
+        }
     }
-    return is_settled;
+}
+
+/* The run where it goes on as soon as inputs that are 0 move along a direction: some act from then on only.
+ */
+static struct fmu moved_along(const fmu *fmu, const struct fmu *seed) {
+    struct fmu moved = *fmu;
+    double *x = states_of(&moved);
+    for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
+        if (unit_input_rates[i] >= 0 && x[i] == 0.0 && states_of(seed)[i] != 0.0) {
+            x[i] = copysign(DBL_MIN, states_of(seed)[i]);
+        }
+    }
+    take_immediate_events(&moved);
+    for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
+        x[i] = unit_input_rates[i] >= 0 ? states_of(fmu)[i] : x[i];
+    }
+    return moved;
+}
+
+void fmu_differentiate(const fmu *fmu, const struct fmu *seed, fmu_view *variation) {
+    const struct fmu moved = moved_along(fmu, seed);
+    const tdmf_mode_kind *mode = shown_mode_of(&moved);
+    const double *dp = parameters_of(seed);
+    double dx[UNIT_STATE_COUNT + 1];
+    memcpy(dx, states_of(seed), UNIT_STATE_COUNT * sizeof *dx);
+    if (mode->vary_from_world != NULL) {
+        mode->vary_from_world(parameters_of(fmu), states_of(fmu), dp, states_of(seed), dx);
+    }
+    vary_at(&moved, dp, dx, variation);
 }
 
 bool fmu_complete_step(fmu *fmu) {
@@ -245,18 +171,38 @@ void fmu_enter_event_mode(fmu *fmu) {
 
 /* ---- events ahead of Co-Simulation with event mode ----------------------------------------------------- */
 
-/* Takes the event at which the run stands, unless something was set since: then the driver decides. */
+/* Takes the event at which the run stands, under what was set since it was found, unless that averts it. */
+static bool take_event_anew(fmu *fmu, tdmf_event_row *row) {
+    const tdmf_page_instant at = instant_of(fmu);
+    for (int i = 0; i < at.mode->guard_count; ++i) {
+        const tdmf_guard_kind *kind = &at.mode->guards[i];
+        double value, rate;
+        tdmf_page_guard(&at, i, &value, &rate);
+        if (kind->event == fmu->event && value <= rounding_at_event * at.event_scales[kind->event]) {
+            tdmf_page_run run = run_of(fmu);
+            *row = tdmf_take_event_now(unit_model, kind, &run, fmu->watch);
+            keep_run(fmu, &run);
+            return true;
+        }
+    }
+    return false;
+}
+
 static bool take_pending_event(fmu *fmu, const fmu_observer *observer) {
     if (!fmu->event_is_pending) {
         return false;
     }
+    const bool is_changed = memcmp(fmu->motion.numbers, fmu->event_numbers, sizeof fmu->event_numbers) != 0;
+    tdmf_event_row row = {fmu->motion.time, fmu->event, fmu->motion.mode, fmu->after_event.mode};
     fmu->event_is_pending = false;
-    if (memcmp(fmu->motion.numbers, fmu->event_numbers, sizeof fmu->event_numbers) != 0) {
+    account_for_jumps(fmu);
+    const page_motion before = fmu->motion;
+    if (!is_changed) {
+        fmu->motion = fmu->after_event;
+        tdmf_note_taken(unit_model, fmu->event, fmu->watch);
+    } else if (!take_event_anew(fmu, &row)) {
         return false;
     }
-    const tdmf_event_row row = {fmu->motion.time, fmu->event, fmu->motion.mode, fmu->after_event.mode};
-    const page_motion before = fmu->motion;
-    fmu->motion = fmu->after_event;
     account_for_all(fmu);
     if (observer->on_event != NULL) {
         report(fmu, observer, &row, before.numbers + UNIT_PARAMETER_COUNT, &row, states_of(fmu));
@@ -264,8 +210,19 @@ static bool take_pending_event(fmu *fmu, const fmu_observer *observer) {
     return true;
 }
 
+/* Gives states that an event has left without a number, because a trial state has none, their values before.
+ */
+static void keep_numbers(fmu *fmu, const double states[]) {
+    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+        double *x = &states_of(fmu)[unit_states[i].index];
+        *x = isnan(*x) ? states[i] : *x;
+    }
+}
+
 fmu_resolution fmu_update(fmu *fmu, const fmu_observer *observer) {
     fmu_resolution found = {false, false};
+    double states[FMU_STATE_COUNT + 1];
+    fmu_states(fmu, NULL, states);
     bool changed = take_pending_event(fmu, observer) | fmu->has_jumped;
     fmu->has_jumped = false;
     changed |= account_for_jumps(fmu);
@@ -281,6 +238,7 @@ fmu_resolution fmu_update(fmu *fmu, const fmu_observer *observer) {
     if (changed) {
         show_to_world(fmu);
         if (fmu->is_exchange) {
+            keep_numbers(fmu, states);
             take_from_world(fmu); /* what follows is then that of the states as the importer has them */
         }
         account_for_all(fmu);
@@ -305,68 +263,52 @@ static const char *input_out_of_range(const fmu *fmu, char text[FMU_TEXT]) {
     return NULL;
 }
 
-/* Completes a run that the driver has brought to its end or to `until`. */
-static const char *conclude(fmu *fmu, tdmf_run_outcome outcome, double until, char text[FMU_TEXT]) {
+/* Completes a run that the driver has brought to its end or to `until`; else it goes back to `begun`. */
+static const char *conclude(fmu *fmu, const page_motion *begun, tdmf_run_outcome outcome, double until,
+                            char text[FMU_TEXT]) {
     if (outcome == TDMF_RUN_ENDED) {
         for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
             const int rate = unit_input_rates[i];
-            states_of(fmu)[i] += rate >= 0 ? states_of(fmu)[rate] * (until - fmu->motion.time) : 0.0;
+            states_of(fmu)[i] +=
+                rate >= 0 ? states_of(fmu)[rate] * (until - fmu->epoch - fmu->motion.time) : 0.0;
         }
+    }
+    if (!has_arrived(outcome)) {
+        message(fmu, outcome, text);
+    } else if (outcome == TDMF_RUN_ENDED || input_out_of_range(fmu, text) == NULL) {
         fmu_set_time(fmu, until);
+        show_to_world(fmu);
+        account_for_all(fmu);
+        return NULL;
     }
-    show_to_world(fmu);
-    account_for_all(fmu);
-    if (outcome == TDMF_RUN_ARRIVED && input_out_of_range(fmu, text) != NULL) {
-        return text;
-    }
-    return has_arrived(outcome) ? NULL : message(fmu, outcome, text);
+    fmu->motion = *begun;
+    return text;
 }
 
 const char *fmu_advance(fmu *fmu, double until, const fmu_observer *observer, char text[FMU_TEXT]) {
     long events;
     take_pending_event(fmu, observer);
     account_for_jumps(fmu);
-    const tdmf_run_outcome outcome = drive(fmu, until, observer, &events);
-    return conclude(fmu, outcome, until, text);
+    const page_motion begun = fmu->motion;
+    const tdmf_run_outcome outcome = drive(fmu, until - fmu->epoch, observer, &events);
+    return conclude(fmu, &begun, outcome, until, text);
 }
 
 const char *fmu_advance_to_event(fmu *fmu, double until, const fmu_observer *observer, char text[FMU_TEXT]) {
     fmu_update(fmu, observer); /* an input may have jumped, which is no event of this step */
-    struct fmu ahead = *fmu;
-    double states[UNIT_STATE_COUNT + 1];
-    page_motion before;
+    const page_motion begun = fmu->motion;
+    struct fmu after;
     tdmf_event_row row;
-    tdmf_run_outcome outcome;
-    bool counted;
-    long left = event_limit;
-    do {
-        before = ahead.motion;
-        tdmf_page_run run = run_of(&ahead);
-        run.log = &row;
-        run.log_states = states;
-        run.log_size = 1;
-        run.event_limit = 1;
-        outcome = tdmf_page_run_to(unit_model, &run, until);
-        keep_run(&ahead, &run);
-        counted = run.log_count > 0 && is_counted(&row);
-    } while (outcome == TDMF_RUN_TOO_MANY_EVENTS && !counted && --left > 0);
-    if (!counted) {
-        *fmu = ahead;
-        return conclude(fmu, outcome, until, text);
+    const tdmf_run_outcome outcome = drive_to_event(fmu, until - fmu->epoch, &after, &row);
+    if (outcome != TDMF_RUN_STOPPED) {
+        return conclude(fmu, &begun, outcome, until, text);
     }
-    fmu->steps = ahead.steps;
-    fmu->motion = before;
-    memcpy(states_of(fmu), states, UNIT_STATE_COUNT * sizeof *states);
-    fmu->motion.time = row.time;
-    fmu->motion.time_rest = 0.0;
-    fmu->motion.taken = 0;
-    fmu->motion.chain = 0;
-    fmu->motion.above |= (uint64_t)1 << row.event;
+    fmu->time = fmu->epoch + fmu->motion.time;
     show_to_world(fmu);
     account_for_all(fmu);
     fmu->event_is_pending = true;
     fmu->event = row.event;
-    fmu->after_event = ahead.motion;
+    fmu->after_event = after.motion;
     memcpy(fmu->event_numbers, fmu->motion.numbers, sizeof fmu->event_numbers);
     return NULL;
 }
@@ -382,30 +324,16 @@ static void apply_starts(fmu *fmu) {
     }
 }
 
-static const char *unmet_requirement(const fmu *fmu, char text[FMU_TEXT]) {
-    for (int i = 0; i < UNIT_REQUIREMENT_COUNT; ++i) {
-        const unit_requirement *row = &unit_requirements[i];
-        if (!(row->margin(parameters_of(fmu), states_of(fmu)) >= 0.0)) {
-            const fmu_variable *of = &fmu_variables[row->variable];
-            char value[TIME_CAPACITY];
-            snprintf(text, FMU_TEXT, "%s = %s%s%s is refused: it must be %s", of->name,
-                     time_text(fmu_get_number(fmu, NULL, of), value), of->unit == NULL ? "" : " ",
-                     of->unit == NULL ? "" : of->unit, row->allowed);
-            return text;
-        }
-    }
-    return NULL;
-}
-
 const char *fmu_start(fmu *fmu, char text[FMU_TEXT]) {
     struct fmu ready = *fmu;
     const fmu_observer nobody = {NULL, NULL};
     long events;
     apply_starts(&ready);
-    if (unmet_requirement(&ready, text) != NULL) {
+    if (unmet_requirement(&ready, true, text) != NULL || unmet_requirement(&ready, false, text) != NULL) {
         return text;
     }
-    fmu_set_time(&ready, ready.motion.time);
+    ready.epoch = UNIT_CLOCK_IS_RELATIVE ? ready.time : 0.0;
+    fmu_set_time(&ready, ready.time);
     const tdmf_run_outcome outcome = drive(&ready, ready.motion.time, &nobody, &events);
     if (!has_arrived(outcome)) {
         return message(&ready, outcome, text);
@@ -428,10 +356,17 @@ void fmu_differentiate_start(const fmu *given, const struct fmu *started, struct
                              fmu_view *variation) {
     struct fmu begun = *given;
     double shift = 0.0, dx[UNIT_STATE_COUNT + 1], shown[UNIT_STATE_COUNT + 1];
-    fmu_set_time(&begun, begun.motion.time);
-    fmu_set_time(seed, seed->motion.time);
+    const double shift_of_times = UNIT_CLOCK_IS_RELATIVE ? seed->time : 0.0;
+    begun.epoch = UNIT_CLOCK_IS_RELATIVE ? begun.time : 0.0;
+    seed->epoch = shift_of_times;
+    fmu_set_time(&begun, begun.time);
+    fmu_set_time(seed, seed->time);
     apply_starts(&begun);
     apply_starts(seed);
+    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+        double *of_state = &states_of(seed)[unit_states[i].index];
+        *of_state = unit_states[i].has_start ? *of_state : 0.0; /* whatever it was */
+    }
     memcpy(dx, states_of(seed), UNIT_STATE_COUNT * sizeof *dx);
     tdmf_page_run run = run_of(&begun);
     run.seed_count = 1;
@@ -439,7 +374,12 @@ void fmu_differentiate_start(const fmu *given, const struct fmu *started, struct
     run.dx = dx;
     run.shift = &shift;
     tdmf_page_run_to(unit_model, &run, run.time);
-    vary_at(started, parameters_of(seed), dx, variation);
+    const struct fmu moved = moved_along(started, seed);
+    vary_at(&moved, parameters_of(seed), dx, variation);
+    for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
+        const bool is_time = unit_holds_time[i] && states_of(started)[i] >= 0.0;
+        variation->numbers[UNIT_PARAMETER_COUNT + i] += is_time ? shift_of_times : 0.0;
+    }
     memcpy(shown, dx, UNIT_STATE_COUNT * sizeof *dx);
     if (mode_of(started)->vary_to_world != NULL) {
         mode_of(started)->vary_to_world(parameters_of(started), states_of(started), parameters_of(seed), dx,

@@ -31,12 +31,15 @@ typedef struct {
     double time, time_rest;
     uint64_t taken, above, late;
     int mode, chain;
+    int shown; /* the mode whose outputs are shown: the one before where the run has ended and keeps them */
 } page_motion;
 
 typedef struct fmu {
     bool is_exchange, has_begun;
     bool has_jumped; /* an input, so that states changed, since the last update */
     page_motion motion;
+    double time;  /* the importer's; that of the motion is the page's */
+    double epoch; /* the importer's time at the page's time 0 */
     double settings[SETTING_COUNT];
     double
         starts[UNIT_STATE_COUNT + 1]; /* of states in other coordinates than the world's, where these begin */
@@ -46,14 +49,15 @@ typedef struct fmu {
      */
     double accounted[UNIT_NUMBER_COUNT + 1], accounted_rates[UNIT_STATE_COUNT + 1], accounted_time;
     unsigned char watch[UNIT_EVENT_COUNT + 1]; /* a watch_state for each event */
-    int64_t steps, evaluations;
+    int64_t work[WORK_COUNT];
     /* Co-Simulation with event mode: the run stands at an event that is not yet taken. What comes of it, with
      * the numbers as they are now. */
     bool event_is_pending;
     int event;
     page_motion after_event;
     double event_numbers[UNIT_NUMBER_COUNT + 1];
-    double *memory; /* working memory, of no content */
+    long step_limit; /* of a call; no part of the run */
+    double *memory;  /* working memory, of no content */
 } fmu;
 
 /* Values that follow from a run, computed on request. */

@@ -16,4 +16,8 @@ bool account_for_jumps(fmu *fmu);
 /* Changes the states that depend on inputs that an importer's solver has moved along the last step. */
 bool account_for_drifts(fmu *fmu);
 
+/* Takes events that are due wherever their conditions hold, such as that an input acts: no indicator shows
+ * them. */
+void take_immediate_events(fmu *fmu);
+
 #endif

@@ -12,6 +12,10 @@ const tdmf_mode_kind *mode_of(const fmu *fmu) {
     return &unit_model->modes[fmu->motion.mode];
 }
 
+const tdmf_mode_kind *shown_mode_of(const fmu *fmu) {
+    return &unit_model->modes[fmu->motion.shown];
+}
+
 /* Numbers of a run are never written through a constant one. */
 double *parameters_of(const fmu *fmu) {
     return (double *)(size_t)fmu->motion.numbers;
@@ -39,7 +43,7 @@ void show_to_world(fmu *fmu) {
 
 void take_from_world(fmu *fmu) {
     double room[UNIT_STATE_COUNT + 1];
-    tdmf_take_from_world(unit_model, fmu->motion.mode, parameters_of(fmu), states_of(fmu), room);
+    tdmf_take_from_world(unit_model, fmu->motion.shown, parameters_of(fmu), states_of(fmu), room);
 }
 
 /* ---- guards -------------------------------------------------------------------------------------------- */
@@ -116,6 +120,9 @@ void fmu_try_states(fmu *fmu, const double states[]) {
 void fmu_nominals(const fmu *fmu, double nominals[]) {
     const tdmf_page_instant at = instant_of(fmu);
     pick_states(at.scales, nominals);
+    for (int i = 0; i < UNIT_NOMINAL_COUNT; ++i) {
+        nominals[unit_nominals[i].state] = unit_nominals[i].size(at.p, at.x);
+    }
 }
 
 /* ---- all that follows ---------------------------------------------------------------------------------- */
@@ -136,16 +143,29 @@ static void write_word(double number, const char *alphabet, char *text) {
     memcpy(text, letters + place, (size_t)(WORD_CAPACITY - place));
 }
 
+/* A time of the page as the importer's clock shows it; 0 for one before the run. */
+static double shown_time(const fmu *fmu, double time) {
+    return time < 0.0 ? 0.0 : time == fmu->motion.time ? fmu->time : fmu->epoch + time;
+}
+
 void fmu_evaluate(const fmu *fmu, fmu_view *view) {
     const tdmf_page_instant at = instant_of(fmu);
     memcpy(view->numbers, fmu->motion.numbers, sizeof view->numbers);
+    for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
+        if (unit_holds_time[i]) {
+            view->numbers[UNIT_PARAMETER_COUNT + i] = shown_time(fmu, states_of(fmu)[i]);
+        }
+    }
     fmu_states(fmu, NULL, view->states);
     derivatives_at(&at, view->derivatives);
     indicators_at(fmu, &at, view->guards);
-    mode_of(fmu)->outputs(parameters_of(fmu), states_of(fmu), view->outputs);
-    view->work[WORK_STEPS] = (double)fmu->steps;
-    view->work[WORK_EVALUATIONS] = (double)fmu->evaluations;
-    view->work[WORK_LAYER_STEPS] = 0.0;
+    shown_mode_of(fmu)->outputs(parameters_of(fmu), states_of(fmu), view->outputs);
+    for (int i = 0; i < UNIT_OUTPUT_COUNT; ++i) {
+        view->outputs[i] = fmu_within_largest(view->outputs[i]); /* of a trial state, which may be any */
+    }
+    for (int i = 0; i < WORK_COUNT; ++i) {
+        view->work[i] = (double)fmu->work[i];
+    }
     for (int i = 0; i < UNIT_WORD_COUNT; ++i) {
         const double *of = unit_words[i].is_output ? view->outputs : states_of(fmu);
         write_word(of[unit_words[i].index], unit_words[i].alphabet, view->words[i]);
@@ -162,18 +182,7 @@ void vary_at(const fmu *fmu, const double *dp, const double *dx, fmu_view *varia
     memcpy(variation->numbers + UNIT_PARAMETER_COUNT, dx, UNIT_STATE_COUNT * sizeof *dx);
     tdmf_vary_page_rates(&at, dp, dx, d_rates);
     pick_states(d_rates, variation->derivatives);
-    at.mode->vary_outputs(at.p, at.x, dp, dx, variation->outputs);
-}
-
-void fmu_differentiate(const fmu *fmu, const struct fmu *seed, fmu_view *variation) {
-    const tdmf_mode_kind *mode = mode_of(fmu);
-    const double *dp = parameters_of(seed);
-    double dx[UNIT_STATE_COUNT + 1];
-    memcpy(dx, states_of(seed), UNIT_STATE_COUNT * sizeof *dx);
-    if (mode->vary_from_world != NULL) {
-        mode->vary_from_world(parameters_of(fmu), states_of(fmu), dp, states_of(seed), dx);
-    }
-    vary_at(fmu, dp, dx, variation);
+    shown_mode_of(fmu)->vary_outputs(at.p, at.x, dp, dx, variation->outputs);
 }
 
 void fmu_flow(const fmu *fmu, struct fmu *seed) {

@@ -13,6 +13,9 @@ tdmf_page_instant instant_of(const fmu *fmu);
 double *memory_of_instant(const fmu *fmu);
 
 const tdmf_mode_kind *mode_of(const fmu *fmu);
+
+/* The mode of a run, or the one before if its outputs and coordinates are kept. */
+const tdmf_mode_kind *shown_mode_of(const fmu *fmu);
 double *parameters_of(const fmu *fmu);
 double *states_of(const fmu *fmu);
 

@@ -33,10 +33,25 @@ typedef struct {
 
 /* A number that must not be negative at a start. */
 typedef struct {
-    int variable; /* value reference of the variable that a refusal names */
+    bool of_parameters; /* alone: it must not be negative ever after, either */
+    int variable;       /* value reference of the variable that a refusal names */
     const char *allowed;
     tdmf_answer *margin;
 } unit_requirement;
+
+/* The typical size of a continuous state of the unit, where it is not that of its physical unit. */
+typedef struct {
+    int state;
+    tdmf_answer *size;
+} unit_nominal;
+
+/* What a state of the page always is. */
+typedef struct {
+    int state;
+    double least, most;
+    bool is_whole;
+    bool moves; /* between events, so that it is the importer's in Model Exchange */
+} unit_bound;
 
 extern const tdmf_model_kind *const unit_model;
 extern const unit_state unit_states[];
@@ -44,9 +59,13 @@ extern const unit_guard unit_guards[];
 extern const unit_word unit_words[];
 extern const unit_requirement unit_requirements[];
 extern const unit_enumeration unit_enumerations[];
+extern const unit_bound unit_bounds[];
+extern const unit_nominal unit_nominals[];
 extern const char *const unit_event_names[]; /* for messages */
+extern const uint64_t unit_immediate_events; /* whose guards are below zero for ever */
 extern const int unit_input_rates[];         /* of each state of the page, the state that ramps it, or -1 */
-extern const bool unit_is_clock[];           /* of each state of the page */
+extern const int unit_clock;                 /* a state of the page, or -1 */
+extern const bool unit_holds_time[];         /* of each state of the page; negative before there is one */
 extern const char *const unit_allowed[];     /* of each variable, its range in words, or NULL */
 
 #endif

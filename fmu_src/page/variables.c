@@ -1,7 +1,7 @@
 /* Reading and writing variables of a page's unit by their row in the table. */
 #include "variables.h"
 
-#include "unit_tables.h"
+#include "jumps.h"
 
 #include <limits.h>
 #include <math.h>
@@ -18,7 +18,7 @@ static double *state_of(const fmu *fmu, const fmu_variable *variable) {
 double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *variable) {
     switch (variable->storage) {
     case STORED_TIME:
-        return fmu->motion.time;
+        return fmu->time;
     case STORED_SETTING:
         return fmu->settings[variable->offset];
     case STORED_START:
@@ -39,7 +39,12 @@ double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *
     }
     const double *values = variable->storage == STORED_HELD ? view->numbers : view->outputs;
     const double value = values[variable->offset];
-    return variable->type == VARIABLE_INTEGER && !(value <= variable->maximum) ? -1.0 : value;
+    if (variable->type != VARIABLE_INTEGER) {
+        return value;
+    }
+    const bool is_code = variable->maximum < INT_MAX; /* of a word, which may be too long for one */
+    return is_code && !(value >= 0.0 && value <= variable->maximum) ? -1.0
+                                                                    : fmin(fmax(value, -INT_MAX), INT_MAX);
 }
 
 const char *fmu_get_text(const fmu_view *view, const fmu_variable *variable) {
@@ -48,13 +53,16 @@ const char *fmu_get_text(const fmu_view *view, const fmu_variable *variable) {
 
 void fmu_set_number(fmu *fmu, const fmu_variable *variable, double value) {
     if (variable->storage == STORED_TIME) {
-        fmu->motion.time = value;
+        fmu->time = value;
     } else if (variable->storage == STORED_SETTING) {
         fmu->settings[variable->offset] = value;
     } else if (variable->storage == STORED_START) {
         fmu->starts[variable->offset] = value;
     } else {
         *(variable->storage == STORED_STATE ? state_of(fmu, variable) : number_of(fmu, variable)) = value;
+        if (fmu->is_exchange && fmu->has_begun) {
+            take_immediate_events(fmu);
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 #include "fmi2_importer.h"
 #include "forge.h"
 #include "fuzz.h"
+#include "tdmf_slip/tdmf_slip.h"
 
 #include <math.h>
 #include <string.h>
@@ -33,7 +34,7 @@ static void get_any(void *self) {
     }
     fmi2GetInteger(on->component, &reference, 1, &integer);
     fmi2GetBoolean(on->component, &reference, 1, &integer);
-    if (fmi2GetString(on->component, &reference, 1, &text) == fmi2OK && strlen(text) >= TDMF_WORD_CAPACITY) {
+    if (fmi2GetString(on->component, &reference, 1, &text) == fmi2OK && strlen(text) >= WORD_CAPACITY) {
         die("a word too long");
     }
 }
@@ -185,9 +186,7 @@ static void differentiate(void *self) {
 }
 
 static void limit_steps(subject *on) {
-    tdmf_solver *solver = &((struct instance *)on->component)->fmu.solver;
-    solver->step_limit = STEPS_OF_A_CALL;
-    solver->event_limit = STEPS_OF_A_CALL;
+    ((struct instance *)on->component)->fmu.step_limit = STEPS_OF_A_CALL;
 }
 
 static void step(void *self) {

@@ -5,6 +5,7 @@
 #include "fmi3_importer.h"
 #include "forge.h"
 #include "fuzz.h"
+#include "tdmf_slip/tdmf_slip.h"
 
 #include <math.h>
 #include <string.h>
@@ -41,8 +42,7 @@ static void get_any(void *self) {
     if (random_chance(on->source, 0.1)) {
         fmi3GetFloat32(on->instance, &reference, 1, &single, 1);
     }
-    if (fmi3GetString(on->instance, &reference, 1, &text, 1) == fmi3OK &&
-        strlen(text) >= TDMF_WORD_CAPACITY) {
+    if (fmi3GetString(on->instance, &reference, 1, &text, 1) == fmi3OK && strlen(text) >= WORD_CAPACITY) {
         die("a word too long");
     }
 }
@@ -204,9 +204,7 @@ static void differentiate(void *self) {
 }
 
 static void limit_steps(subject *on) {
-    tdmf_solver *solver = &((struct instance *)on->instance)->fmu.solver;
-    solver->step_limit = STEPS_OF_A_CALL;
-    solver->event_limit = STEPS_OF_A_CALL;
+    ((struct instance *)on->instance)->fmu.step_limit = STEPS_OF_A_CALL;
 }
 
 static void step(void *self) {

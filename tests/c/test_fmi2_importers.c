@@ -5,6 +5,7 @@
 #include "fmi3_importer.h"
 
 #include "fmu.h"
+#include "tdmf_slip/tdmf_slip.h"
 #include "variables.h"
 
 #include <math.h>

@@ -7,6 +7,7 @@
 #include "fmu.h"
 #include "guid.h"
 #include "tdmf_slip/cvode.h"
+#include "tdmf_slip/tdmf_slip.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -292,6 +293,7 @@ static void a_fall_is_logged_as_one(void **state) {
 /* Changes a runner on or off the ground by hand in Model Exchange, and goes through event mode there. */
 static void update_with(fmi2Component component, const char *name, double value) {
     fmi2EventInfo info;
+    assert_int_equal(fmi2SetTime(component, 0.5), fmi2OK); /* no part of the start */
     assert_int_equal(set_real(component, name, value), fmi2OK);
     clear_messages();
     assert_int_equal(fmi2EnterEventMode(component), fmi2OK);
@@ -348,7 +350,7 @@ static void what_is_an_event_does_not_go_by_the_modes_alone(void **state) {
         assert_int_equal(set_real(component, "leg.length_rate", -0.5), fmi2OK);
         start_running(component);
         assert_int_equal(get_integer(component, "hip.phase"), TDMF_PHASE_PLACE);
-        update_with(component, "foot.y", -2e-12);
+        update_with(component, "foot.y", i == 0 ? -1e-12 : -1e-11);
         assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_FLIGHT);
         assert_int_equal(get_integer(component, "event.count"), i);
         assert_int_equal(message_count, i);
@@ -367,7 +369,7 @@ static void an_event_of_model_exchange_is_named_by_its_guard(void **state) {
     start_running(component);
     assert_int_equal(message_count, 0);
     assert_int_equal(fmi2GetContinuousStates(component, states, TDMF_STATE_COUNT), fmi2OK);
-    states[TDMF_FOOT_Y] = -2e-12;
+    states[TDMF_FOOT_Y] = -1e-11;
     states[TDMF_FOOT_VY] = -0.1;
     assert_int_equal(fmi2SetTime(component, 1.5), fmi2OK);
     assert_int_equal(fmi2SetContinuousStates(component, states, TDMF_STATE_COUNT), fmi2OK);

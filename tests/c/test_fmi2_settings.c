@@ -4,7 +4,7 @@
 #include "fmi2_importer.h"
 
 #include "fmu.h"
-#include "tdmf_slip/cvode.h"
+#include "tdmf_slip/tdmf_slip.h"
 #include "variables.h"
 
 #include <math.h>
@@ -128,41 +128,6 @@ static void only_continuous_inputs_have_rates(void **state) {
     fmi2FreeInstance(component);
 }
 
-/* Native and CVODE, where it is there. */
-static void the_solvers_refuse_rates_of_discrete_inputs(void **state) {
-    const tdmf_parameters parameters = tdmf_default_parameters();
-    const tdmf_inputs inputs = tdmf_default_inputs();
-    tdmf_model model;
-    tdmf_motion motion = {.time = 0.0};
-    int refused = 0;
-    (void)state;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
-    tdmf_default_state(motion.state);
-    assert_null(tdmf_start((tdmf_system){&model, &inputs}, &motion).variable);
-    for (size_t i = 0; i < fmu_variable_count; ++i) {
-        const fmu_variable *input = &fmu_variables[i];
-        if (input->storage == STORED_INPUT) {
-            tdmf_solver solver = tdmf_solver_default();
-            tdmf_motion run = motion, other = motion;
-            fmu ramping = {.input_rates = {.ground = {.friction = 0.0}}};
-            fmu_set_number_rate(&ramping, input, 1e-3);
-            const tdmf_outcome expected =
-                input->variability == VARIABILITY_CONTINUOUS ? TDMF_ARRIVED : TDMF_REFUSED;
-            const tdmf_inputs *rates = &ramping.input_rates;
-            assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&model, &inputs}, rates, 0.1, &run),
-                             expected);
-            if (tdmf_cvode_is_available()) {
-                assert_int_equal(
-                    tdmf_cvode_advance(&solver, (tdmf_system){&model, &inputs}, rates, 0.1, &other),
-                    expected);
-            }
-            refused += expected == TDMF_REFUSED;
-            assert_true(run.time == (expected == TDMF_REFUSED ? 0.0 : 0.1));
-        }
-    }
-    assert_int_equal(refused, DISCRETE_INPUTS);
-}
-
 /* ---- in force at once --------------------------------------------------------------------------------- */
 
 static void put_on_the_ground(fmi2Component component) {
@@ -230,8 +195,9 @@ static void co_simulation_goes_on_with_what_was_set(void **state) {
         assert_int_equal(set_real(component, "control.touchdown_angle", -0.01), fmi2OK);
         assert_int_equal(fmi2DoStep(component, change, end - change, fmi2True), fmi2OK);
         run_of_the_library(change, end, &expected);
-        assert_true(get_real(component, "leg.angle") == expected.state[TDMF_LEG_ANGLE]);
-        assert_true(get_real(component, "foot.x") == expected.state[TDMF_FOOT_X]);
+        /* The library runs the plain page up to the change, whose sums are rounded otherwise. */
+        assert_close(get_real(component, "leg.angle"), expected.state[TDMF_LEG_ANGLE], 1e-10);
+        assert_close(get_real(component, "foot.x"), expected.state[TDMF_FOOT_X], 1e-10);
         assert_int_equal(get_integer(component, "event.count"), expected.record.event_count);
         fmi2FreeInstance(component);
     }
@@ -294,7 +260,6 @@ int main(void) {
         cmocka_unit_test(in_continuous_time_mode_they_keep_their_values),
         cmocka_unit_test(parameters_that_are_not_tunable_stay_fixed),
         cmocka_unit_test(only_continuous_inputs_have_rates),
-        cmocka_unit_test(the_solvers_refuse_rates_of_discrete_inputs),
         cmocka_unit_test(a_setting_is_in_force_at_once),
         cmocka_unit_test(co_simulation_goes_on_with_what_was_set),
         cmocka_unit_test(in_a_run_they_are_knowns_of_derivatives),

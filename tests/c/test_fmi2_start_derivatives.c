@@ -6,6 +6,7 @@
 #include "fmi_interface.h"
 
 #include "fmu.h"
+#include "tdmf_slip/tdmf_slip.h"
 #include "variables.h"
 
 #include <math.h>
@@ -160,7 +161,7 @@ static bool is_known(const fmu_variable *variable) {
 static bool is_unknown(const fmu_variable *variable) {
     return variable->type == VARIABLE_REAL &&
            (variable->storage == STORED_STATE || variable->storage == STORED_DERIVATIVE ||
-            variable->storage == STORED_OUTPUT);
+            variable->storage == STORED_OUTPUT || variable->storage == STORED_HELD);
 }
 
 /* Nothing less can be set than a parameter's minimum, so that a difference has one side only. */

@@ -4,6 +4,7 @@
 
 #include "fmu.h"
 #include "guid.h"
+#include "tdmf_slip/tdmf_slip.h"
 #include "variables.h"
 
 #include <math.h>

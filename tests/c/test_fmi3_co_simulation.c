@@ -5,6 +5,7 @@
 #include "fmi_interface.h"
 
 #include "fmu.h"
+#include "tdmf_slip/tdmf_slip.h"
 
 #include <math.h>
 #include <string.h>

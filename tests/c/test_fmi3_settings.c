@@ -4,6 +4,7 @@
 #include "fmi3_importer.h"
 
 #include "fmu.h"
+#include "tdmf_slip/tdmf_slip.h"
 
 #include <math.h>
 #include <stdbool.h>

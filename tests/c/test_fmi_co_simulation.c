@@ -6,6 +6,7 @@
 
 #include "fmu.h"
 #include "tdmf_slip/cvode.h"
+#include "tdmf_slip/tdmf_slip.h"
 
 #include <float.h>
 #include <math.h>
@@ -254,6 +255,26 @@ static void a_fall_freezes_and_stays_readable(void **state) {
     fmi->free(instance);
 }
 
+/* In stance, the leg shorter than it may be: contact, phase and forces are those of the last moment. */
+static void a_fall_leaves_the_last_contact_as_it_was(void **state) {
+    static const char *const names[] = {"foot.y",    "foot.vx",         "foot.vy",        "leg.length",
+                                        "leg.angle", "leg.length_rate", "ground.friction"};
+    static const double values[] = {0.0, 0.0, 0.0, 0.06, 0.1, -1.0, 10.0};
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, STEPS);
+    for (int i = 0; i < 7; ++i) {
+        assert_int_equal(set_value(fmi, instance, names[i], values[i]), FMI_OK);
+    }
+    initialize_unit(fmi, instance);
+    run(fmi, instance, 0.0, 1.0, 1.0);
+    assert_true(truth_of(fmi, instance, "status.fallen"));
+    assert_int_equal(integer_of(fmi, instance, "contact.mode"), TDMF_CONTACT_STICK);
+    assert_int_equal(integer_of(fmi, instance, "hip.phase"), TDMF_PHASE_DRIVE);
+    assert_true(value_of(fmi, instance, "contact.normal") > 0.5);
+    assert_close(value_of(fmi, instance, "hip.torque"), -0.2, 1e-15);
+    fmi->free(instance);
+}
+
 static void stiff_parameters_end_in_a_message(void **state) {
     step_answer answer;
     const fmi_interface *fmi = *state;
@@ -266,7 +287,7 @@ static void stiff_parameters_end_in_a_message(void **state) {
     assert_non_null(strstr(last_message, "stiff"));
     assert_non_null(strstr(last_message, "CVODE (solver.method = cvode)"));
     assert_true(value_of(fmi, instance, "foot.x") == x);
-    assert_int_equal(integer_of(fmi, instance, "solver.steps"), 1);
+    assert_true(integer_of(fmi, instance, "solver.steps") <= 10000);
     assert_false(truth_of(fmi, instance, "status.fallen"));
     fmi->free(instance);
 }
@@ -405,6 +426,7 @@ int main(void) {
         IN_BOTH_VERSIONS(strides_do_not_depend_on_the_start_time),
         IN_BOTH_VERSIONS(a_step_lost_in_the_clock_is_refused),
         IN_BOTH_VERSIONS(a_fall_freezes_and_stays_readable),
+        IN_BOTH_VERSIONS(a_fall_leaves_the_last_contact_as_it_was),
         IN_BOTH_VERSIONS(stiff_parameters_end_in_a_message),
         IN_BOTH_VERSIONS(the_tighter_tolerance_wins),
         IN_BOTH_VERSIONS(bad_inputs_in_mid_run_are_discarded),

@@ -63,7 +63,7 @@ def test_units_are_built_in_a_folder_of_any_name(tmp_path, launcher):
     for file in ("TDMF_SLIP.fmu", "TDMF_SLIP_FMI3.fmu"):
         with zipfile.ZipFile(folder / "build" / "fmu_src" / file) as unit:
             names = set(unit.namelist())
-        assert {"modelDescription.xml", "sources/native_runs.c", "sources/page_solver.h"} <= names
+        assert {"modelDescription.xml", "sources/unit_page.c", "sources/page_exchange.h"} <= names
         assert any(name.startswith("binaries/") and "TDMF_SLIP." in name for name in names)
 
 

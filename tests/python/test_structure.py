@@ -215,8 +215,11 @@ class Observed:
         self.of = {name: set() for name in unknowns}
 
     def compare(self, known, before, after):
+        """Note what has changed by more than rounding: states of a mode follow from those that are seen."""
         for name, values in self.of.items():
-            if before[name] != after[name]:
+            old, new = before[name], after[name]
+            is_text = isinstance(old, str)
+            if old != new and (is_text or not math.isclose(old, new, rel_tol=1e-10, abs_tol=1e-10)):
                 values.add(known)
 
 
@@ -311,14 +314,15 @@ def runs_in_steps(version, early, **options):
     strides, falls, events = 0, 0, 0
     for i in range(RUNS):
         probe = version.stepper(**options)
-        probe.begin({} if i % 3 == 0 else random_start(draw))
+        grazes = UNLOADED_EARLY[0] | UNLOADED_EARLY[1]
+        probe.begin(grazes if i == 1 else {} if i % 3 == 0 else random_start(draw))
         probe.model.exitInitializationMode()
         time = 0.0
-        for _ in range(20):
+        for k in range(20):
             if early:
                 probe.update()
                 probe.model.enterStepMode()
-            step = draw.uniform(0.1, 6.0)
+            step = draw.uniform(0.1, 6.0) if (i, k) != (1, 0) else 0.01
             done = probe.model.doStep(time, step)
             time = done[3] if early else time + step
             move_inputs(probe, observed, draw, INPUTS)
@@ -346,7 +350,7 @@ def test_so_they_do_where_an_event_is_found_and_not_taken_yet(tmp_path):
     version = Unit(3, tmp_path)
     options = {"eventModeUsed": True, "earlyReturnAllowed": True}
     observed, strides, falls, events = runs_in_steps(version, early=True, **options)
-    assert strides > RUNS // 6 and falls > RUNS // 12 and events > 5 * RUNS
+    assert strides > RUNS // 6 and falls > RUNS // 12 and events > 4 * RUNS
     assert observed == inputs_declared(version)
 
 
@@ -396,7 +400,7 @@ def test_initial_unknowns_follow_the_declared_start_values(version):
     assert refused > 0 and min(read[v.name] for v in settable) > INITIAL_STARTS // 2
     of_any_start = {name for name, known in declared.items() if known == whole_start}
     assert all(observed.of[name] <= whole_start for name in of_any_start)
-    assert set.union(*map(observed.of.get, of_any_start)) == whole_start - {"leg.min_length"}  # only refuses
+    assert set.union(*map(observed.of.get, of_any_start)) == whole_start
     missed = {name: declared[name] - observed.of[name] for name in set(declared) - of_any_start}
     assert all(observed.of[name] <= declared[name] for name in missed)
     assert sum(map(len, missed.values())) <= (

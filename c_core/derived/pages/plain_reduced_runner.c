@@ -1639,6 +1639,7 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_states[70] = real_sqrt(p->body_mass / p->stiffness);
     of_states[71] = real_sqrt(p->body_mass / p->stiffness);
     of_states[72] = p->stiffness * p->free_length * p->free_length;
+    of_states[73] = 1.0;
     of_events[EVENT_begins] = 1.0;
     of_events[EVENT_falls] = p->free_length;
     of_events[EVENT_collapses] = p->free_length;
@@ -1768,11 +1769,11 @@ static const tdmf_mode_kind modes[] = {
         .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight,
         .vary_from_world = vary_from_world_flight, .to_world = to_world_flight,
         .vary_to_world = vary_to_world_flight},
-    {.motion = &tdmf_plain_reduced_runner_motions[MODE_fallen], .ends = true, .open = open_start_of_run,
-        .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_fallen, .watch_count = 0,
-        .usual_count = 0, .watches = watches_fallen, .outputs = outputs_start_of_run,
-        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
-        .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_fallen], .ends = true, .keeps_outputs = true,
+        .open = open_start_of_run, .vary_open = vary_open_start_of_run, .guard_count = 0,
+        .guards = guards_fallen, .watch_count = 0, .usual_count = 0, .watches = watches_fallen,
+        .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run},
     {.motion = &tdmf_plain_reduced_runner_motions[MODE_slip_constant], .open = open_slip_constant,
         .vary_open = vary_open_slip_constant, .guard_count = 5, .guards = guards_slip_constant,
         .watch_count = 2, .usual_count = 2, .watches = watches_slip_constant, .outputs = outputs_start_of_run,
@@ -1819,7 +1820,7 @@ static const char *const state_names[] = {"time", "events", "last_event", "is_op
     "seen_vx", "seen_vy", "length_rate", "angle_rate", "com_x", "com_y", "com_vx", "com_vy", "momentum", "x",
     "y", "vx", "vy", "foot_x", "foot_vx", "winding", "damper_loss", "friction", "way", "friction_loss",
     "impact_loss", "external_torque", "liftoff_angle", "driving", "swing", "placing", "touchdown_time",
-    "work"};
+    "work", "has_fallen"};
 static const char *const parameter_names[] = {"body_mass", "foot_mass", "stiffness", "damping", "free_length",
     "least_length", "gravity", "drive_torque", "touchdown_angle"};
 static const char *const event_names[] = {"begins", "falls", "collapses", "apex", "touchdown", "mid_stance",
@@ -1828,11 +1829,11 @@ static const char *const output_names[] = {0};
 static const char *const table_names[] = {0};
 static const char *const section_names[] = {"at_apex"};
 static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0,
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.4722627765193387, 0.6417114468531165, 0.9999993776846997,
     -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05, 1.1268102275039307e-06,
     4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0,
-    0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0};
+    0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0};
 static const double parameter_defaults[] = {1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01, 0.2, 0.6981317007977318};
 static const double parameter_least[] = {1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09, -1e+18,
     -1.5707963267948966};
@@ -1853,7 +1854,7 @@ const tdmf_model_kind tdmf_plain_reduced_runner_model = {
     .seeds = TDMF_FOR_SEEDS(tdmf_plain_reduced_runner_seeds),
     .mode_count = 8,
     .mode_names = mode_names,
-    .state_count = 73,
+    .state_count = 74,
     .state_names = state_names,
     .parameter_count = 9,
     .parameter_names = parameter_names,

@@ -99,6 +99,7 @@ typedef struct {
     real placing; /* s: In place, the time since it began; else 0 */
     real touchdown_time; /* s: Time of the last impact */
     real work; /* J: Work of the total hip torque since the start, W */
+    real has_fallen; /* 1: Whether the runner has fallen, which freezes the motion */
 } plain_reduced_runner_states;
 
 typedef struct {

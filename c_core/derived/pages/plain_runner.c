@@ -350,6 +350,7 @@ static int react_slip_constant_falls(const real *parameters, const real *states,
     y->seen_vy = 0.0;
     y->length_rate = length_rate;
     y->angle_rate = angle_rate;
+    y->has_fallen = 1.0;
     return next[0]; /* fallen */
 }
 
@@ -380,6 +381,7 @@ static void vary_react_slip_constant_falls(const real *parameters, const real *s
     y->seen_vy = 0.0;
     y->length_rate = d_length_rate;
     y->angle_rate = d_angle_rate;
+    y->has_fallen = 0.0;
 }
 
 /* First variation of the guard of falls. */
@@ -1253,6 +1255,7 @@ static int react_flight_calm_falls(const real *parameters, const real *states, c
     y->seen_vx = x->com_vx - share * vx;
     y->seen_vy = x->com_vy - share * vy;
     y->angle_rate = rate;
+    y->has_fallen = 1.0;
     return next[0]; /* fallen */
 }
 
@@ -1291,6 +1294,7 @@ static void vary_react_flight_calm_falls(const real *parameters, const real *sta
     y->seen_vx = dx->com_vx - (d_share * vx + share * d_vx);
     y->seen_vy = dx->com_vy - (d_share * vy + share * d_vy);
     y->angle_rate = d_rate;
+    y->has_fallen = 0.0;
 }
 
 /* First variation of the guard of falls. */
@@ -2395,6 +2399,7 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_states[77] = real_sqrt(p->body_mass / p->stiffness);
     of_states[78] = 1.0;
     of_states[79] = product_2;
+    of_states[80] = 1.0;
     of_events[EVENT_begins] = 1.0;
     of_events[EVENT_falls] = p->free_length;
     of_events[EVENT_collapses] = p->free_length;
@@ -2570,11 +2575,11 @@ static const tdmf_mode_kind modes[] = {
         .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_calm,
         .vary_from_world = vary_from_world_flight_calm, .to_world = to_world_flight_calm,
         .vary_to_world = vary_to_world_flight_calm},
-    {.motion = &tdmf_plain_runner_motions[MODE_fallen], .ends = true, .open = open_start_of_run,
-        .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_fallen, .watch_count = 0,
-        .usual_count = 0, .watches = watches_fallen, .outputs = outputs_start_of_run,
-        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
-        .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_plain_runner_motions[MODE_fallen], .ends = true, .keeps_outputs = true,
+        .open = open_start_of_run, .vary_open = vary_open_start_of_run, .guard_count = 0,
+        .guards = guards_fallen, .watch_count = 0, .usual_count = 0, .watches = watches_fallen,
+        .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run},
     {.motion = &tdmf_plain_runner_motions[MODE_graze], .open = open_graze, .vary_open = vary_open_graze,
         .guard_count = 8, .guards = guards_graze, .watch_count = 2, .usual_count = 1,
         .watches = watches_graze, .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
@@ -2605,7 +2610,7 @@ static const char *const state_names[] = {"time", "events", "last_event", "great
     "length_rate", "angle_rate", "com_x", "com_y", "com_vx", "com_vy", "momentum", "x", "y", "vx", "vy",
     "foot_x", "foot_vx", "winding", "thrusting", "damper_loss", "friction", "way", "friction_loss",
     "impact_loss", "external_torque", "liftoff_angle", "driving", "swing", "placing", "touchdown_time",
-    "was_placed", "placed_for", "rises_again", "work"};
+    "was_placed", "placed_for", "rises_again", "work", "has_fallen"};
 static const char *const parameter_names[] = {"body_mass", "foot_mass", "stiffness", "damping", "free_length",
     "least_length", "gravity", "notes_compression", "drive_torque", "kp", "kd", "touchdown_angle",
     "liftoff_factor", "swing_clamp"};
@@ -2617,10 +2622,10 @@ static const char *const table_names[] = {0};
 static const char *const section_names[] = {"at_apex"};
 static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.4722627765193387, 0.6417114468531165, 0.9999993776846997,
+    0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.4722627765193387, 0.6417114468531165, 0.9999993776846997,
     -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05, 1.1268102275039307e-06,
     4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0,
-    0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 static const double parameter_defaults[] = {1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01, 1.0, 0.2, 0.1, 0.1,
     0.6981317007977318, 1.2, 0.0};
 static const double parameter_least[] = {1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09,
@@ -2642,7 +2647,7 @@ const tdmf_model_kind tdmf_plain_runner_model = {
     .seeds = TDMF_FOR_SEEDS(tdmf_plain_runner_seeds),
     .mode_count = 6,
     .mode_names = mode_names,
-    .state_count = 80,
+    .state_count = 81,
     .state_names = state_names,
     .parameter_count = 14,
     .parameter_names = parameter_names,

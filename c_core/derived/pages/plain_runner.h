@@ -115,6 +115,7 @@ typedef struct {
     real placed_for; /* s: Time in place at the last impact */
     real rises_again; /* 1: 1 if an impact with immediate lift-off interrupted place, else 0 */
     real work; /* J: Work of the total hip torque since the start, W */
+    real has_fallen; /* 1: Whether the runner has fallen, which freezes the motion */
 } plain_runner_states;
 
 typedef struct {

@@ -232,7 +232,6 @@ static void outputs_start_of_run(const real *parameters, const real *states, rea
     outputs[OUTPUT_energy] = energy;
     outputs[OUTPUT_kind_of_contact] = 1.0;
     outputs[OUTPUT_phase_of_hip] = 4.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* First variation of outputs_start_of_run. */
@@ -313,7 +312,6 @@ static void vary_outputs_start_of_run(const real *parameters, const real *states
     outputs[OUTPUT_energy] = d_energy;
     outputs[OUTPUT_kind_of_contact] = 0.0;
     outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
@@ -1078,7 +1076,6 @@ static void outputs_flight(const real *parameters, const real *states, real *out
     outputs[OUTPUT_energy] = energy;
     outputs[OUTPUT_kind_of_contact] = 1.0;
     outputs[OUTPUT_phase_of_hip] = phase_of_hip;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* First variation of outputs_flight. */
@@ -1163,7 +1160,6 @@ static void vary_outputs_flight(const real *parameters, const real *states, cons
     outputs[OUTPUT_energy] = d_energy;
     outputs[OUTPUT_kind_of_contact] = 0.0;
     outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* from world, in flight. */
@@ -1277,63 +1273,6 @@ static void vary_to_world_flight(const real *parameters, const real *states, con
     y->seen_vx = dx->com_vx - (d_share * vx + share * d_vx);
     y->seen_vy = dx->com_vy - (d_share * vy + share * d_vy);
     y->angle_rate = d_rate;
-}
-
-/* Outputs in fallen. */
-static void outputs_fallen(const real *parameters, const real *states, real *outputs) {
-    const reduced_runner_parameters *p = (const void *)parameters;
-    const reduced_runner_states *x = (const void *)states;
-    const real pending = select(real_abs(p->ground_height - x->height)
-        + real_abs(p->free_length * (p->ground_slope - x->slope)) > 0.0, 1.0, 0.0);
-    const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
-        0.0) * x->thrusting;
-    const real shorter = rest_length - x->length;
-    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real sin_of_angle = real_sin(x->angle);
-    const real length_times_sin_of_angle = x->length * sin_of_angle;
-    const real body_x = x->seen_x - length_times_sin_of_angle;
-    const real cos_of_angle = real_cos(x->angle);
-    const real y_2 = x->length * cos_of_angle;
-    const real body_y = x->seen_y + y_2;
-    const real turn = x->length * x->angle_rate;
-    const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
-    const real body_vx = x->seen_vx + vx;
-    const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
-    const real body_vy = x->seen_vy + vy;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real center_x = x->seen_x - share * length_times_sin_of_angle;
-    const real center_y = x->seen_y + share * y_2;
-    const real center_vx = x->seen_vx + share * vx;
-    const real center_vy = x->seen_vy + share * vy;
-    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (x->seen_vx * x->seen_vx
-        + x->seen_vy * x->seen_vy));
-    const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = pending;
-    outputs[OUTPUT_torque] = 0.0;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = body_x;
-    outputs[OUTPUT_body_y] = body_y;
-    outputs[OUTPUT_body_vx] = body_vx;
-    outputs[OUTPUT_body_vy] = body_vy;
-    outputs[OUTPUT_center_x] = center_x;
-    outputs[OUTPUT_center_y] = center_y;
-    outputs[OUTPUT_center_vx] = center_vx;
-    outputs[OUTPUT_center_vy] = center_vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 1.0;
-    outputs[OUTPUT_phase_of_hip] = 4.0;
-    outputs[OUTPUT_has_fallen] = 1.0;
 }
 
 /* Constants of slip_constant. */
@@ -2020,7 +1959,6 @@ static void outputs_slip_constant(const real *parameters, const real *states, re
     outputs[OUTPUT_energy] = energy;
     outputs[OUTPUT_kind_of_contact] = kind_of_contact;
     outputs[OUTPUT_phase_of_hip] = phase_of_hip;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* First variation of outputs_slip_constant. */
@@ -2135,7 +2073,6 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
     outputs[OUTPUT_energy] = d_energy;
     outputs[OUTPUT_kind_of_contact] = 0.0;
     outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
@@ -2650,7 +2587,6 @@ static void outputs_stick(const real *parameters, const real *states, real *outp
     outputs[OUTPUT_energy] = energy;
     outputs[OUTPUT_kind_of_contact] = 2.0;
     outputs[OUTPUT_phase_of_hip] = phase_of_hip;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* First variation of outputs_stick. */
@@ -2764,7 +2700,6 @@ static void vary_outputs_stick(const real *parameters, const real *states, const
     outputs[OUTPUT_energy] = d_energy;
     outputs[OUTPUT_kind_of_contact] = 0.0;
     outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
@@ -3018,7 +2953,6 @@ static void outputs_slip_falling(const real *parameters, const real *states, rea
     outputs[OUTPUT_energy] = energy;
     outputs[OUTPUT_kind_of_contact] = kind_of_contact;
     outputs[OUTPUT_phase_of_hip] = phase_of_hip;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* First variation of outputs_slip_falling. */
@@ -3141,7 +3075,6 @@ static void vary_outputs_slip_falling(const real *parameters, const real *states
     outputs[OUTPUT_energy] = d_energy;
     outputs[OUTPUT_kind_of_contact] = 0.0;
     outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* Time scale. */
@@ -3427,6 +3360,7 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_states[81] = real_sqrt(p->body_mass / p->stiffness);
     of_states[82] = real_sqrt(p->body_mass / p->stiffness);
     of_states[83] = p->stiffness * p->free_length * p->free_length;
+    of_states[84] = 1.0;
     of_events[EVENT_begins] = 1.0;
     of_events[EVENT_falls] = p->free_length;
     of_events[EVENT_collapses] = p->free_length;
@@ -3613,11 +3547,11 @@ static const tdmf_mode_kind modes[] = {
         .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight,
         .vary_from_world = vary_from_world_flight, .to_world = to_world_flight,
         .vary_to_world = vary_to_world_flight},
-    {.motion = &tdmf_reduced_runner_motions[MODE_fallen], .ends = true, .open = open_start_of_run,
-        .vary_open = vary_open_start_of_run, .guard_count = 0, .guards = guards_fallen, .watch_count = 0,
-        .usual_count = 0, .watches = watches_fallen, .outputs = outputs_fallen,
-        .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
-        .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_reduced_runner_motions[MODE_fallen], .ends = true, .keeps_outputs = true,
+        .open = open_start_of_run, .vary_open = vary_open_start_of_run, .guard_count = 0,
+        .guards = guards_fallen, .watch_count = 0, .usual_count = 0, .watches = watches_fallen,
+        .outputs = outputs_start_of_run, .vary_outputs = vary_outputs_start_of_run,
+        .leave = leave_start_of_run, .vary_leave = vary_leave_start_of_run},
     {.motion = &tdmf_reduced_runner_motions[MODE_slip_constant], .open = open_slip_constant,
         .vary_open = vary_open_slip_constant, .guard_count = 7, .guards = guards_slip_constant,
         .watch_count = 3, .usual_count = 3, .watches = watches_slip_constant,
@@ -3676,7 +3610,7 @@ static const char *const state_names[] = {"time", "events", "last_event", "is_op
     "com_y", "com_vx", "com_vy", "momentum", "x", "y", "vx", "vy", "foot_x", "foot_vx", "winding",
     "thrusting", "leg_work", "external_work", "damper_loss", "friction", "way", "friction_loss",
     "impact_loss", "external_torque", "liftoff_angle", "driving", "swing", "placing", "touchdown_time",
-    "work"};
+    "work", "has_fallen"};
 static const char *const parameter_names[] = {"ground_height", "ground_slope", "body_mass", "foot_mass",
     "stiffness", "damping", "free_length", "least_length", "gravity", "thrust", "more_thrust", "static_ratio",
     "stribeck_velocity", "drive_torque", "touchdown_angle", "retraction_rate", "more_angle", "more_torque"};
@@ -3686,15 +3620,15 @@ static const char *const event_names[] = {"begins", "falls", "collapses", "apex"
 static const char *const output_names[] = {"pending", "torque", "normal_force", "tangential_force",
     "ground_force_x", "ground_force_y", "force_of_leg", "body_x", "body_y", "body_vx", "body_vy", "center_x",
     "center_y", "center_vx", "center_vy", "kinetic_energy", "potential_energy", "elastic_energy", "energy",
-    "kind_of_contact", "phase_of_hip", "has_fallen"};
+    "kind_of_contact", "phase_of_hip"};
 static const char *const table_names[] = {0};
 static const char *const section_names[] = {"at_apex"};
 static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.4722627765193387,
+    0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.4722627765193387,
     0.6417114468531165, 0.9999993776846997, -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05,
     1.1268102275039307e-06, 4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0};
+    0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0};
 static const double parameter_defaults[] = {0.0, 0.0, 1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01, 0.0, 0.0, 1.0, 0.0,
     0.2, 0.6981317007977318, 0.0, 0.0, 0.0};
 static const double parameter_least[] = {-1000000000.0, -1.0, 1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09,
@@ -3717,13 +3651,13 @@ const tdmf_model_kind tdmf_reduced_runner_model = {
     .seeds = TDMF_FOR_SEEDS(tdmf_reduced_runner_seeds),
     .mode_count = 9,
     .mode_names = mode_names,
-    .state_count = 84,
+    .state_count = 85,
     .state_names = state_names,
     .parameter_count = 18,
     .parameter_names = parameter_names,
     .event_count = 13,
     .event_names = event_names,
-    .output_count = 22,
+    .output_count = 21,
     .output_names = output_names,
     .table_count = 0,
     .table_names = table_names,

@@ -13,7 +13,7 @@ enum {OUTPUT_pending, OUTPUT_torque, OUTPUT_normal_force, OUTPUT_tangential_forc
     OUTPUT_ground_force_y, OUTPUT_force_of_leg, OUTPUT_body_x, OUTPUT_body_y, OUTPUT_body_vx, OUTPUT_body_vy,
     OUTPUT_center_x, OUTPUT_center_y, OUTPUT_center_vx, OUTPUT_center_vy, OUTPUT_kinetic_energy,
     OUTPUT_potential_energy, OUTPUT_elastic_energy, OUTPUT_energy, OUTPUT_kind_of_contact,
-    OUTPUT_phase_of_hip, OUTPUT_has_fallen, OUTPUT_COUNT};
+    OUTPUT_phase_of_hip, OUTPUT_COUNT};
 
 enum {TABLE_COUNT};
 
@@ -125,6 +125,7 @@ typedef struct {
     real placing; /* s: In place, the time since it began; else 0 */
     real touchdown_time; /* s: Time of the last impact */
     real work; /* J: Work of the total hip torque since the start, W */
+    real has_fallen; /* 1: Whether the runner has fallen, which freezes the motion */
 } reduced_runner_states;
 
 typedef struct {

@@ -660,7 +660,6 @@ static void outputs_start_of_run(const real *parameters, const real *states, rea
     outputs[OUTPUT_energy] = energy;
     outputs[OUTPUT_kind_of_contact] = 1.0;
     outputs[OUTPUT_phase_of_hip] = 4.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* First variation of outputs_start_of_run. */
@@ -741,7 +740,6 @@ static void vary_outputs_start_of_run(const real *parameters, const real *states
     outputs[OUTPUT_energy] = d_energy;
     outputs[OUTPUT_kind_of_contact] = 0.0;
     outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
@@ -951,6 +949,7 @@ static int react_slip_constant_falls(const real *parameters, const real *states,
     y->seen_vy = vy;
     y->length_rate = length_rate;
     y->angle_rate = angle_rate;
+    y->has_fallen = 1.0;
     return next[0]; /* fallen */
 }
 
@@ -989,6 +988,7 @@ static void vary_react_slip_constant_falls(const real *parameters, const real *s
     y->seen_vy = d_vy;
     y->length_rate = d_length_rate;
     y->angle_rate = d_angle_rate;
+    y->has_fallen = 0.0;
 }
 
 /* First variation of the guard of falls. */
@@ -1692,6 +1692,7 @@ static int react_slip_constant_crosses_border(const real *parameters, const real
         y->seen_vy = vy;
         y->length_rate = length_rate;
         y->angle_rate = angle_rate;
+        y->has_fallen = 1.0;
         return next[1]; /* fallen */
     }
     return next[0]; /* slip */
@@ -1768,6 +1769,7 @@ static void vary_react_slip_constant_crosses_border(const real *parameters, cons
         y->seen_vy = d_vy;
         y->length_rate = d_length_rate;
         y->angle_rate = d_angle_rate;
+        y->has_fallen = 0.0;
         return;
     }
 }
@@ -1873,7 +1875,6 @@ static void outputs_slip_constant(const real *parameters, const real *states, re
     outputs[OUTPUT_energy] = energy;
     outputs[OUTPUT_kind_of_contact] = kind_of_contact;
     outputs[OUTPUT_phase_of_hip] = phase_of_hip;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* First variation of outputs_slip_constant. */
@@ -1994,7 +1995,6 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
     outputs[OUTPUT_energy] = d_energy;
     outputs[OUTPUT_kind_of_contact] = 0.0;
     outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
@@ -2803,7 +2803,6 @@ static void outputs_stick(const real *parameters, const real *states, real *outp
     outputs[OUTPUT_energy] = energy;
     outputs[OUTPUT_kind_of_contact] = 2.0;
     outputs[OUTPUT_phase_of_hip] = phase_of_hip;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* First variation of outputs_stick. */
@@ -2917,7 +2916,6 @@ static void vary_outputs_stick(const real *parameters, const real *states, const
     outputs[OUTPUT_energy] = d_energy;
     outputs[OUTPUT_kind_of_contact] = 0.0;
     outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
@@ -3296,6 +3294,7 @@ static int react_flight_calm_passes_end(const real *parameters, const real *stat
         y->seen_vx = x->com_vx - share * vx;
         y->seen_vy = x->com_vy - share * vy;
         y->angle_rate = rate;
+        y->has_fallen = 1.0;
         return next[1]; /* fallen */
     }
     return next[0]; /* flight */
@@ -3369,6 +3368,7 @@ static void vary_react_flight_calm_passes_end(const real *parameters, const real
         y->seen_vx = dx->com_vx - (d_share * vx + share * d_vx);
         y->seen_vy = dx->com_vy - (d_share * vy + share * d_vy);
         y->angle_rate = d_rate;
+        y->has_fallen = 0.0;
         return;
     }
 }
@@ -3449,6 +3449,7 @@ static int react_flight_calm_passes_begin(const real *parameters, const real *st
         y->seen_vx = x->com_vx - share * vx;
         y->seen_vy = x->com_vy - share * vy;
         y->angle_rate = rate;
+        y->has_fallen = 1.0;
         return next[1]; /* fallen */
     }
     return next[0]; /* flight */
@@ -3522,6 +3523,7 @@ static void vary_react_flight_calm_passes_begin(const real *parameters, const re
         y->seen_vx = dx->com_vx - (d_share * vx + share * d_vx);
         y->seen_vy = dx->com_vy - (d_share * vy + share * d_vy);
         y->angle_rate = d_rate;
+        y->has_fallen = 0.0;
         return;
     }
 }
@@ -3703,6 +3705,7 @@ static int react_flight_calm_falls(const real *parameters, const real *states, c
     y->seen_vx = x->com_vx - share * vx;
     y->seen_vy = x->com_vy - share * vy;
     y->angle_rate = rate;
+    y->has_fallen = 1.0;
     return next[0]; /* fallen */
 }
 
@@ -3741,6 +3744,7 @@ static void vary_react_flight_calm_falls(const real *parameters, const real *sta
     y->seen_vx = dx->com_vx - (d_share * vx + share * d_vx);
     y->seen_vy = dx->com_vy - (d_share * vy + share * d_vy);
     y->angle_rate = d_rate;
+    y->has_fallen = 0.0;
 }
 
 /* First variation of the guard of falls. */
@@ -4446,7 +4450,6 @@ static void outputs_flight_calm(const real *parameters, const real *states, real
     outputs[OUTPUT_energy] = energy;
     outputs[OUTPUT_kind_of_contact] = 1.0;
     outputs[OUTPUT_phase_of_hip] = phase_of_hip;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* First variation of outputs_flight_calm. */
@@ -4550,7 +4553,6 @@ static void vary_outputs_flight_calm(const real *parameters, const real *states,
     outputs[OUTPUT_energy] = d_energy;
     outputs[OUTPUT_kind_of_contact] = 0.0;
     outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* from world, in flight. */
@@ -4815,65 +4817,6 @@ static void vary_open_fallen(const real *parameters, const real *states, const r
     (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)constants;
 }
 
-/* Outputs in fallen. */
-static void outputs_fallen(const real *parameters, const real *states, real *outputs) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    const real set_height = p->ground_height + x->segment_height;
-    const real set_slope = p->ground_slope + x->segment_slope;
-    const real pending = select(real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope
-        - x->slope)) > 0.0, 1.0, 0.0);
-    const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer >= 0.0, longer,
-        0.0) * x->thrusting;
-    const real shorter = rest_length - x->length;
-    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real sin_of_angle = real_sin(x->angle);
-    const real length_times_sin_of_angle = x->length * sin_of_angle;
-    const real body_x = x->seen_x - length_times_sin_of_angle;
-    const real cos_of_angle = real_cos(x->angle);
-    const real y_2 = x->length * cos_of_angle;
-    const real body_y = x->seen_y + y_2;
-    const real turn = x->length * x->angle_rate;
-    const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
-    const real body_vx = x->seen_vx + vx;
-    const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
-    const real body_vy = x->seen_vy + vy;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real center_x = x->seen_x - share * length_times_sin_of_angle;
-    const real center_y = x->seen_y + share * y_2;
-    const real center_vx = x->seen_vx + share * vx;
-    const real center_vy = x->seen_vy + share * vy;
-    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (x->seen_vx * x->seen_vx
-        + x->seen_vy * x->seen_vy));
-    const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y);
-    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
-    const real energy = kinetic_energy + potential_energy + elastic_energy;
-    outputs[OUTPUT_pending] = pending;
-    outputs[OUTPUT_torque] = 0.0;
-    outputs[OUTPUT_normal_force] = 0.0;
-    outputs[OUTPUT_tangential_force] = 0.0;
-    outputs[OUTPUT_ground_force_x] = 0.0;
-    outputs[OUTPUT_ground_force_y] = 0.0;
-    outputs[OUTPUT_force_of_leg] = spring;
-    outputs[OUTPUT_body_x] = body_x;
-    outputs[OUTPUT_body_y] = body_y;
-    outputs[OUTPUT_body_vx] = body_vx;
-    outputs[OUTPUT_body_vy] = body_vy;
-    outputs[OUTPUT_center_x] = center_x;
-    outputs[OUTPUT_center_y] = center_y;
-    outputs[OUTPUT_center_vx] = center_vx;
-    outputs[OUTPUT_center_vy] = center_vy;
-    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
-    outputs[OUTPUT_potential_energy] = potential_energy;
-    outputs[OUTPUT_elastic_energy] = elastic_energy;
-    outputs[OUTPUT_energy] = energy;
-    outputs[OUTPUT_kind_of_contact] = 1.0;
-    outputs[OUTPUT_phase_of_hip] = 4.0;
-    outputs[OUTPUT_has_fallen] = 1.0;
-}
-
 /* Constants of graze. */
 static void open_graze(const real *parameters, const real *states, real *constants) {
     const runner_parameters *p = (const void *)parameters;
@@ -5066,6 +5009,7 @@ static int react_graze_passes_end(const real *parameters, const real *states, co
         y->seen_vy = vy;
         y->length_rate = length_rate;
         y->angle_rate = angle_rate;
+        y->has_fallen = 1.0;
         return next[1]; /* fallen */
     }
     return next[0]; /* graze */
@@ -5140,6 +5084,7 @@ static void vary_react_graze_passes_end(const real *parameters, const real *stat
         y->seen_vy = d_vy;
         y->length_rate = d_length_rate;
         y->angle_rate = d_angle_rate;
+        y->has_fallen = 0.0;
         return;
     }
 }
@@ -5211,6 +5156,7 @@ static int react_graze_passes_begin(const real *parameters, const real *states, 
         y->seen_vy = vy;
         y->length_rate = length_rate;
         y->angle_rate = angle_rate;
+        y->has_fallen = 1.0;
         return next[1]; /* fallen */
     }
     return next[0]; /* graze */
@@ -5285,6 +5231,7 @@ static void vary_react_graze_passes_begin(const real *parameters, const real *st
         y->seen_vy = d_vy;
         y->length_rate = d_length_rate;
         y->angle_rate = d_angle_rate;
+        y->has_fallen = 0.0;
         return;
     }
 }
@@ -5889,7 +5836,6 @@ static void outputs_graze(const real *parameters, const real *states, real *outp
     outputs[OUTPUT_energy] = energy;
     outputs[OUTPUT_kind_of_contact] = 5.0;
     outputs[OUTPUT_phase_of_hip] = phase_of_hip;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* First variation of outputs_graze. */
@@ -5990,7 +5936,6 @@ static void vary_outputs_graze(const real *parameters, const real *states, const
     outputs[OUTPUT_energy] = d_energy;
     outputs[OUTPUT_kind_of_contact] = 0.0;
     outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
@@ -6371,7 +6316,6 @@ static void outputs_slip_falling(const real *parameters, const real *states, rea
     outputs[OUTPUT_energy] = energy;
     outputs[OUTPUT_kind_of_contact] = kind_of_contact;
     outputs[OUTPUT_phase_of_hip] = phase_of_hip;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* First variation of outputs_slip_falling. */
@@ -6500,7 +6444,6 @@ static void vary_outputs_slip_falling(const real *parameters, const real *states
     outputs[OUTPUT_energy] = d_energy;
     outputs[OUTPUT_kind_of_contact] = 0.0;
     outputs[OUTPUT_phase_of_hip] = 0.0;
-    outputs[OUTPUT_has_fallen] = 0.0;
 }
 
 /* Time scale. */
@@ -7311,6 +7254,7 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_states[100] = 1.0;
     of_states[101] = product_2;
     of_states[102] = 1.0;
+    of_states[103] = 1.0;
     of_events[EVENT_passes_end] = p->free_length;
     of_events[EVENT_passes_begin] = p->free_length;
     of_events[EVENT_next_segment_comes] = 1.0;
@@ -7636,9 +7580,9 @@ static const tdmf_mode_kind modes[] = {
         .vary_from_world = vary_from_world_flight_calm, .to_world = to_world_flight_calm,
         .vary_to_world = vary_to_world_flight_calm, .world_rates = world_rates_flight_calm,
         .vary_world_rates = vary_world_rates_flight_calm},
-    {.motion = &tdmf_runner_motions[MODE_fallen], .ends = true, .open = open_fallen,
+    {.motion = &tdmf_runner_motions[MODE_fallen], .ends = true, .keeps_outputs = true, .open = open_fallen,
         .vary_open = vary_open_fallen, .guard_count = 0, .guards = guards_fallen, .watch_count = 0,
-        .usual_count = 0, .watches = watches_fallen, .outputs = outputs_fallen,
+        .usual_count = 0, .watches = watches_fallen, .outputs = outputs_start_of_run,
         .vary_outputs = vary_outputs_start_of_run, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run},
     {.motion = &tdmf_runner_motions[MODE_graze], .open = open_graze, .vary_open = vary_open_graze,
@@ -7695,7 +7639,7 @@ static const char *const state_names[] = {"time", "events", "last_event", "great
     "external_work", "damper_loss", "extension_rate", "external_fx_rate", "external_fy_rate", "friction",
     "way", "friction_loss", "impact_loss", "friction_rate", "external_torque", "liftoff_angle", "driving",
     "swing", "placing", "touchdown_time", "was_placed", "placed_for", "rises_again", "work",
-    "external_torque_rate"};
+    "external_torque_rate", "has_fallen"};
 static const char *const parameter_names[] = {"ground_height", "ground_slope", "patch_begin", "patch_end",
     "patch_friction", "by_stride", "trips", "keeps_friction", "body_mass", "foot_mass", "stiffness",
     "damping", "free_length", "least_length", "gravity", "thrust", "notes_compression", "more_thrust",
@@ -7709,17 +7653,17 @@ static const char *const event_names[] = {"passes_end", "passes_begin", "next_se
 static const char *const output_names[] = {"pending", "torque", "normal_force", "tangential_force",
     "ground_force_x", "ground_force_y", "force_of_leg", "body_x", "body_y", "body_vx", "body_vy", "center_x",
     "center_y", "center_vx", "center_vy", "kinetic_energy", "potential_energy", "elastic_energy", "energy",
-    "kind_of_contact", "phase_of_hip", "has_fallen"};
+    "kind_of_contact", "phase_of_hip"};
 static const char *const table_names[] = {"ground_segment"};
 static const char *const section_names[] = {"at_apex"};
 static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, -1000000000000.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, -1000000000000.0,
     -1000000000000.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0, 0.0, -0.4722627765193387, 0.6417114468531165,
     0.9999993776846997, -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05,
     1.1268102275039307e-06, 4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 0.0};
+    0.0, 0.0, 0.0, 0.0};
 static const double parameter_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 1.0, 0.1, 1.0, 0.2, 1.0,
     0.05, 0.01, 0.0, 1.0, 0.0, 1.0, 0.0, 0.2, 0.1, 0.1, 0.6981317007977318, 1.2, 0.0, 0.0, 0.0, 0.0};
 static const double parameter_least[] = {-1000000000.0, -1.0, -1000000000.0, -1000000000.0, 0.0,
@@ -7745,13 +7689,13 @@ const tdmf_model_kind tdmf_runner_model = {
     .seeds = TDMF_FOR_SEEDS(tdmf_runner_seeds),
     .mode_count = 8,
     .mode_names = mode_names,
-    .state_count = 103,
+    .state_count = 104,
     .state_names = state_names,
     .parameter_count = 29,
     .parameter_names = parameter_names,
     .event_count = 25,
     .event_names = event_names,
-    .output_count = 22,
+    .output_count = 21,
     .output_names = output_names,
     .table_count = 1,
     .table_names = table_names,

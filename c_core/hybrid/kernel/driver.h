@@ -80,7 +80,8 @@ typedef struct {
 
 typedef struct {
     const tdmf_motion_kind *motion;
-    bool ends; /* the run */
+    bool ends;          /* the run */
+    bool keeps_outputs; /* a unit shows those of the mode before */
     int guard_count;
     const tdmf_guard_kind *guards; /* in the order of events that are due at one instant */
     int watch_count, usual_count;  /* all observed quantities; those that come first are usual */
@@ -214,6 +215,7 @@ typedef struct {
     long steps, events;
     long limited_steps; /* of the steps, those that a mode's time scale limited */
     int chain;
+    int left; /* the mode before the last event */
     /* Memory between calls: a saved run is a copy of the struct and of the states. Sets of events have a bit
      * for each event. */
     double time_rest;     /* rounding error of the time */
@@ -235,6 +237,7 @@ typedef enum {
     TDMF_RUN_CANCELLED,       /* in a batch */
     TDMF_RUN_BAD_ORDER,       /* the order of the series is not allowed */
     TDMF_RUN_TOO_MANY_SEEDS,  /* of a return map */
+    TDMF_RUN_TOO_STIFF,       /* so many steps in a short time; never returned by the driver itself */
     TDMF_RUN_GOES_ON          /* never returned */
 } tdmf_run_outcome;
 

@@ -49,8 +49,15 @@ void tdmf_note_largest(const tdmf_page_instant *at, double *x) {
     }
 }
 
-static tdmf_event_row take_event(const tdmf_model_kind *model, const tdmf_guard_kind *kind, tdmf_page_run *r,
-                                 unsigned char *watch) {
+void tdmf_note_taken(const tdmf_model_kind *model, int event, unsigned char *watch) {
+    for (int i = 0; i < model->event_count; ++i) {
+        watch[i] = watch[i] == WATCH_RISING ? WATCH_RISING : WATCH_BELOW;
+    }
+    watch[event] = WATCH_RISING;
+}
+
+tdmf_event_row tdmf_take_event_now(const tdmf_model_kind *model, const tdmf_guard_kind *kind,
+                                   tdmf_page_run *r, unsigned char *watch) {
     tdmf_event_row row;
     run_state state;
     mode_start at;
@@ -59,10 +66,7 @@ static tdmf_event_row take_event(const tdmf_model_kind *model, const tdmf_guard_
     r->log_count = 0;
     tdmf_begin_in_memory(&state, &at, model, r);
     tdmf_take_event(&state, kind, &at);
-    for (int i = 0; i < model->event_count; ++i) {
-        watch[i] = watch[i] == WATCH_RISING ? WATCH_RISING : WATCH_BELOW;
-    }
-    watch[kind->event] = WATCH_RISING;
+    tdmf_note_taken(model, kind->event, watch);
     return row;
 }
 
@@ -85,11 +89,12 @@ bool tdmf_take_due_events(const tdmf_model_kind *model, tdmf_page_run *r, unsign
         tdmf_note_guards(&at, guards, watch);
         is_settled = first == at.mode->guard_count;
         if (!is_settled) {
-            chain->last = take_event(model, &at.mode->guards[first], &run, watch);
+            chain->last = tdmf_take_event_now(model, &at.mode->guards[first], &run, watch);
             chain->first = chain->count++ == 0 ? chain->last : chain->first;
         }
     }
     r->mode = run.mode;
+    r->left = run.left;
     r->events = run.events;
     r->chain = run.chain;
     r->taken = run.taken;

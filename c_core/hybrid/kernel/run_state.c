@@ -168,6 +168,7 @@ bool tdmf_take_event(run_state *state, const tdmf_guard_kind *kind, const mode_s
     }
     forget_guards(state, kind->event);
     r->taken |= (uint64_t)1 << kind->event;
+    r->left = before;
     state->stops |= kind->event == r->stop_event;
     ++r->events;
     ++r->chain;

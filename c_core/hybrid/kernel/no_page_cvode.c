@@ -1,8 +1,7 @@
 /* This file stands in for page_cvode.c where SUNDIALS is missing. */
 #include "page_cvode.h"
-#include "tdmf_slip/cvode.h"
 
-bool tdmf_cvode_is_available(void) {
+bool tdmf_page_cvode_is_available(void) {
     return false;
 }
 

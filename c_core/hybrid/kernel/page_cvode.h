@@ -1,10 +1,14 @@
 /* CVODE as the solver of any page, to check the driver against and for stiff runs. */
-#ifndef TDMF_SOLVER_PAGE_CVODE_H
-#define TDMF_SOLVER_PAGE_CVODE_H
+#ifndef TDMF_KERNEL_PAGE_CVODE_H
+#define TDMF_KERNEL_PAGE_CVODE_H
 
 #include "page_exchange.h"
 
+#include <stdbool.h>
 #include <stdint.h>
+
+/* Whether this build has SUNDIALS. */
+bool tdmf_page_cvode_is_available(void);
 
 /* Goes on to `until`, or to where an event is due: it is not taken, the caller does so by
  * tdmf_take_due_events, which is also to be called before the first step. Integrates with the run's

@@ -1,0 +1,20 @@
+/* Derived from the page Runner: edit the page, not this. */
+#ifndef UNIT_PAGE_H
+#define UNIT_PAGE_H
+
+enum {
+    UNIT_PARAMETER_COUNT = 29,
+    UNIT_STATE_COUNT = 104,
+    UNIT_EVENT_COUNT = 25,
+    UNIT_OUTPUT_COUNT = 21,
+    UNIT_CONTINUOUS_COUNT = 15,
+    UNIT_GUARD_COUNT = 17,
+    UNIT_WORD_COUNT = 1,
+    UNIT_ENUMERATION_COUNT = 2,
+    UNIT_REQUIREMENT_COUNT = 6,
+    UNIT_NOMINAL_COUNT = 1,
+    UNIT_BOUND_COUNT = 20,
+    UNIT_CLOCK_IS_RELATIVE = 1,
+};
+
+#endif

@@ -1,0 +1,296 @@
+/* Solvers of Co-Simulation on a page, and reports of the events that they take. */
+#include "drive.h"
+
+#include "page_cvode.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { LOG_SIZE = 32 };
+
+static const long event_limit = 100000; /* of a call */
+static const long stiff_steps = 10000;  /* in a time scale of the page: its laws are too stiff for series */
+static const double finest_tolerance = 1e-16;
+
+static bool is_by_cvode(const fmu *fmu) {
+    return !fmu->is_exchange && fmu->settings[SETTING_METHOD] == SOLVER_CVODE;
+}
+
+/* Sets the page's clock to the time of the motion, which its own steps have rounded otherwise; and what it
+ * has written down at this instant. */
+void set_clock(fmu *fmu) {
+    double *x = states_of(fmu);
+    for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
+        if (unit_clock >= 0 && unit_holds_time[i] && x[i] == x[unit_clock]) {
+            x[i] = fmu->motion.time;
+        }
+    }
+    if (unit_clock >= 0) {
+        x[unit_clock] = fmu->motion.time;
+    }
+}
+
+tdmf_page_run run_of(fmu *fmu) {
+    const page_motion *motion = &fmu->motion;
+    const double wanted = fmin(fmu->settings[SETTING_TOLERANCE], fmu->importer_tolerance);
+    const double tolerance = fmax(wanted, finest_tolerance);
+    const tdmf_page_run run = {.p = parameters_of(fmu),
+                               .x = states_of(fmu),
+                               .memory = fmu->memory,
+                               .time = motion->time,
+                               .time_rest = motion->time_rest,
+                               .mode = motion->mode,
+                               .chain = motion->chain,
+                               .taken = motion->taken,
+                               .above = motion->above,
+                               .late = motion->late,
+                               .tolerance = tolerance,
+                               .order = tdmf_page_order(tolerance),
+                               .stop_event = -1,
+                               .observes = TDMF_OBSERVE_USUAL,
+                               .step_limit = fmu->step_limit,
+                               .event_limit = event_limit};
+    return run;
+}
+
+void keep_run(fmu *fmu, const tdmf_page_run *run) {
+    page_motion *motion = &fmu->motion;
+    motion->time = run->time;
+    motion->time_rest = run->time_rest;
+    motion->mode = run->mode;
+    motion->chain = run->chain;
+    motion->taken = run->taken;
+    motion->above = run->above;
+    motion->late = run->late;
+    motion->shown = unit_model->modes[run->mode].keeps_outputs ? run->left : run->mode;
+    fmu->work[WORK_STEPS] += run->steps;
+    fmu->work[WORK_EVALUATIONS] += is_by_cvode(fmu) ? 0 : run->steps * run->order;
+    fmu->work[WORK_LAYER_STEPS] += run->limited_steps;
+    set_clock(fmu);
+}
+
+bool is_counted(const tdmf_event_row *row) {
+    const tdmf_mode_kind *before = &unit_model->modes[row->before];
+    for (int i = 0; i < before->guard_count; ++i) {
+        if (before->guards[i].event == row->event) {
+            return before->guards[i].is_counted || unit_model->modes[row->after].ends;
+        }
+    }
+    return false;
+}
+
+static void append(char text[FMU_TEXT], const char *word) {
+    const size_t length = strlen(text);
+    snprintf(text + length, FMU_TEXT - length, "%s%s", length > 0 ? ", " : "", word);
+}
+
+/* Writes the name of a mode in messages: its enumerations, else its name in the page. One that ends the run
+ * has the enumerations of the mode `left`. */
+static void describe(const fmu *fmu, int mode, int left, const double *x, char text[FMU_TEXT]) {
+    double outputs[UNIT_OUTPUT_COUNT + 1];
+    text[0] = '\0';
+    unit_model->modes[unit_model->modes[mode].keeps_outputs ? left : mode].outputs(parameters_of(fmu), x,
+                                                                                   outputs);
+    for (int i = 0; i < UNIT_ENUMERATION_COUNT; ++i) {
+        const unit_enumeration *of = &unit_enumerations[i];
+        append(text, of->names[(int)outputs[of->output] - 1]);
+    }
+    if (text[0] == '\0' || unit_model->modes[mode].ends) {
+        append(text, unit_model->mode_names[mode]);
+    }
+}
+
+/* Reports events at one instant, with the states before the first and after the last of them. */
+void report(const fmu *fmu, const fmu_observer *observer, const tdmf_event_row *first, const double *before,
+            const tdmf_event_row *last, const double *after) {
+    char text[3 * FMU_TEXT], old_mode[FMU_TEXT], new_mode[FMU_TEXT], time[TIME_CAPACITY];
+    describe(fmu, first->before, first->before, before, old_mode);
+    describe(fmu, last->after, last->before, after, new_mode);
+    snprintf(text, sizeof text, "%s at %s s: %s -> %s", unit_event_names[first->event],
+             time_text(fmu->epoch + first->time, time), old_mode, new_mode);
+    if (is_counted(first) || strcmp(old_mode, new_mode) != 0) {
+        observer->on_event(observer->subject, text);
+    }
+}
+
+/* Reports the events of a log, those of one instant together. */
+static void report_log(const fmu *fmu, const fmu_observer *observer, const tdmf_page_run *run) {
+    for (int i = 0, next; i < run->log_count; i = next) {
+        for (next = i + 1; next < run->log_count && run->log[next].time == run->log[i].time; ++next) {
+        }
+        const double *before = run->log_states + i * UNIT_STATE_COUNT;
+        const double *after = next < run->log_count ? run->log_states + next * UNIT_STATE_COUNT : run->x;
+        report(fmu, observer, &run->log[i], before, &run->log[next - 1], after);
+    }
+}
+
+bool has_arrived(tdmf_run_outcome outcome) {
+    return outcome == TDMF_RUN_ARRIVED || outcome == TDMF_RUN_ENDED;
+}
+
+/* The typical size of a time. */
+static double time_scale_of(const fmu *fmu) {
+    const tdmf_page_instant at = instant_of(fmu);
+    return unit_clock >= 0 ? at.scales[unit_clock] : 1.0;
+}
+
+/* Goes on by the driver up to a limit of steps or events; `run` has its log and its limit of events. A run
+ * whose steps are so many in a short time that its laws are stiff is given up. */
+static tdmf_run_outcome drive_on(fmu *fmu, double until, tdmf_page_run *run) {
+    tdmf_run_outcome outcome;
+    for (long left = run->step_limit;;) {
+        const double began = run->time;
+        const long steps = run->steps;
+        run->step_limit = left < stiff_steps ? left : stiff_steps;
+        outcome = tdmf_page_run_to(unit_model, run, until);
+        left -= run->steps - steps;
+        if (outcome != TDMF_RUN_TOO_MANY_STEPS || left <= 0) {
+            break;
+        }
+        if (run->time - began < time_scale_of(fmu)) {
+            outcome = TDMF_RUN_TOO_STIFF;
+            break;
+        }
+    }
+    keep_run(fmu, run);
+    return outcome;
+}
+
+/* Runs the driver, and reports every event if there is an observer. `events` receives the number of events.
+ */
+static tdmf_run_outcome drive_native(fmu *fmu, double until, const fmu_observer *observer, long *events) {
+    const bool is_observed = observer->on_event != NULL;
+    tdmf_run_outcome outcome;
+    tdmf_event_row log[LOG_SIZE];
+    double states[LOG_SIZE * (UNIT_STATE_COUNT + 1)];
+    *events = 0;
+    do {
+        tdmf_page_run run = run_of(fmu);
+        run.log = log;
+        run.log_states = states;
+        run.log_size = is_observed ? LOG_SIZE : 0;
+        run.event_limit = is_observed ? LOG_SIZE : event_limit;
+        outcome = drive_on(fmu, until, &run);
+        *events += run.events;
+        report_log(fmu, observer, &run);
+    } while (is_observed && outcome == TDMF_RUN_TOO_MANY_EVENTS && *events < event_limit);
+    return outcome;
+}
+
+/* Takes the events that are due, until none is. False where they do not come to an end. */
+bool settle(fmu *fmu, const fmu_observer *observer, bool *changed) {
+    const page_motion before = fmu->motion;
+    tdmf_page_run run = run_of(fmu);
+    tdmf_chain chain;
+    const bool is_settled =
+        tdmf_take_due_events(unit_model, &run, fmu->watch, memory_of_instant(fmu), &chain);
+    keep_run(fmu, &run);
+    *changed |= chain.count > 0;
+    if (is_settled && chain.count > 0 && observer->on_event != NULL) {
+        report(fmu, observer, &chain.first, before.numbers + UNIT_PARAMETER_COUNT, &chain.last,
+               states_of(fmu));
+    }
+    return is_settled;
+}
+
+/* Goes on to `until` or to an event, which is due then: TDMF_RUN_STOPPED. */
+static tdmf_run_outcome go_on_by_cvode(fmu *fmu, double until) {
+    tdmf_page_run run = run_of(fmu);
+    show_to_world(fmu);
+    const tdmf_run_outcome outcome =
+        tdmf_cvode_to_event(unit_model, &run, fmu->watch, until, &fmu->work[WORK_EVALUATIONS]);
+    keep_run(fmu, &run);
+    return outcome;
+}
+
+static tdmf_run_outcome drive_by_cvode(fmu *fmu, double until, const fmu_observer *observer, long *events) {
+    tdmf_run_outcome outcome = TDMF_RUN_STOPPED;
+    for (*events = 0; outcome == TDMF_RUN_STOPPED && *events < event_limit; ++*events) {
+        bool changed = false;
+        if (!settle(fmu, observer, &changed)) {
+            return TDMF_RUN_ENDLESS_CHAIN;
+        }
+        if (mode_of(fmu)->ends) {
+            return TDMF_RUN_ENDED;
+        }
+        *events += changed;
+        outcome = go_on_by_cvode(fmu, until);
+    }
+    *events -= 1;
+    return outcome == TDMF_RUN_STOPPED ? TDMF_RUN_TOO_MANY_EVENTS : outcome;
+}
+
+tdmf_run_outcome drive(fmu *fmu, double until, const fmu_observer *observer, long *events) {
+    return (is_by_cvode(fmu) ? drive_by_cvode : drive_native)(fmu, until, observer, events);
+}
+
+static void copy_states(struct fmu *to, const double *states) {
+    memcpy(states_of(to), states, UNIT_STATE_COUNT * sizeof *states);
+}
+
+static tdmf_run_outcome drive_native_to_event(fmu *fmu, double until, struct fmu *after,
+                                              tdmf_event_row *row) {
+    double states[UNIT_STATE_COUNT + 1];
+    long left = event_limit;
+    page_motion before;
+    tdmf_run_outcome outcome;
+    bool counted;
+    *after = *fmu;
+    do {
+        before = after->motion;
+        tdmf_page_run run = run_of(after);
+        run.log = row;
+        run.log_states = states;
+        run.log_size = 1;
+        run.event_limit = 1;
+        outcome = drive_on(after, until, &run);
+        counted = run.log_count > 0 && is_counted(row);
+    } while (outcome == TDMF_RUN_TOO_MANY_EVENTS && !counted && --left > 0);
+    if (!counted) {
+        *fmu = *after;
+        return outcome;
+    }
+    memcpy(fmu->work, after->work, sizeof fmu->work);
+    fmu->motion = before;
+    copy_states(fmu, states);
+    fmu->motion.time = row->time;
+    fmu->motion.time_rest = 0.0;
+    fmu->motion.taken = 0;
+    fmu->motion.chain = 0;
+    fmu->motion.above |= (uint64_t)1 << row->event;
+    set_clock(fmu);
+    return TDMF_RUN_STOPPED;
+}
+
+static tdmf_run_outcome drive_cvode_to_event(fmu *fmu, double until, struct fmu *after, tdmf_event_row *row) {
+    for (long left = event_limit; left > 0; --left) {
+        const tdmf_run_outcome outcome = mode_of(fmu)->ends ? TDMF_RUN_ENDED : go_on_by_cvode(fmu, until);
+        tdmf_chain chain;
+        if (outcome != TDMF_RUN_STOPPED) {
+            return outcome;
+        }
+        *after = *fmu;
+        tdmf_page_run run = run_of(after);
+        if (!tdmf_take_due_events(unit_model, &run, after->watch, memory_of_instant(after), &chain)) {
+            return TDMF_RUN_ENDLESS_CHAIN;
+        }
+        keep_run(after, &run);
+        *row = is_counted(&chain.first) ? chain.first : chain.last;
+        if (chain.count > 0 && is_counted(row)) {
+            return TDMF_RUN_STOPPED;
+        }
+        *fmu = *after;
+    }
+    return TDMF_RUN_TOO_MANY_EVENTS;
+}
+
+tdmf_run_outcome drive_to_event(fmu *fmu, double until, struct fmu *after, tdmf_event_row *row) {
+    return (is_by_cvode(fmu) ? drive_cvode_to_event : drive_native_to_event)(fmu, until, after, row);
+}
+
+const char *message(fmu *fmu, tdmf_run_outcome outcome, char text[FMU_TEXT]) {
+    const tdmf_page_run run = run_of(fmu);
+    tdmf_run_message(unit_model, &run, outcome, text, FMU_TEXT);
+    return text;
+}
