@@ -75,6 +75,18 @@ static void differentiate(const instance *instance, const fmu *present, fmu *see
     fmu_differentiate_start(&instance->fmu, present, seed, variation);
 }
 
+/* Refuses derivatives that are no numbers, as at states so large that their products overflow. */
+static call_status check_derivatives(instance *instance, const char *call, const uint32_t references[],
+                                     size_t count, const double values[]) {
+    for (size_t i = 0; i < count; ++i) {
+        if (isnan(values[i])) {
+            return refuse(instance, call, "%s: there is no derivative at this state",
+                          fmu_variables[references[i]].name);
+        }
+    }
+    return CALL_OK;
+}
+
 call_status directional_derivative(instance *instance, const char *call, const uint32_t unknowns[],
                                    size_t unknown_count, const uint32_t knowns[], size_t known_count,
                                    const double seeds[], double values[]) {
@@ -102,7 +114,7 @@ call_status directional_derivative(instance *instance, const char *call, const u
     for (size_t i = 0; i < unknown_count; ++i) {
         values[i] = fmu_get_number(&seed, &variation, &fmu_variables[unknowns[i]]);
     }
-    return CALL_OK;
+    return check_derivatives(instance, call, unknowns, unknown_count, values);
 }
 
 /* How the unknowns together, weighted by the seeds, change with one known. */
@@ -139,7 +151,7 @@ call_status adjoint_derivative(instance *instance, const char *call, const uint3
     for (size_t i = 0; present != NULL && i < known_count; ++i) {
         values[i] = sensitivity(instance, present, unknowns, unknown_count, knowns[i], seeds);
     }
-    return status;
+    return present == NULL ? status : check_derivatives(instance, call, knowns, known_count, values);
 }
 
 call_status output_derivatives(instance *instance, const char *call, const uint32_t references[],
@@ -165,5 +177,5 @@ call_status output_derivatives(instance *instance, const char *call, const uint3
         }
         values[i] = fmu_get_number(&flow, &variation, variable);
     }
-    return CALL_OK;
+    return check_derivatives(instance, call, references, count, values);
 }

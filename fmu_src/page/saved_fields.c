@@ -223,7 +223,7 @@ const char *read_saved_run(const unsigned char *bytes, saved_run *run, char *rea
     fmu_reset(&run->fmu);
     pass_run(&source, run);
     run->fmu.is_exchange = run->interface == MODEL_EXCHANGE;
-    if (source.refused == NULL && fmu_prepare(&run->fmu, reason) != NULL) {
+    if (source.refused == NULL && run->fmu.has_begun && fmu_prepare(&run->fmu, reason) != NULL) {
         return reason;
     }
     if (run->fmu.is_exchange && run->fmu.has_begun) {
