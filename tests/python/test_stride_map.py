@@ -106,7 +106,7 @@ def test_a_runner_below_its_ground_for_a_whole_stride_has_fallen_and_the_rule_is
     low = stride_map(gait.runner, gait.apex, strides=4, inputs={"ground.height": [0.0, 0.2, 0.2, 0.2]})
     assert (low["fate"] == CLOSED).all()
     assert "below a new ground for a whole stride" in found["fate"].attrs["comment"]
-    assert "below it for a whole stride has fallen" in " ".join(stride_map.__doc__.split())
+    assert "below its ground for a whole stride has fallen" in " ".join(stride_map.__doc__.split())
 
 
 def test_after_a_fall_there_is_nothing_but_the_fate(gait):

@@ -85,7 +85,7 @@ def stride_map(
         Positions of the feet at the first apices, m, by default 0. They matter where the ground has a patch.
     derivatives : sequence of str, optional
         Parameters and inputs by which each stride is differentiated, exactly and by the native solver. A
-        stride with derivatives takes as long as some 30 without.
+        stride with derivatives takes as long as some 15 without.
     first_number : int, default 0
         Number of the first runner; ground and noise are drawn by these numbers.
     tolerance : float, default 2e-10
