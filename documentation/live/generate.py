@@ -19,7 +19,7 @@ HERE = pathlib.Path(__file__).parent
 ROOT = HERE.parents[1]
 sys.path.insert(0, str(ROOT / "scripts"))
 
-from generate_variables import Table, agreement, generated, storage  # noqa: E402
+from generate_variables import Table, generated  # noqa: E402
 
 PACKAGE = ROOT / "scripts/tdmf_slip"
 MODE, PHASE = "contact.mode", "hip.phase"
@@ -36,9 +36,22 @@ def starts_of(table):
 
 
 def outputs_of(table):
-    """Numbers that are read off a run: states, and what the core's outputs hold."""
-    rows = [(v, *storage(v, table)) for v in table.variables if v.type != "String"]
-    return [(v, storage_name) for v, kind, storage_name in rows if kind in ("STATE", "OUTPUT")]
+    """Numbers that are read off a run, with their places: states, and what the core's outputs hold."""
+    shown = [
+        v
+        for v in table.variables
+        if v.type != "String"
+        and v.causality not in ("independent", "parameter", "input")
+        and v not in table.guards
+        and v.group != "solver"
+        and not v.derivative
+    ]
+    return [(v, v.constant if v in table.states else f"offsetof(tdmf_outputs, {v.name})") for v in shown]
+
+
+def agreement(claim, what):
+    """A C99 compile-time check: an array of negative size where the claim is false."""
+    return f"typedef char agrees_{what}[({claim}) ? 1 : -1];"
 
 
 def c_table(table):
