@@ -65,12 +65,15 @@ class Hip(Model):
     def swing_torque(r):
         """Total torque of the flight law (12). In `rest` the clamp holds the retracting torque at 0.
 
-        In `place` the target angle decreases from theta0 at the rate omega.
+        In `place` the target angle decreases at the rate omega.
         """
-        first = select(
-            r.swing < PLACE, r.liftoff_factor * r.liftoff_angle, r.touchdown_angle + r.more_angle)
+        first = select(r.swing < PLACE, r.liftoff_factor * r.liftoff_angle, r.placing_angle())
         turn, share = r.is_placing() * r.retraction_rate, select(r.swing > REST, 1, 0)
         return r.external_torque + r.servo(first - turn * r.placing, -turn, share)
+
+    def placing_angle(r):
+        """Target angle theta0 with which `place` begins."""
+        return r.touchdown_angle + r.more_angle
 
     def is_placing(r):
         """1 in place, else 0."""

@@ -54,6 +54,6 @@ class ClockedRunner(PlainRunner):
         share = select(share < most, select(share > -most, share, -most), most)
         return r.replace(aim=atan2(share, sqrt(1 - share * share)))
 
-    def placing_torque(r):
-        """Torque of (12) after the apex, with Raibert's target."""
-        return r.servo(r.aim)
+    def placing_angle(r):
+        """Raibert's target in (12)."""
+        return r.aim

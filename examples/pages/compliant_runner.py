@@ -7,10 +7,9 @@ from tdmf_slip.pages.runner import PLACE, PlainRunner
 class CompliantRunner(PlainRunner):
     """The foot sinks into the ground: it has no impact, may bounce, and is free where nothing bears it.
 
-    At the penetration d = -y the normal force is f_n = k_g d (1 + c_g ddot). It is 0 where the foot leaves
-    its dent faster than the ground follows. `graze` is a foot that is free in a stance: its `course` is a
-    bounce until the law of stance presses it down no more. If the law of flight still does, a torque between
-    both lifts it in a release.
+    At the penetration d = -y the normal force is f_n = k_g d (1 + c_g ddot), 0 where the foot leaves its dent
+    faster than the ground follows. In `graze` the foot is free: it bounces until the law of stance presses it
+    down no more, and is released while the law of flight still does.
     """
 
     prefix = "ground"
@@ -18,13 +17,11 @@ class CompliantRunner(PlainRunner):
     dissipation = parameter(50, "s/m", "Damping over stiffness, c_g", least=0)
     foot_off = state(0, "m", "Height of the foot, y", of="ground")
     foot_off_rate = state(0, "m/s", "Vertical velocity of the foot", of="ground")
-    in_dent = state(0, "1", "1 while a free foot is below y = 0, else 0")
-    pressed = state(1, "1", "1 while the law of stance presses a free foot down, else -1")
+    in_dent, pressed = state(0, "1", "1 if a free foot is below 0"), state(1, "1", "-1 if stance lifts it")
     ground_loss = state(0, "J", "Energy lost in the ground since the start", name="energy.ground_loss")
     contacts, contacts_so_far = state(0, "1", "Contacts in the last stride"), state(0, "1", "In the open one")
     depth, depth_so_far = state(0, "m", "Largest d in the last stride"), state(0, "m", "In the open one")
-    impact_loss = rises_again = 0
-    starts_above_ground = apex_in_graze = None
+    impact_loss, rises_again, starts_above_ground, apex_in_graze = 0, 0, None, None
 
     def standing(r):
         """The normal force f_n, and the force along the ground that holds the foot in place."""
@@ -37,16 +34,14 @@ class CompliantRunner(PlainRunner):
 
     def on_ground(r, push, torque, foot_acceleration=0):
         """The foot moves up and down, too."""
-        normal = 0 if r.mode == "graze" else r.standing().normal
-        rises = (normal - push.off) / r.foot_mass - r.gravity
+        rises = ((0 if r.mode == "graze" else r.standing().normal) - push.off) / r.foot_mass - r.gravity
         rates = super().on_ground(push, torque, foot_acceleration)
         return rates | dict(vy=rates["vy"] - rises, foot_off=r.foot_off_rate, foot_off_rate=rises)
 
     def leg_rates(r):
         """Power lost in the damper, and in the ground: (f_n - k_g d) ddot."""
-        foot = r.foot()
-        lost = r.dissipation * foot.vy if r.mode in ("stick", "slip") else r.in_dent
-        return super().leg_rates() | dict(ground_loss=-r.ground_stiffness * foot.y * foot.vy * lost)
+        lost = r.dissipation * r.foot().vy if r.mode in ("stick", "slip") else r.in_dent
+        return super().leg_rates() | dict(ground_loss=-r.ground_stiffness * r.foot().y * r.foot().vy * lost)
 
     @mode("course", of="ground")
     def graze(r):
@@ -54,19 +49,19 @@ class CompliantRunner(PlainRunner):
         push = r.push(r.torque())
         return r.on_ground(push, r.torque(), -push.along / r.foot_mass) | r.swing_rates()
 
-    def in_stance(r):
-        """Whether the law of stance drives the hip."""
-        return super().in_stance() or r.bounces()
-
     def bounces(r):
         """Whether the foot is free in a stance that goes on."""
         return r.mode == "graze" and r.course == "bounce"
 
+    def in_stance(r):
+        """Whether the law of stance drives the hip."""
+        return super().in_stance() or r.bounces()
+
     @event("start_of_run", when=lambda r: -1, counted=False)
     def begins(r):
         """A run begins with a free foot, and contact may follow at once. An apex opens a stride."""
-        in_dent = select(r.foot().y < -r.margin_of("m"), 1, 0)
-        return r.replace(liftoff_angle=r.angle, in_dent=in_dent).start_flight()
+        r = r.replace(liftoff_angle=r.angle, in_dent=select(r.foot().y < -r.margin_of("m"), 1, 0))
+        return r.start_flight()
 
     @event("flight graze", only=lambda r: r.mode == "flight" or r.bounces(),
            when=lambda r: (1 - r.in_dent) * r.foot().y / r.free_length - r.in_dent * r.follows())
@@ -76,8 +71,8 @@ class CompliantRunner(PlainRunner):
             r = r.replace(
                 driving=select(r.angle >= 0, 1, 0), touchdowns_so_far=r.touchdowns_so_far + 1, bar_is_due=1,
                 touchdown_time=r.time, placing=0, placed_for=r.placing, was_placed=r.is_placing())
-        r = r.to("stick", contacts_so_far=r.contacts_so_far + 1)
-        r = r.replace(foot_off=r.in_dent * r.foot_off, slid_from=r.foot_x)
+        r = r.to("stick", contacts_so_far=r.contacts_so_far + 1, slid_from=r.foot_x)
+        r = r.replace(foot_off=r.in_dent * r.foot_off)
         return r.slide(select(r.foot_vx > 0, 1, -1)) if abs(r.foot_vx) > 0 else r.resting()
 
     @event("stick slip", when=lambda r: r.standing().normal, unit="N")
@@ -107,8 +102,7 @@ class CompliantRunner(PlainRunner):
            only=lambda r: r.bounces() or r.swing < PLACE)
     def apex(r):
         """A stride closes and place begins. In a bounce, the leg angle is latched."""
-        latched = r.replace(liftoff_angle=r.leg().angle) if r.bounces() else r
-        return PlainRunner.apex(latched).fly()
+        return PlainRunner.apex(r.replace(liftoff_angle=r.leg().angle) if r.bounces() else r).fly()
 
     def open_stride(r):
         """At an apex, count contacts anew."""
@@ -122,5 +116,4 @@ class CompliantRunner(PlainRunner):
 
     def energy(r):
         """Mechanical energy, with that of the ground."""
-        depth = select(r.foot().y < 0, r.foot().y, 0)
-        return super().energy() + r.ground_stiffness * depth**2 / 2
+        return super().energy() + r.ground_stiffness * select(r.foot().y < 0, r.foot().y, 0) ** 2 / 2

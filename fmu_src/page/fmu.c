@@ -39,19 +39,43 @@ void fmu_reset(fmu *fmu) {
     memcpy(fmu->starts, unit_model->state_defaults, UNIT_STATE_COUNT * sizeof(double));
 }
 
+enum { VALUE_CAPACITY = 64 };
+
+/* A number with its unit. */
+static void write_value(const fmu *fmu, const fmu_view *view, const fmu_variable *of,
+                        char text[VALUE_CAPACITY]) {
+    char value[TIME_CAPACITY];
+    snprintf(text, VALUE_CAPACITY, "%s%s%s", time_text(fmu_get_number(fmu, view, of), value),
+             of->unit == NULL ? "" : " ", of->unit == NULL ? "" : of->unit);
+}
+
+/* The variable whose name is the last of some words, or NULL. */
+static const fmu_variable *last_named(const char *words) {
+    const char *space = strrchr(words, ' ');
+    for (size_t i = 0; space != NULL && i < fmu_variable_count; ++i) {
+        if (strcmp(fmu_variables[i].name, space + 1) == 0) {
+            return &fmu_variables[i];
+        }
+    }
+    return NULL;
+}
+
 /* A requirement of the page that is not met; NULL: there is none. */
 static const char *unmet_requirement(const fmu *fmu, bool of_parameters, char text[FMU_TEXT]) {
     for (int i = 0; i < UNIT_REQUIREMENT_COUNT; ++i) {
         const unit_requirement *row = &unit_requirements[i];
         if (row->of_parameters == of_parameters &&
             !(row->margin(parameters_of(fmu), states_of(fmu)) >= 0.0)) {
-            const fmu_variable *of = &fmu_variables[row->variable];
+            const fmu_variable *of = &fmu_variables[row->variable], *bound = last_named(row->allowed);
             fmu_view view;
-            char value[TIME_CAPACITY];
+            char value[VALUE_CAPACITY], limit[VALUE_CAPACITY] = "";
             fmu_evaluate(fmu, &view);
-            snprintf(text, FMU_TEXT, "%s = %s%s%s is refused: it must be %s", of->name,
-                     time_text(fmu_get_number(fmu, &view, of), value), of->unit == NULL ? "" : " ",
-                     of->unit == NULL ? "" : of->unit, row->allowed);
+            write_value(fmu, &view, of, value);
+            if (bound != NULL) {
+                write_value(fmu, &view, bound, limit);
+            }
+            snprintf(text, FMU_TEXT, "%s = %s is refused: it must be %s%s%s", of->name, value, row->allowed,
+                     bound == NULL ? "" : " = ", limit);
             return text;
         }
     }

@@ -477,7 +477,7 @@ def test_runs_on_compliant_ground_are_those_of_the_reference(compliant, case):
     assert [time for _, time in events] == pytest.approx([time for _, time in case["events"]], abs=1e-10)
     lost = run.damper_loss + run.friction_loss + run.ground_loss
     assert run.outputs["energy"] - energy == pytest.approx(run.work - lost, abs=1e-13)
-    assert run.mode == ("fallen" if ends else "flight_place_calm")
+    assert run.mode == ("fallen" if ends else "flight_calm")
     if ends:
         return
     assert [getattr(run, name) for name in SECTION] == pytest.approx(

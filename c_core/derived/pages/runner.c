@@ -1199,9 +1199,9 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     y->placing = goes_on_times_placed_for;
     y->rises_again = goes_on;
     if (rise < 0.0 || goes_on > 0.0) {
-        const real first = p->touchdown_angle + p->more_angle;
-        const real servo = -(p->kp * (angle - (first - p->retraction_rate * goes_on_times_placed_for)))
-            - p->kd * (angle_rate + p->retraction_rate);
+        const real placing_angle = p->touchdown_angle + p->more_angle;
+        const real servo = -(p->kp * (angle - (placing_angle
+            - p->retraction_rate * goes_on_times_placed_for))) - p->kd * (angle_rate + p->retraction_rate);
         const real swing_torque = x->external_torque + servo;
         const real turning = swing_torque / square;
         const real off = axial_times_y_ + turning * x->x_;
@@ -1223,7 +1223,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         }
         return next[1]; /* graze */
     }
-    const real retracting_torque = -(p->kp * (angle - p->liftoff_factor * angle)) - p->kd * angle_rate;
+    const real first = p->liftoff_factor * angle;
+    const real retracting_torque = -(p->kp * (angle - first)) - p->kd * angle_rate;
     if (p->swing_clamp > 0.0 && retracting_torque <= 0.0) {
         const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
             + foot_mass_times_gravity_times_cosine;
@@ -1341,9 +1342,9 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     y->placing = sum_4;
     y->rises_again = d_goes_on;
     if (rise < 0.0 || goes_on > 0.0) {
-        const real first = p->touchdown_angle + p->more_angle;
-        const real servo = -(p->kp * (angle - (first - p->retraction_rate * (goes_on * x->placed_for))))
-            - p->kd * (angle_rate + p->retraction_rate);
+        const real placing_angle = p->touchdown_angle + p->more_angle;
+        const real servo = -(p->kp * (angle - (placing_angle
+            - p->retraction_rate * (goes_on * x->placed_for)))) - p->kd * (angle_rate + p->retraction_rate);
         const real swing_torque = x->external_torque + servo;
         const real turning = swing_torque / square;
         const real off = axial_times_y_ + turning * x->x_;
@@ -1364,7 +1365,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         }
         return;
     }
-    const real retracting_torque = -(p->kp * (angle - p->liftoff_factor * angle)) - p->kd * angle_rate;
+    const real first = p->liftoff_factor * angle;
+    const real retracting_torque = -(p->kp * (angle - first)) - p->kd * angle_rate;
     if (p->swing_clamp > 0.0 && retracting_torque <= 0.0) {
         const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
             + foot_mass_times_gravity_times_cosine;
@@ -3109,8 +3111,8 @@ static void open_flight_calm(const real *parameters, const real *states, real *c
     const real share = select(x->swing > 0.0, 1.0, 0.0);
     const real share_times_kp = share * p->kp;
     const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
-    const real first = select(x->swing < 2.0, liftoff_factor_times_liftoff_angle, p->touchdown_angle
-        + p->more_angle);
+    const real placing_angle = p->touchdown_angle + p->more_angle;
+    const real first = select(x->swing < 2.0, liftoff_factor_times_liftoff_angle, placing_angle);
     const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     const real turn = is_placing * p->retraction_rate;
     const real share_times_kd = share * p->kd;
@@ -3180,8 +3182,8 @@ static void vary_open_flight_calm(const real *parameters, const real *states, co
     const real d_share_times_kp = share * dp->kp;
     const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
         + p->liftoff_factor * dx->liftoff_angle;
-    const real d_first = select(x->swing < 2.0, d_liftoff_factor_times_liftoff_angle, dp->touchdown_angle
-        + dp->more_angle);
+    const real d_placing_angle = dp->touchdown_angle + dp->more_angle;
+    const real d_first = select(x->swing < 2.0, d_liftoff_factor_times_liftoff_angle, d_placing_angle);
     const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     const real d_turn = is_placing * dp->retraction_rate;
     const real d_share_times_kd = share * dp->kd;
@@ -4392,8 +4394,8 @@ static void outputs_flight_calm(const real *parameters, const real *states, real
     const real pending = select(real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope
         - x->slope)) > 0.0, 1.0, 0.0);
     const real share = select(x->swing > 0.0, 1.0, 0.0);
-    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, p->touchdown_angle
-        + p->more_angle);
+    const real placing_angle = p->touchdown_angle + p->more_angle;
+    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, placing_angle);
     const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     const real turn = p->retraction_rate * is_placing;
     const real square = x->length * x->length;
@@ -4460,12 +4462,13 @@ static void vary_outputs_flight_calm(const real *parameters, const real *states,
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     const real share = select(x->swing > 0.0, 1.0, 0.0);
-    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, p->touchdown_angle
-        + p->more_angle);
+    const real placing_angle = p->touchdown_angle + p->more_angle;
+    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, placing_angle);
     const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     const real turn = p->retraction_rate * is_placing;
+    const real d_placing_angle = dp->touchdown_angle + dp->more_angle;
     const real d_first = select(x->swing < 2.0, dp->liftoff_factor * x->liftoff_angle
-        + p->liftoff_factor * dx->liftoff_angle, dp->touchdown_angle + dp->more_angle);
+        + p->liftoff_factor * dx->liftoff_angle, d_placing_angle);
     const real d_turn = dp->retraction_rate * is_placing;
     const real square = x->length * x->length;
     const real rate = x->momentum / square;
@@ -4687,8 +4690,8 @@ static void world_rates_flight_calm(const real *parameters, const real *states, 
     const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
     const real sum_2 = x->length * (rate * rate) + mobility * spring;
     const real by_1_or_by_0 = select(x->swing > 0.0, 1.0, 0.0);
-    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, p->touchdown_angle
-        + p->more_angle);
+    const real placing_angle = p->touchdown_angle + p->more_angle;
+    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, placing_angle);
     const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     const real retraction_rate_times_is_placing = p->retraction_rate * is_placing;
     const real servo = -(p->kp * by_1_or_by_0 * (x->angle - (first
@@ -4745,8 +4748,8 @@ static void vary_world_rates_flight_calm(const real *parameters, const real *sta
     const real sum_4 = x->length * rate_times_rate + mobility * spring;
     const real by_1_or_by_0 = select(x->swing > 0.0, 1.0, 0.0);
     const real kp_times_by_1_or_by_0 = p->kp * by_1_or_by_0;
-    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, p->touchdown_angle
-        + p->more_angle);
+    const real placing_angle = p->touchdown_angle + p->more_angle;
+    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, placing_angle);
     const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     const real retraction_rate_times_is_placing = p->retraction_rate * is_placing;
     const real angle_minus_first_minus_product = x->angle - (first
@@ -4768,8 +4771,9 @@ static void vary_world_rates_flight_calm(const real *parameters, const real *sta
         - dx->length) - (dp->damping * x->length_rate + p->damping * dx->length_rate);
     const real sum_plus_sum = dx->length * rate_times_rate + x->length * (2.0 * (rate * d_rate))
         + (d_mobility * spring + mobility * d_spring);
+    const real d_placing_angle = dp->touchdown_angle + dp->more_angle;
     const real d_first = select(x->swing < 2.0, dp->liftoff_factor * x->liftoff_angle
-        + p->liftoff_factor * dx->liftoff_angle, dp->touchdown_angle + dp->more_angle);
+        + p->liftoff_factor * dx->liftoff_angle, d_placing_angle);
     const real retraction_rate_times_is_placing_2 = dp->retraction_rate * is_placing;
     const real d_servo = -(dp->kp * by_1_or_by_0 * angle_minus_first_minus_product
         + kp_times_by_1_or_by_0 * (dx->angle - (d_first - (retraction_rate_times_is_placing_2 * x->placing
@@ -4840,8 +4844,8 @@ static void open_graze(const real *parameters, const real *states, real *constan
     const real product_2 = x->driving * (p->drive_torque + p->more_torque);
     const real by_1_or_by_0 = select(x->swing > 0.0, 1.0, 0.0);
     const real by_1_or_by_0_times_kp = by_1_or_by_0 * p->kp;
-    const real first = select(x->swing < 2.0, liftoff_factor_times_liftoff_angle, p->touchdown_angle
-        + p->more_angle);
+    const real placing_angle = p->touchdown_angle + p->more_angle;
+    const real first = select(x->swing < 2.0, liftoff_factor_times_liftoff_angle, placing_angle);
     const real turn = is_placing * p->retraction_rate;
     const real by_1_or_by_0_times_kd = by_1_or_by_0 * p->kd;
     c->inverse_body_mass = inverse_body_mass;
@@ -4914,8 +4918,8 @@ static void vary_open_graze(const real *parameters, const real *states, const re
         + p->liftoff_factor * dx->liftoff_angle;
     const real by_1_or_by_0 = select(x->swing > 0.0, 1.0, 0.0);
     const real d_by_1_or_by_0_times_kp = by_1_or_by_0 * dp->kp;
-    const real d_first = select(x->swing < 2.0, d_liftoff_factor_times_liftoff_angle, dp->touchdown_angle
-        + dp->more_angle);
+    const real d_placing_angle = dp->touchdown_angle + dp->more_angle;
+    const real d_first = select(x->swing < 2.0, d_liftoff_factor_times_liftoff_angle, d_placing_angle);
     const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     const real d_turn = is_placing * dp->retraction_rate;
     const real d_by_1_or_by_0_times_kd = by_1_or_by_0 * dp->kd;
@@ -5739,15 +5743,16 @@ static real vary_guard_graze_graze_to_flight(const real *parameters, const real 
     const real d_axial = (d_spring - axial * d_length) / length;
     const real share = select(x->swing > 0.0, 1.0, 0.0);
     const real angle = real_atan2(-x->x_, x->y_) + x->winding;
-    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, p->touchdown_angle
-        + p->more_angle);
+    const real placing_angle = p->touchdown_angle + p->more_angle;
+    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, placing_angle);
     const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     const real turn = p->retraction_rate * is_placing;
     const real sum_2 = angle - (first - turn * x->placing);
     const real kp_times_share = p->kp * share;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
+    const real d_placing_angle = dp->touchdown_angle + dp->more_angle;
     const real d_first = select(x->swing < 2.0, dp->liftoff_factor * x->liftoff_angle
-        + p->liftoff_factor * dx->liftoff_angle, dp->touchdown_angle + dp->more_angle);
+        + p->liftoff_factor * dx->liftoff_angle, d_placing_angle);
     const real d_turn = dp->retraction_rate * is_placing;
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
@@ -6657,8 +6662,8 @@ static void open_flight_pushed(const real *parameters, const real *states, real 
     const real share = select(x->swing > 0.0, 1.0, 0.0);
     const real share_times_kp = share * p->kp;
     const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
-    const real first = select(x->swing < 2.0, liftoff_factor_times_liftoff_angle, p->touchdown_angle
-        + p->more_angle);
+    const real placing_angle = p->touchdown_angle + p->more_angle;
+    const real first = select(x->swing < 2.0, liftoff_factor_times_liftoff_angle, placing_angle);
     const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     const real turn = is_placing * p->retraction_rate;
     const real share_times_kd = share * p->kd;
@@ -6733,8 +6738,8 @@ static void vary_open_flight_pushed(const real *parameters, const real *states, 
     const real d_share_times_kp = share * dp->kp;
     const real d_liftoff_factor_times_liftoff_angle = x->liftoff_angle * dp->liftoff_factor
         + p->liftoff_factor * dx->liftoff_angle;
-    const real d_first = select(x->swing < 2.0, d_liftoff_factor_times_liftoff_angle, dp->touchdown_angle
-        + dp->more_angle);
+    const real d_placing_angle = dp->touchdown_angle + dp->more_angle;
+    const real d_first = select(x->swing < 2.0, d_liftoff_factor_times_liftoff_angle, d_placing_angle);
     const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     const real d_turn = is_placing * dp->retraction_rate;
     const real d_share_times_kd = share * dp->kd;
@@ -6818,8 +6823,8 @@ static void world_rates_flight_pushed(const real *parameters, const real *states
     const real sum_plus_axial_over_body_mass = x->length * (rate * rate) + mobility * spring
         + axial / p->body_mass;
     const real by_1_or_by_0 = select(x->swing > 0.0, 1.0, 0.0);
-    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, p->touchdown_angle
-        + p->more_angle);
+    const real placing_angle = p->touchdown_angle + p->more_angle;
+    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, placing_angle);
     const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     const real retraction_rate_times_is_placing = p->retraction_rate * is_placing;
     const real servo = -(p->kp * by_1_or_by_0 * (x->angle - (first
@@ -6881,8 +6886,8 @@ static void vary_world_rates_flight_pushed(const real *parameters, const real *s
         + axial_over_body_mass;
     const real by_1_or_by_0 = select(x->swing > 0.0, 1.0, 0.0);
     const real kp_times_by_1_or_by_0 = p->kp * by_1_or_by_0;
-    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, p->touchdown_angle
-        + p->more_angle);
+    const real placing_angle = p->touchdown_angle + p->more_angle;
+    const real first = select(x->swing < 2.0, p->liftoff_factor * x->liftoff_angle, placing_angle);
     const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     const real retraction_rate_times_is_placing = p->retraction_rate * is_placing;
     const real angle_minus_first_minus_product = x->angle - (first
@@ -6909,8 +6914,9 @@ static void vary_world_rates_flight_pushed(const real *parameters, const real *s
     const real sum_plus_sum_plus_sum_over_body_mass = dx->length * rate_times_rate
         + x->length * (2.0 * (rate * d_rate)) + (d_mobility * spring + mobility * d_spring) + (d_axial
         - axial_over_body_mass * dp->body_mass) / p->body_mass;
+    const real d_placing_angle = dp->touchdown_angle + dp->more_angle;
     const real d_first = select(x->swing < 2.0, dp->liftoff_factor * x->liftoff_angle
-        + p->liftoff_factor * dx->liftoff_angle, dp->touchdown_angle + dp->more_angle);
+        + p->liftoff_factor * dx->liftoff_angle, d_placing_angle);
     const real retraction_rate_times_is_placing_2 = dp->retraction_rate * is_placing;
     const real d_servo = -(dp->kp * by_1_or_by_0 * angle_minus_first_minus_product
         + kp_times_by_1_or_by_0 * (dx->angle - (d_first - (retraction_rate_times_is_placing_2 * x->placing
