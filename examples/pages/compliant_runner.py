@@ -71,8 +71,8 @@ class CompliantRunner(PlainRunner):
             r = r.replace(
                 driving=select(r.angle >= 0, 1, 0), touchdowns_so_far=r.touchdowns_so_far + 1, bar_is_due=1,
                 touchdown_time=r.time, placing=0, placed_for=r.placing, was_placed=r.is_placing())
-        r = r.to("stick", contacts_so_far=r.contacts_so_far + 1, slid_from=r.foot_x)
-        r = r.replace(foot_off=r.in_dent * r.foot_off)
+        r = r.to("stick", contacts_so_far=r.contacts_so_far + 1)
+        r = r.replace(foot_off=r.in_dent * r.foot_off, slid_from=r.foot_x)
         return r.slide(select(r.foot_vx > 0, 1, -1)) if abs(r.foot_vx) > 0 else r.resting()
 
     @event("stick slip", when=lambda r: r.standing().normal, unit="N")
