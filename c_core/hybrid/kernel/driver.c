@@ -466,7 +466,7 @@ static const char *const endings[] = {
     [TDMF_RUN_ENDED] = "The run has ended",
     [TDMF_RUN_NO_PROGRESS] = "No step, however short, has a finite result",
     [TDMF_RUN_TOO_MANY_STEPS] = "The run takes more steps than its limit",
-    [TDMF_RUN_TOO_STIFF] = "The run is too stiff for the native solver; CVODE (solver.method = cvode) follows it,",
+    [TDMF_RUN_TOO_STIFF] = "The run is too stiff for this solver; CVODE (solver.method = cvode) follows it,",
     [TDMF_RUN_ENDLESS_CHAIN] = "Events whose guards do not rise above 0 are due again and again",
     [TDMF_RUN_TOO_MANY_EVENTS] = "The run has more events than its limit",
     [TDMF_RUN_NO_MEMORY] = "There is no memory for the run",
