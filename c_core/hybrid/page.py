@@ -1,12 +1,14 @@
 """A page on symbols: the modes that runs can reach, their rates, guards and decisions, and checks."""
 
 import math
+from types import CodeType, FunctionType
 
 from .c_text import safe_names
 from .errors import PageError, page_error, reading, similar
 from .expressions import Condition, _looks_up, explore, forget_expressions, leaves_of, lift, symbol
 from .limits import LIMITS, MARGINS
-from .model import Absent, Model
+from .model import MARKS, Absent, Model
+from .quantities import Quantity
 from .tracing import trace
 from .units import ANY, SECOND, dimension_of, power, text_of, times
 from .variations import Variation, value_of
@@ -372,6 +374,23 @@ class Page:
         reached = {mode for mode, _ in self.keys}
         return {mode: function for mode, function in self.modes.items() if mode not in reached}
 
+    @property
+    def uncalled(self):
+        """Functions that nothing else on the page calls, as an override of one that was renamed."""
+        callers = {}
+        for base in self.model.__mro__:
+            for own, value in vars(base).items():
+                for name in names_in(value):
+                    callers.setdefault(name, set()).add(own)
+        return {
+            name: function
+            for name, function in self.model.members().items()
+            if isinstance(function, FunctionType)
+            and not any(hasattr(function, mark) for mark in MARKS)
+            and not hasattr(Model, name)
+            and callers.get(name, set()) <= {name}
+        }
+
     def check_unreached(self):
         """Run what no run reaches, and requirements of a start, which refuses errors in them."""
         for mode, function in self.unreached.items():
@@ -432,14 +451,30 @@ class Page:
             value_of([varies.of(rate) for rate in rates.values()], values)
 
 
+def codes_of(function):
+    """The code of a function and of functions inside it; nothing of what is no function."""
+    codes = [function.__code__] if isinstance(function, FunctionType) else []
+    for code in codes:
+        yield code
+        codes += [constant for constant in code.co_consts if isinstance(constant, CodeType)]
+
+
 def texts_of(member):
     """Texts in the code of a function of the page."""
-    codes = [getattr(member, "__code__", None)]
-    for code in codes:
-        for constant in getattr(code, "co_consts", ()):
-            if isinstance(constant, str):
-                yield constant
-            codes.append(constant if hasattr(constant, "co_consts") else None)
+    return [text for code in codes_of(member) for text in code.co_consts if isinstance(text, str)]
+
+
+def names_in(member):
+    """Names in the code of a member of a page, and of the functions that it was declared with."""
+    parts = [member]
+    for part in parts:
+        for code in codes_of(part):
+            yield from code.co_names
+        yield from texts_of(part)
+        if isinstance(part, dict):
+            parts += part.values()
+        elif isinstance(part, FunctionType | Quantity | property):
+            parts += [part.fget] if isinstance(part, property) else vars(part).values()
 
 
 def keys_of(tree):

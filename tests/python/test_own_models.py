@@ -223,14 +223,28 @@ def test_units_and_libraries_for_other_platforms_are_those_that_there_are_too(tm
     assert fmpy.simulate_fmu(str(model.unit), stop_time=0.2)["height"][-1] < 1
 
 
-def test_a_mode_that_no_run_reaches_is_told(tmp_path):
+@pytest.mark.parametrize(
+    ("added", "said"),
+    [
+        ("    @mode()\n    def rest(b):\n        return {}\n", "`rest` is a mode to which no event leads"),
+        ("    def rebound(b):\n        return 0\n", "nothing on the page calls `rebound`"),
+        (
+            "    def rebound(b):\n        return super().rebound()\n",
+            "nothing on the page calls `rebound`",
+        ),
+    ],
+)
+def test_what_has_no_effect_on_a_page_is_noted(tmp_path, added, said):
+    """A mode that no run reaches; a function that no other calls, as one that overrides a misspelt name."""
     page = tdmf_slip.new(tmp_path / "my_ball", start="scratch") / "page.py"
     text = page.read_text(encoding="utf-8")
-    rest = "    @mode()\n    def rest(b):\n        return {}\n"
-    page.write_text(f"{text}\n{rest}", encoding="utf-8")
+    page.write_text(f"{text}\n{added}", encoding="utf-8")
     line = len(text.splitlines()) + 2
-    with pytest.warns(Note, match=rf"page\.py:{line}: `rest` is a mode to which no event leads"):
+    with pytest.warns(Note, match=rf"page\.py:{line}: {re.escape(said)}"):
         derived(page_in(page))
+
+
+def test_a_page_on_which_all_has_an_effect_gets_no_note():
     with warnings.catch_warnings(action="error"):
         derived(page_in(ROOT / "examples" / "pages" / "compliant_runner.py"))
 

@@ -125,20 +125,21 @@ def derived(model: Any) -> tuple[dict[str, Any], dict[str, str]]:
             requirements = list(requirements_in_c(page, functions).values())
         except PageError as problem:
             raise InputError(str(problem)) from None
-    _note_unreached(page.unreached)
+    _note(page.unreached, "`{}` is a mode to which no event leads")
+    _note(page.uncalled, "nothing on the page calls `{}`")
     text = repr((__version__, sorted(files.items()), table, functions.texts, _digest_of_kernel()))
     table |= {"version": __version__, "id": hashlib.sha256(text.encode()).hexdigest()[:16]}
     files[f"{table['c_name']}_list.c"] = _list_in_c(table, functions.texts, requirements)
     return table, files
 
 
-def _note_unreached(modes: Mapping[str, Any]) -> None:
-    """Say which modes of one's own no run reaches. A subclass of a page in the package may leave some out."""
-    for mode, function in modes.items():
+def _note(functions: Mapping[str, Any], text: str) -> None:
+    """Say what has no effect on a page of a user; the package's pages leave some functions to subclasses."""
+    for name, function in functions.items():
         code = function.__code__
         if not Path(code.co_filename).is_relative_to(PACKAGE / "pages"):
             place = f"{code.co_filename}:{code.co_firstlineno}"
-            warnings.warn(f"{place}: `{mode}` is a mode to which no event leads", Note, stacklevel=3)
+            warnings.warn(f"{place}: {text.format(name)}", Note, stacklevel=3)
 
 
 def _make_units(model: Any, compiler: Compiler, made: Path, earlier: Path | None) -> None:
