@@ -85,11 +85,14 @@ def test_each_guide_downloads_as_a_notebook_with_its_code(pages, site):
     guides = sorted((SOURCES / "guides").glob("*.md"))
     assert len(guides) >= 16
     for guide in guides:
+        source = guide.read_text(encoding="utf-8")
+        if guide.stem == "own_law":  # shell commands, and code that needs the folder they make
+            assert "{code-cell}" not in source
+            continue
         page = site / "guides" / f"{guide.stem}.html"
         (link,) = {link for link in pages[page].links if link.endswith(f"/{guide.stem}.ipynb")}
         notebook = json.loads((page.parent / urllib.parse.unquote(link)).read_text(encoding="utf-8"))
         cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
-        source = guide.read_text(encoding="utf-8")
         needed = len(re.findall(r"^% needs ", source, re.MULTILINE))
         assert len(cells) == source.count("```{code-cell}") + needed > 0, guide.name
 
