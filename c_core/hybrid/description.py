@@ -50,6 +50,11 @@ def document(root):
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
 
 
+def type_of_unit(unit):
+    """Name of the type of numbers in a unit."""
+    return f"Real in {unit}"
+
+
 class Description:
     """The description of a unit in a version of FMI, 2 or 3."""
 
@@ -106,29 +111,35 @@ class Description:
                 for name in self.sources:
                     self.add(files, "File", name=name)
 
+    def used_units(self):
+        """Units of all real variables."""
+        return dict.fromkeys(row.unit for row in self.unit.rows if self.unit.type_of(row) == "Real")
+
     def units(self):
         """Definitions of all units."""
-        used = dict.fromkeys(row.unit for row in self.unit.rows if self.unit.type_of(row) == "Real")
         definitions = self.add(self.root, "UnitDefinitions")
-        for name in used:
+        for name in self.used_units():
             element = self.add(definitions, "Unit", name=name)
             self.add(element, "BaseUnit", **{base: str(power) for base, power in base_unit(name).items()})
             if name in DISPLAY:
                 self.add(element, "DisplayUnit", name=DISPLAY[name], factor=DEGREES)
 
     def types(self):
-        """Enumerations, each called as its variable."""
-        rows = [row for row in self.unit.rows if self.unit.type_of(row) == "Enumeration"]
-        definitions = self.add(self.root, "TypeDefinitions") if rows else None
-        for row in rows:
-            parent = definitions if self.fmi == 3 else self.add(definitions, "SimpleType", name=row.name)
-            items = (
-                self.add(parent, "EnumerationType", name=row.name)
-                if self.fmi == 3
-                else self.add(parent, "Enumeration")
-            )
-            for number, item in enumerate(row.kind, 1):
-                self.add(items, "Item", name=item, value=str(number))
+        """A type for each unit, because fmi-sim reads units of types only; and enumerations."""
+        definitions = self.add(self.root, "TypeDefinitions")
+        for unit in self.used_units():
+            self.type(definitions, type_of_unit(unit), "Real", unit=unit, displayUnit=DISPLAY.get(unit))
+        for row in self.unit.rows:
+            if self.unit.type_of(row) == "Enumeration":
+                items = self.type(definitions, row.name, "Enumeration")
+                for number, item in enumerate(row.kind, 1):
+                    self.add(items, "Item", name=item, value=str(number))
+
+    def type(self, definitions, name, kind, **given):
+        """Add a type."""
+        if self.fmi == 3:
+            return self.add(definitions, f"{TYPES_OF_3.get(kind, kind)}Type", name=name, **given)
+        return self.add(self.add(definitions, "SimpleType", name=name), kind, **given)
 
     def start(self, row):
         """The start value of a variable, as text."""
@@ -149,7 +160,7 @@ class Description:
                 for k, words in bounds.items()
             }
             given |= {k: values[0] for k, values in found.items() if values}
-            given |= {"unit": row.unit, "displayUnit": DISPLAY.get(row.unit)}
+            given["declaredType"] = type_of_unit(row.unit)
             given["reinit"] = "true" if row.reinit else None
         if row.derivative:
             given["derivative"] = str(self.unit.number[row.derivative] + (self.fmi == 2))
