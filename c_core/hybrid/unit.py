@@ -346,8 +346,12 @@ class Unit:
                 not {self.world.names[leaf.value[3:]] for leaf in leaves_of([value])}
                 & self.page.states.keys()
             )
-            number = self.number[function.of_variable]
-            rows.append(f"{{{of_parameters}, {number}, {json.dumps(function.allowed)}, {margin}}},")
+            number, bound = (
+                self.number[function.of_variable],
+                self.number.get(function.allowed.split()[-1], -1),
+            )
+            allowed = json.dumps(function.allowed)
+            rows.append(f"{{{of_parameters}, {number}, {allowed}, {bound}, {margin}}},")
         return rows
 
     def nominals(self, functions):

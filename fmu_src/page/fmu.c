@@ -49,33 +49,22 @@ static void write_value(const fmu *fmu, const fmu_view *view, const fmu_variable
              of->unit == NULL ? "" : " ", of->unit == NULL ? "" : of->unit);
 }
 
-/* The variable whose name is the last of some words, or NULL. */
-static const fmu_variable *last_named(const char *words) {
-    const char *space = strrchr(words, ' ');
-    for (size_t i = 0; space != NULL && i < fmu_variable_count; ++i) {
-        if (strcmp(fmu_variables[i].name, space + 1) == 0) {
-            return &fmu_variables[i];
-        }
-    }
-    return NULL;
-}
-
 /* A requirement of the page that is not met; NULL: there is none. */
 static const char *unmet_requirement(const fmu *fmu, bool of_parameters, char text[FMU_TEXT]) {
     for (int i = 0; i < UNIT_REQUIREMENT_COUNT; ++i) {
         const unit_requirement *row = &unit_requirements[i];
         if (row->of_parameters == of_parameters &&
             !(row->margin(parameters_of(fmu), states_of(fmu)) >= 0.0)) {
-            const fmu_variable *of = &fmu_variables[row->variable], *bound = last_named(row->allowed);
+            const fmu_variable *of = &fmu_variables[row->variable];
             fmu_view view;
             char value[VALUE_CAPACITY], limit[VALUE_CAPACITY] = "";
             fmu_evaluate(fmu, &view);
             write_value(fmu, &view, of, value);
-            if (bound != NULL) {
-                write_value(fmu, &view, bound, limit);
+            if (row->bound >= 0) {
+                write_value(fmu, &view, &fmu_variables[row->bound], limit);
             }
             snprintf(text, FMU_TEXT, "%s = %s is refused: it must be %s%s%s", of->name, value, row->allowed,
-                     bound == NULL ? "" : " = ", limit);
+                     row->bound >= 0 ? " = " : "", limit);
             return text;
         }
     }

@@ -36,6 +36,7 @@ typedef struct {
     bool of_parameters; /* alone: it must not be negative ever after, either */
     int variable;       /* value reference of the variable that a refusal names */
     const char *allowed;
+    int bound; /* value reference of the variable that `allowed` ends with, or -1 */
     tdmf_answer *margin;
 } unit_requirement;
 
@@ -45,7 +46,7 @@ typedef struct {
     tdmf_answer *size;
 } unit_nominal;
 
-/* What a state of the page always is. */
+/* Bounds that a state of the page always keeps. */
 typedef struct {
     int state;
     double least, most;

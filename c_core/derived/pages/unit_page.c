@@ -304,12 +304,12 @@ const unit_word unit_words[] = {
 };
 
 const unit_requirement unit_requirements[] = {
-    {false, 35, "on the ground or above it", require_starts_above_ground},
-    {false, 36, "at least leg.min_length", require_starts_long_enough},
-    {false, 65, "above the ground; it follows from foot.y, leg.length and leg.angle", require_body_starts_above_ground},
-    {true, 6, "at most leg.free_length", require_can_be_unloaded},
-    {true, 18, "at least ground.patch_begin", require_patch_has_length},
-    {true, 16, "0, or at least 1e-9 leg.free_length sqrt(leg.stiffness/body.mass)", require_layer_is_wide},
+    {false, 35, "on the ground or above it", -1, require_starts_above_ground},
+    {false, 36, "at least leg.min_length", 6, require_starts_long_enough},
+    {false, 65, "above the ground; it follows from foot.y, leg.length and leg.angle", 37, require_body_starts_above_ground},
+    {true, 6, "at most leg.free_length", 5, require_can_be_unloaded},
+    {true, 18, "at least ground.patch_begin", 17, require_patch_has_length},
+    {true, 16, "0, or at least 1e-9 leg.free_length sqrt(leg.stiffness/body.mass)", -1, require_layer_is_wide},
 };
 
 const unit_bound unit_bounds[] = {
