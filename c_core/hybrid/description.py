@@ -33,7 +33,6 @@ CO_SIMULATION = {
     3: {"hasEventMode": "true", "mightReturnEarlyFromDoStep": "true"},
 }
 TYPES_OF_3 = {"Real": "Float64", "Integer": "Int32"}
-INITIAL_TAGS = {"OUTPUT": "Output", "DERIVATIVE": "ContinuousStateDerivative", "GUARD": "EventIndicator"}
 
 
 def base_unit(unit):

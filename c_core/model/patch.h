@@ -24,11 +24,4 @@ static inline tdmf_zone tdmf_zone_towards(const tdmf_model *model, double x, dou
     return (tdmf_zone)passed;
 }
 
-/* The foot slips to a border. */
-static inline bool tdmf_slips_to_border(const tdmf_model *model, const tdmf_mode *mode) {
-    const double sign = tdmf_sign_of_slip(mode);
-    return tdmf_has_patch(model) &&
-           ((sign > 0.0 && mode->zone != TDMF_ZONE_BEYOND) || (sign < 0.0 && mode->zone != TDMF_ZONE_BEFORE));
-}
-
 #endif
