@@ -1,5 +1,5 @@
 /* The seam between a model and FMI: a run with its settings, whatever FMI version drives it. The structs are
- * in fmu.h, of which each kind of unit has its own: page/fmu.h serves any page, runner/fmu.h the runner.
+ * in page/fmu.h.
  *
  * A refusal is written into a text of FMU_TEXT characters, and returned; NULL stands for success. */
 #ifndef TDMF_FMU_UNIT_H
@@ -74,8 +74,7 @@ static inline double fmu_within_largest(double value) {
     return bounded > -fmu_largest_state ? bounded : -fmu_largest_state;
 }
 
-/* Takes a solver's trial states, none of which is NaN. They are cut, so that all that follows stays finite.
- */
+/* Takes a solver's trial states, which are no NaN, and cuts them: so values that follow stay finite. */
 void fmu_try_states(fmu *fmu, const double states[]);
 
 /* Derivatives are cut as trial states are: an importer's solver then sees that its step was too long. */

@@ -16,7 +16,7 @@ typedef struct {
     tdmf_solver solver;
     tdmf_stride_request requests[STRIDES_AT_ONCE];
     tdmf_mapped_stride strides[STRIDES_AT_ONCE];
-    /* Of the strides that run on one page: their runs, and their numbers in the arrays above. */
+    /* Runs of the strides on one page, and the places of these strides in the arrays above. */
     tdmf_page_run runs[STRIDES_AT_ONCE];
     double until[STRIDES_AT_ONCE];
     tdmf_run_outcome outcomes[STRIDES_AT_ONCE];

@@ -1,4 +1,4 @@
-/* What follows from a motion at an instant, and how it varies: the outputs and rates of the runner's page. */
+/* Outputs and rates of the runner's page at an instant of a motion, and their variations. */
 #include "tdmf_slip/outputs.h"
 
 #include "contact_mode.h"

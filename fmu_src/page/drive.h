@@ -30,7 +30,7 @@ tdmf_run_outcome drive(fmu *fmu, double until, const fmu_observer *observer, lon
 /* Goes on up to the first event that counts: `fmu` stands before it then, and `after` after it. */
 tdmf_run_outcome drive_to_event(fmu *fmu, double until, struct fmu *after, tdmf_event_row *row);
 
-/* What has ended a run, in a sentence. */
+/* Writes in a sentence why a run has ended. */
 const char *message(fmu *fmu, tdmf_run_outcome outcome, char text[FMU_TEXT]);
 
 #endif

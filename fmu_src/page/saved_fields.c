@@ -136,7 +136,7 @@ static void require_coordinates(transfer *bytes, const fmu *fmu) {
     }
 }
 
-/* What the page says of its states, and that times it has written down have passed. */
+/* States keep the page's bounds, and times that are held have passed. */
 static void require_bounds(transfer *bytes, const page_motion *motion, bool is_exchange) {
     const double *x = motion->numbers + UNIT_PARAMETER_COUNT;
     for (int i = 0; i < UNIT_BOUND_COUNT; ++i) {

@@ -151,7 +151,7 @@ def test_a_map_says_by_which_ball_it_knows():
 
 
 def test_a_volume_is_equal_with_a_ball_and_without(gait, ball):
-    """Of 2,000 starts, or with --release of 20,000."""
+    """From 2,000 starts, or 20,000 with --release."""
     count = 20_000 if RELEASE else 2_000
     counted = [volume(gait, count, ball=of) for of in (ball, "none")]
     assert counted[0] == counted[1]

@@ -102,7 +102,7 @@ def test_the_start_page_shows_what_the_command_prints(command, site):
 
 
 def table_of_validation(site):
-    """What the page of the paper shows of `validate`."""
+    """The table of `validate` on the page of the paper."""
     (table,) = [one for one in outputs(site, "paper") if one.startswith("friction ")]
     return table
 

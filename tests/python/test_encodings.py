@@ -84,7 +84,7 @@ def test_every_command_prints_in_ascii(tmp_path):
     assert len(printed) == len(said) == 2 * len(COMMANDS) + 1
     for number, name in enumerate(COMMANDS):
         assert (printed[2 * number] + said[2 * number]).strip(), name
-        # A man's strides are no fit for the runner of Table 1, which the command tells by its status.
+        # A man's strides do not fit the runner of Table 1, so `fit` ends with 1.
         assert int(printed[2 * number + 1]) == {"fit": 1}.get(name, 0), said[2 * number]
 
 

@@ -313,7 +313,7 @@ def differences_of(page, given, point, seeds):
 
 
 def assert_jacobians_are_differences(page, own, point, count=100):
-    """Random sets of parameters, of which the page adds `own`. Differences across an event are left out."""
+    """Random sets of parameters; the page adds `own`. Differences across an event are left out."""
     random, compared, drawn = np.random.default_rng(50), 0, 0
     while compared < count:
         drawn += 1

@@ -159,7 +159,7 @@ def test_a_fit_finds_the_runner_of_the_built_in_one(paper_s):
 
 
 def test_a_fit_of_the_ball_is_the_closed_form(ball):
-    """The period 2 push/(1 - e)/g and the speed at the impact push/(1 - e) tell push and gravity."""
+    """The period 2 push/(1 - e)/g and the speed at the impact push/(1 - e) identify push and gravity."""
     data, errors = {"impact_speed": [4.0], "period": [2.0]}, {"impact_speed": 0.1, "period": 0.1}
     found = tdmf_slip.fit(ball, data, ["push", "gravity"], errors=errors)
     assert found.parameters["push"].value == pytest.approx(0.8, rel=1e-8)
@@ -171,7 +171,7 @@ def test_a_fit_of_the_ball_is_the_closed_form(ball):
 
 
 def test_a_viable_set_is_that_of_the_built_in_runner(paper_s):
-    """Where its starts have the leg that those of the built-in runner have."""
+    """Starts have the same leg as those of the built-in runner."""
     vary = {"hip.touchdown_angle": (0.3, 1.1, 5), "hip.stance_torque": (0.1, 0.3, 2)}
     gait, settings = find_gait(paper_s), {"axes": AXES, "vary": vary, "n": 6}
     own = tdmf_slip.viability(None, model="full", **settings)

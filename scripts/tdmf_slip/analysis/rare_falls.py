@@ -391,7 +391,7 @@ def rare_falls(
     walkers : int, default 64
         Runners that are kept at each level.
     strides : int, default 160
-        Strides of each walker in each run, of which the first quarter is discarded.
+        Strides of each walker in each run. The first quarter is discarded.
     seed : int, default 0
         Seed of everything that is drawn.
     gait, law : as in `strides_to_fall`

@@ -205,7 +205,7 @@ def _met(target: Target, iterate: Iterate) -> Gait:
 
 
 def checked_target(target: object, model: Model, from_zero: Sequence[str] = ()) -> dict[str, float]:
-    """Prescribed values by the names of their quantities, of which some may be zero."""
+    """Prescribed values by the names of their quantities; those in `from_zero` may be zero."""
     given = mapping_of(target, "target", f"numbers by name: {', '.join(allowed_quantities(model))}")
     for name in given:
         checked_quantity(name, "target", model)

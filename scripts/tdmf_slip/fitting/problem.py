@@ -62,7 +62,7 @@ class Request:
     shared: tuple[str, ...]
     """Parameters to be found that all rows share."""
     each: tuple[str, ...]
-    """Parameters to be found of which each row has its own."""
+    """Parameters to be found that have a value for each row."""
     priors: tuple[Prior, ...]
     """Priors of shared parameters."""
     robust: bool

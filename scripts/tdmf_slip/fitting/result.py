@@ -34,7 +34,7 @@ ROUNDING = 1e-9
 SMALL = 1e-5
 """Share of a combination's largest member below which a parameter has no part in it."""
 MINOR = 0.1
-"""This share in a combination that is poorly identified, of which every parameter has a little."""
+"""Smallest share that is named in a poorly identified combination; all parameters have some."""
 
 
 @dataclass(frozen=True, eq=False)

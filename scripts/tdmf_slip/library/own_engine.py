@@ -122,7 +122,7 @@ class OwnEngine:
     # ---- strides
 
     def advance(self, strides: int) -> Any:
-        """Make more strides of all runners that still run; the work done, of which lanes are not counted."""
+        """Make more strides of all runners that still run, and return the work done, without lanes."""
         work, flag = ffi.new("tdmf_ensemble_work *"), stop_flag()
 
         def engine() -> None:

@@ -108,7 +108,7 @@ class OwnRunner(Runner):
         """States and outputs along a run of the engine from the start values, at times that rise from 0 on.
 
         With `apex`, the run begins at that point of the section. The run ends before the last time where it
-        comes to a mode that ends runs.
+        reaches a mode that ends runs.
         """
         check_size("times", len(times) * max(1, len(derivatives)), "rows", MAX_ROWS)
         along = [name for name in derivatives if name not in self.coordinates]

@@ -80,7 +80,7 @@ def optimize(
         Largest spectral radius of the gait; True stands for 0.99. The leading eigenvalues are constrained one
         by one, because they are smooth where the radius itself is not.
     starts : int, default 6
-        Largest number of searches, of which the best counts. With one, the search begins with the runner's
+        Largest number of searches; the best one counts. With one, the search begins with the runner's
         own gait alone.
     model, progress : as in `find_gait`
 

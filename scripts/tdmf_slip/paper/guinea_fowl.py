@@ -146,7 +146,7 @@ class Map:
     gaits: tuple[Gait, ...]
     """On ground of high friction, by rising speed."""
     outcomes: Mapping[float, PatchOutcomes]
-    """Outcomes by the friction of the patch, of which one is the high friction."""
+    """Outcomes by the friction of the patch; one of them is the high friction."""
 
     @property
     def speeds(self) -> NDArray[np.float64]:
