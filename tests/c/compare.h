@@ -1,13 +1,8 @@
-/* Comparison of doubles for tests, with both values in the message. Brings in cmocka and what it needs. */
+/* Comparison of doubles for tests, with both values in the message. Brings in test.h. */
 #ifndef TDMF_TESTS_COMPARE_H
 #define TDMF_TESTS_COMPARE_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "test.h"
 
 /* |actual - expected| <= tolerance; NaN is close to nothing. */
 #define assert_close(actual, expected, tolerance)                                                            \

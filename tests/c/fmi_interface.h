@@ -4,6 +4,7 @@
 #define TDMF_TESTS_FMI_INTERFACE_H
 
 #include "messages.h"
+#include "test.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -80,11 +81,17 @@ typedef struct fmi_interface {
 
 extern const fmi_interface fmi2, fmi3;
 
-/* Two rows of a list of cmocka's tests: the test's state is the version's table. */
-#define IN_BOTH_VERSIONS(test)                                                                               \
-    {#test " (FMI 2.0)", test, NULL, NULL, (void *)&fmi2}, {                                                 \
-#test " (FMI 3.0)", test, NULL, NULL, (void *)&fmi3                                                  \
-    }
+/* A test of both versions, whose function has the version's table as `fmi`. */
+#define FMI_TEST(name)                                                                                       \
+    static void name(const fmi_interface *fmi);                                                              \
+    static void run_##name(void **state) {                                                                   \
+        name(*state);                                                                                        \
+    }                                                                                                        \
+    BEFORE_MAIN(register_##name) {                                                                           \
+        register_test(#name " (FMI 2.0)", run_##name, &fmi2);                                                \
+        register_test(#name " (FMI 3.0)", run_##name, &fmi3);                                                \
+    }                                                                                                        \
+    static void name(const fmi_interface *fmi)
 
 /* A fresh instance, event logging off; asserts that there is one. */
 void *new_of_kind(const fmi_interface *fmi, fmi_kind kind);

@@ -2,6 +2,7 @@
  * energy ledger, by the native solver, CVODE and lanes. */
 #include "compare.h"
 #include "scene.h"
+#include "simulation.h"
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/ensemble.h"
 
@@ -27,7 +28,7 @@ static run begin(double thrust, double tolerance) {
     tdmf_parameters parameters = tdmf_default_parameters();
     memset(&run, 0, sizeof run);
     parameters.leg.thrust = thrust;
-    assert_null(tdmf_model_create(&run.model, &parameters).variable);
+    run.model = accepted_model(&parameters);
     run.inputs = tdmf_default_inputs();
     run.solver = tdmf_solver_default();
     run.solver.relative_tolerance = tolerance;
@@ -49,7 +50,7 @@ static double error_of_ledger(const run *run) {
 static void set_thrust(run *run, double thrust) {
     tdmf_parameters parameters = run->model.parameters;
     parameters.leg.thrust = thrust;
-    assert_null(tdmf_model_create(&run->model, &parameters).variable);
+    run->model = accepted_model(&parameters);
 }
 
 /* ---- ramps --------------------------------------------------------------------------------------------- */
@@ -66,11 +67,8 @@ static tdmf_inputs random_rates(random_source *source) {
     return rates;
 }
 
-typedef tdmf_outcome (*solver_call)(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
-                                    double until, tdmf_motion *motion);
-
 /* Up and down again, so that the runner runs on. */
-static run ramped(uint64_t seed, solver_call advance, double tolerance, double ledger_tolerance) {
+static run ramped(uint64_t seed, solver_call *advance, double tolerance, double ledger_tolerance) {
     random_source source = {seed};
     run run = begin(0.03, tolerance);
     tdmf_inputs rates = {.ground = {.friction = 0.0}};
@@ -91,8 +89,7 @@ static run ramped(uint64_t seed, solver_call advance, double tolerance, double l
     return run;
 }
 
-static void ramps_of_every_input_close_the_ledger_and_agree_with_cvode(void **state) {
-    (void)state;
+TEST(ramps_of_every_input_close_the_ledger_and_agree_with_cvode) {
     for (uint64_t seed = 1; seed <= 6; ++seed) {
         const run native = ramped(seed, tdmf_native_advance, 1e-12, 1e-11);
         assert_true(native.motion.record.stride.count >= 1);
@@ -123,11 +120,10 @@ static void jump(random_source *source, run *run, double largest) {
     inputs->ground.height = random_uniform(source, -0.1, 0.1);
 }
 
-static void whatever_jumps_the_ledger_closes_and_chains_end(void **state) {
+TEST(whatever_jumps_the_ledger_closes_and_chains_end) {
     enum { RUNS = 600, JUMPS = 12 };
     random_source source = {20};
     int thrusts = 0, fell = 0, apices = 0;
-    (void)state;
     for (int i = 0; i < RUNS; ++i) {
         run run = begin(0.02, 1e-11);
         tdmf_outcome outcome = TDMF_ARRIVED;
@@ -156,7 +152,7 @@ static runner standing_leg(double length_rate, double leg_thrust) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, 0.2);
     tdmf_parameters parameters = runner.model.parameters;
     parameters.leg.thrust = leg_thrust;
-    assert_null(tdmf_model_create(&runner.model, &parameters).variable);
+    runner.model = accepted_model(&parameters);
     runner.motion.state[TDMF_LEG_LENGTH_RATE] = length_rate;
     return runner;
 }
@@ -167,9 +163,8 @@ static double work_of_thrust(const runner *runner, double by) {
     return 0.5 * p->leg.stiffness * by * (by + 2.0 * compression);
 }
 
-static void thrust_begins_where_the_leg_stops_shortening_and_outlasts_it(void **state) {
+TEST(thrust_begins_where_the_leg_stops_shortening_and_outlasts_it) {
     runner runner = standing_leg(-1e-3, thrust);
-    (void)state;
     scene_resolve(&runner);
     assert_false(runner.motion.mode.thrusts);
     runner.motion.state[TDMF_LEG_LENGTH_RATE] = 1e-9;
@@ -185,9 +180,8 @@ static void thrust_begins_where_the_leg_stops_shortening_and_outlasts_it(void **
     assert_int_equal(runner.motion.record.event_count, 1);
 }
 
-static void a_thrust_of_zero_is_noted_and_acts_where_it_is_set(void **state) {
+TEST(a_thrust_of_zero_is_noted_and_acts_where_it_is_set) {
     runner runner = standing_leg(1e-3, 0.0);
-    (void)state;
     assert_false(scene_resolve(&runner).mode_changed);
     assert_true(runner.motion.mode.thrusts);
     assert_int_equal(runner.motion.record.event_count, 0);
@@ -202,9 +196,8 @@ static void a_thrust_of_zero_is_noted_and_acts_where_it_is_set(void **state) {
 }
 
 /* Along a stance of the native solver, in which nothing asks for the flag. */
-static void the_native_solver_notes_a_thrust_of_zero(void **state) {
+TEST(the_native_solver_notes_a_thrust_of_zero) {
     run run = begin(0.0, 1e-11);
-    (void)state;
     while (!tdmf_in_contact(&run.motion.mode) || run.motion.state[TDMF_LEG_LENGTH_RATE] < 0.0) {
         assert_false(run.motion.mode.thrusts);
         assert_int_equal(
@@ -224,12 +217,11 @@ static void the_native_solver_notes_a_thrust_of_zero(void **state) {
     assert_false(run.motion.mode.thrusts);
 }
 
-static void an_impact_on_a_lengthening_leg_thrusts_before_it_is_asked_whether_it_stays(void **state) {
+TEST(an_impact_on_a_lengthening_leg_thrusts_before_it_is_asked_whether_it_stays) {
     runner thrusting = scene_at_impact(TDMF_PHASE_PLACE, -0.3, -0.02), free = thrusting;
     tdmf_parameters parameters = thrusting.model.parameters;
-    (void)state;
     parameters.leg.thrust = 0.5;
-    assert_null(tdmf_model_create(&thrusting.model, &parameters).variable);
+    thrusting.model = accepted_model(&parameters);
     thrusting.motion.state[TDMF_LEG_LENGTH_RATE] += 0.3;
     free.motion.state[TDMF_LEG_LENGTH_RATE] += 0.3;
     scene_resolve(&thrusting);
@@ -239,8 +231,7 @@ static void an_impact_on_a_lengthening_leg_thrusts_before_it_is_asked_whether_it
     assert_false(tdmf_in_contact(&free.motion.mode));
 }
 
-static void graze_keeps_thrust_and_does_not_start_it(void **state) {
-    (void)state;
+TEST(graze_keeps_thrust_and_does_not_start_it) {
     for (int on = 0; on < 2; ++on) {
         runner runner = scene_on_ground(TDMF_CONTACT_GRAZE, -0.3, -0.01);
         runner.motion.state[TDMF_LEG_LENGTH_RATE] = 0.1;
@@ -259,9 +250,8 @@ static void graze_keeps_thrust_and_does_not_start_it(void **state) {
 /* ---- pushes -------------------------------------------------------------------------------------------- */
 
 /* Lifted in place, the runner rises; let go, it passes a second apex, with a word that is empty. */
-static void who_is_lifted_in_place_passes_a_second_apex(void **state) {
+TEST(who_is_lifted_in_place_passes_a_second_apex) {
     run run = begin(0.0, 1e-11);
-    (void)state;
     run.inputs.body.external_fy = 0.05;
     tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, 6.0, &run.motion);
     assert_int_equal(run.motion.mode.phase, TDMF_PHASE_PLACE);
@@ -276,12 +266,11 @@ static void who_is_lifted_in_place_passes_a_second_apex(void **state) {
 }
 
 /* By a push that grows and fades, within one call: the solver has to see the rise and the apex itself. */
-static void a_push_that_ramps_may_lift_and_drop_in_place(void **state) {
+TEST(a_push_that_ramps_may_lift_and_drop_in_place) {
     const tdmf_inputs grows = {.body = {.external_fy = 0.02}}, fades = {.body = {.external_fy = -0.02}};
-    (void)state;
     for (int i = 0; i < 2; ++i) {
         run run = begin(0.0, 1e-11);
-        const solver_call advance = i == 0 ? tdmf_native_advance : tdmf_cvode_advance;
+        solver_call *const advance = i == 0 ? tdmf_native_advance : tdmf_cvode_advance;
         if (i == 1 && !tdmf_cvode_is_available()) {
             continue;
         }
@@ -298,10 +287,9 @@ static void a_push_that_ramps_may_lift_and_drop_in_place(void **state) {
 }
 
 /* No hang, and nothing that is not a number: the outcome says what became of it. */
-static void the_extremes_of_every_range_are_survived(void **state) {
+TEST(the_extremes_of_every_range_are_survived) {
     static const double ends[] = {1e18, -1e18, 1e9, -1e9, 1e3};
     int counts[TDMF_REFUSED + 1] = {0};
-    (void)state;
     for (int i = 0; i < 5 * 16; ++i) {
         const double end = ends[i % 5], length = fmin(fabs(end), 1e6) * (end < 0.0 ? -1.0 : 1.0);
         const int which = i / 5;
@@ -331,11 +319,10 @@ static run actuated(void) {
     return run;
 }
 
-static void stops_make_no_difference(void **state) {
+TEST(stops_make_no_difference) {
     const double end = 60.0;
     run whole = actuated(), stepped = actuated(), events = actuated();
     tdmf_event_log log = {0};
-    (void)state;
     whole.solver.log = &log;
     tdmf_native_advance(&whole.solver, SYSTEM_OF(&whole), NULL, end, &whole.motion);
     for (int i = 1; i <= 200; ++i) {
@@ -372,20 +359,17 @@ static void assert_ends_agree(const tdmf_ensemble_end *a, const tdmf_ensemble_en
     assert_close(a->work, a->hip_work + a->leg_work, 0.0);
 }
 
-static void lanes_follow_the_native_solver(void **state) {
+TEST(lanes_follow_the_native_solver) {
     static tdmf_model models[RUNNERS];
     tdmf_ensemble_case cases[RUNNERS];
     int case_of[RUNNERS], sets = 0, closed = 0;
     double starts[RUNNERS][TDMF_SECTION_COUNT];
     tdmf_ensemble_end one_by_one[RUNNERS], ends[RUNNERS];
     random_source source = {31};
-    (void)state;
     for (int i = 0; i < RUNNERS; ++i) {
         run run = begin(0.0, 1e-11);
-        const tdmf_apex *apex = &run.motion.record.apex;
-        const double section[TDMF_SECTION_COUNT] = {apex->com_height,      apex->com_speed,
-                                                    apex->leg_length,      apex->leg_angle,
-                                                    apex->leg_length_rate, apex->leg_angle_rate};
+        double section[TDMF_SECTION_COUNT];
+        read_apex(&run.motion.record, section);
         jump(&source, &run, 0.05);
         run.inputs.ground.height = 0.0;
         run.inputs.ground.slope *= 0.2;
@@ -416,22 +400,4 @@ static void lanes_follow_the_native_solver(void **state) {
         }
     }
     assert_true(sets >= 2 && closed > RUNNERS / 2);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ramps_of_every_input_close_the_ledger_and_agree_with_cvode),
-        cmocka_unit_test(whatever_jumps_the_ledger_closes_and_chains_end),
-        cmocka_unit_test(thrust_begins_where_the_leg_stops_shortening_and_outlasts_it),
-        cmocka_unit_test(a_thrust_of_zero_is_noted_and_acts_where_it_is_set),
-        cmocka_unit_test(the_native_solver_notes_a_thrust_of_zero),
-        cmocka_unit_test(an_impact_on_a_lengthening_leg_thrusts_before_it_is_asked_whether_it_stays),
-        cmocka_unit_test(graze_keeps_thrust_and_does_not_start_it),
-        cmocka_unit_test(who_is_lifted_in_place_passes_a_second_apex),
-        cmocka_unit_test(a_push_that_ramps_may_lift_and_drop_in_place),
-        cmocka_unit_test(the_extremes_of_every_range_are_survived),
-        cmocka_unit_test(stops_make_no_difference),
-        cmocka_unit_test(lanes_follow_the_native_solver),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -66,8 +66,7 @@ static void momentum_balances(const runner *runner) {
     assert_close(mass * rate_of(runner, com_vy), outputs.contact.fy - weight, scene_force_tolerance(runner));
 }
 
-static void ground_force_and_weight_move_the_center_of_mass(void **unused) {
-    (void)unused;
+TEST(ground_force_and_weight_move_the_center_of_mass) {
     check_in_every_mode(momentum_balances);
 }
 
@@ -78,8 +77,7 @@ static void center_of_mass_falls_freely(const runner *runner) {
                  scene_force_tolerance(runner));
 }
 
-static void center_of_mass_is_ballistic_off_the_ground_and_in_graze(void **unused) {
-    (void)unused;
+TEST(center_of_mass_is_ballistic_off_the_ground_and_in_graze) {
     check_in_mode(TDMF_CONTACT_FLIGHT, center_of_mass_falls_freely);
     check_in_mode(TDMF_CONTACT_GRAZE, center_of_mass_falls_freely);
 }
@@ -100,8 +98,7 @@ static void power_balances(const runner *runner) {
     assert_close(rate_of(runner, total_energy), power, speed * scene_force_tolerance(runner));
 }
 
-static void hip_power_less_losses_changes_the_energy(void **unused) {
-    (void)unused;
+TEST(hip_power_less_losses_changes_the_energy) {
     check_in_every_mode(power_balances);
 }
 
@@ -128,14 +125,12 @@ static void integrals_follow_their_definitions(const runner *runner) {
     assert_relatively_close(derivatives[TDMF_ENERGY_FRICTION_LOSS], rubbed, 1e-13);
 }
 
-static void work_and_losses_are_integrals_of_power(void **unused) {
-    (void)unused;
+TEST(work_and_losses_are_integrals_of_power) {
     check_in_every_mode(integrals_follow_their_definitions);
 }
 
 /* A loaded foot loses energy to friction whichever way it slips. */
-static void friction_takes_energy(void **unused) {
-    (void)unused;
+TEST(friction_takes_energy) {
     static const tdmf_contact_mode slips[] = {TDMF_CONTACT_SLIP_POSITIVE, TDMF_CONTACT_SLIP_NEGATIVE};
     for (int i = 0; i < 2; ++i) {
         runner runner = scene_on_ground(slips[i], 0.3, 0.1);
@@ -160,21 +155,8 @@ static void rate_agrees(const runner *runner) {
     assert_close(rate_of(runner, vertical_force), rate, per_time * scene_force_tolerance(runner));
 }
 
-static void ground_force_rate_is_the_forces_derivative(void **unused) {
-    (void)unused;
+TEST(ground_force_rate_is_the_forces_derivative) {
     check_in_mode(TDMF_CONTACT_STICK, rate_agrees);
     check_in_mode(TDMF_CONTACT_SLIP_POSITIVE, rate_agrees);
     check_in_mode(TDMF_CONTACT_SLIP_NEGATIVE, rate_agrees);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ground_force_and_weight_move_the_center_of_mass),
-        cmocka_unit_test(center_of_mass_is_ballistic_off_the_ground_and_in_graze),
-        cmocka_unit_test(hip_power_less_losses_changes_the_energy),
-        cmocka_unit_test(work_and_losses_are_integrals_of_power),
-        cmocka_unit_test(friction_takes_energy),
-        cmocka_unit_test(ground_force_rate_is_the_forces_derivative),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

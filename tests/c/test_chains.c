@@ -14,8 +14,7 @@ static void resolve(runner *runner, int events) {
 /* ---- impacts ---------------------------------------------------------------------------------------- */
 
 /* The impact's impulse is inside the cone, the force after it is not. */
-static void sticking_impact_that_slips_at_once(void **unused) {
-    (void)unused;
+TEST(sticking_impact_that_slips_at_once) {
     runner behind = scene_at_impact(TDMF_PHASE_PLACE, -0.7, 0.1);
     runner ahead = scene_at_impact(TDMF_PHASE_PLACE, 0.7, 0.1);
     behind.inputs.ground.friction = ahead.inputs.ground.friction = 0.6;
@@ -45,8 +44,7 @@ static void assert_left_at_once(const runner *runner, tdmf_hip_phase phase) {
     assert_close(runner->motion.state[TDMF_FOOT_VY], 0.0, 1e-15);
 }
 
-static void impact_that_leaves_at_once_stays_in_retract(void **unused) {
-    (void)unused;
+TEST(impact_that_leaves_at_once_stays_in_retract) {
     runner runner = landing_on_stretched_leg(TDMF_PHASE_RETRACT, 0.1);
     resolve(&runner, 1);
     assert_left_at_once(&runner, TDMF_PHASE_RETRACT);
@@ -54,8 +52,7 @@ static void impact_that_leaves_at_once_stays_in_retract(void **unused) {
 
 /* The impact throws the centre of mass up again: the hip stays in place, and the second apex, which closes a
  * stride, begins its time anew. */
-static void impact_that_leaves_at_once_stays_in_place(void **unused) {
-    (void)unused;
+TEST(impact_that_leaves_at_once_stays_in_place) {
     runner runner = landing_on_stretched_leg(TDMF_PHASE_PLACE, 0.005);
     assert_true(tdmf_center_of_mass(&runner.model, runner.motion.state).vy < 0.0);
     resolve(&runner, 1);
@@ -74,8 +71,7 @@ static void impact_that_leaves_at_once_stays_in_place(void **unused) {
 }
 
 /* The stretched leg lifts the foot, the hip, which swings the leg forward, holds it down. */
-static void impact_into_graze(void **unused) {
-    (void)unused;
+TEST(impact_into_graze) {
     runner runner = scene_at_impact(TDMF_PHASE_PLACE, -0.3, -0.02);
     runner.motion.mode.liftoff_angle = 0.9;
     resolve(&runner, 1);
@@ -84,8 +80,7 @@ static void impact_into_graze(void **unused) {
     assert_close(runner.motion.state[TDMF_FOOT_VX], 0.0, 0.0);
 }
 
-static void touchdown_at_the_apex(void **unused) {
-    (void)unused;
+TEST(touchdown_at_the_apex) {
     runner runner = scene_at_impact(TDMF_PHASE_RETRACT, 0.4, 0.1);
     const double climb = tdmf_center_of_mass(&runner.model, runner.motion.state).vy;
     runner.motion.state[TDMF_LEG_LENGTH_RATE] += (beyond - climb) * 1.1 / cos(0.4);
@@ -111,8 +106,7 @@ static runner standing(double friction, double angle_rate) {
     return runner;
 }
 
-static void torque_jump_starts_a_slip(void **unused) {
-    (void)unused;
+TEST(torque_jump_starts_a_slip) {
     runner backward = standing(0.4, 0.0);
     runner forward = standing(0.4, 0.0);
     backward.inputs.hip.external_torque = -0.05;
@@ -123,8 +117,7 @@ static void torque_jump_starts_a_slip(void **unused) {
     scene_assert_mode(&forward, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
 }
 
-static void friction_jump_starts_a_slip(void **unused) {
-    (void)unused;
+TEST(friction_jump_starts_a_slip) {
     runner runner = standing(0.4, 0.0);
     runner.inputs.ground.friction = 0.3;
     resolve(&runner, 1);
@@ -132,8 +125,7 @@ static void friction_jump_starts_a_slip(void **unused) {
     assert_string_equal(runner.motion.record.progress.open.word, "0");
 }
 
-static void torque_jump_ends_the_contact(void **unused) {
-    (void)unused;
+TEST(torque_jump_ends_the_contact) {
     runner runner = standing(1000.0, 0.1);
     runner.inputs.hip.external_torque = -0.5;
     resolve(&runner, 1);
@@ -142,8 +134,7 @@ static void torque_jump_ends_the_contact(void **unused) {
 }
 
 /* The retract law, stopping a fast backward swing, outweighs the external torque that lifts the foot. */
-static void torque_jump_ends_the_contact_into_graze(void **unused) {
-    (void)unused;
+TEST(torque_jump_ends_the_contact_into_graze) {
     runner runner = standing(1000.0, -4.0);
     runner.inputs.hip.external_torque = -0.5;
     resolve(&runner, 1);
@@ -151,8 +142,7 @@ static void torque_jump_ends_the_contact_into_graze(void **unused) {
 }
 
 /* A jump beyond both limits leaves the ground; the slip that it would start lasts no time. */
-static void jump_past_cone_and_load_leaves_the_ground(void **unused) {
-    (void)unused;
+TEST(jump_past_cone_and_load_leaves_the_ground) {
     runner runner = standing(0.4, 0.1);
     runner.inputs.hip.external_torque = -0.5;
     runner.inputs.ground.friction = 0.0;
@@ -162,8 +152,7 @@ static void jump_past_cone_and_load_leaves_the_ground(void **unused) {
 }
 
 /* Without the drive, which held it down, the foot lifts: a chain is one event. */
-static void mid_stance_may_end_the_contact(void **unused) {
-    (void)unused;
+TEST(mid_stance_may_end_the_contact) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, -0.02);
     runner.motion.mode.phase = TDMF_PHASE_DRIVE;
     runner.motion.mode.mid_stance_pending = true;
@@ -174,8 +163,7 @@ static void mid_stance_may_end_the_contact(void **unused) {
 }
 
 /* Mid-stance takes the drive's torque away, and with it what held the foot, or what pushed it. */
-static void mid_stance_may_start_a_slip(void **unused) {
-    (void)unused;
+TEST(mid_stance_may_start_a_slip) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, beyond, 0.3);
     runner.motion.mode.phase = TDMF_PHASE_DRIVE;
     runner.motion.mode.mid_stance_pending = true;
@@ -186,8 +174,7 @@ static void mid_stance_may_start_a_slip(void **unused) {
 }
 
 /* Loaded by a jump, the foot at rest in graze is loaded and slips at once. */
-static void torque_jump_ends_a_graze(void **unused) {
-    (void)unused;
+TEST(torque_jump_ends_a_graze) {
     runner runner = scene_on_ground(TDMF_CONTACT_GRAZE, -0.3, -0.01);
     runner.motion.state[TDMF_LEG_ANGLE_RATE] = -2.0;
     scene_set_com_vy_by_leg(&runner, 0.05);
@@ -201,8 +188,7 @@ static void torque_jump_ends_a_graze(void **unused) {
     assert_string_equal(runner.motion.record.progress.open.word, "");
 }
 
-static void jumps_in_flight_cause_nothing(void **unused) {
-    (void)unused;
+TEST(jumps_in_flight_cause_nothing) {
     runner runner = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
     runner.inputs.hip.external_torque = 0.7;
     runner.inputs.ground.friction = 0.0;
@@ -224,8 +210,7 @@ static runner upright(double length) {
 }
 
 /* No friction, no torque, no lean, no speed: |f_x| = 0 is inside a cone of no width. */
-static void upright_foot_on_ice_stands(void **unused) {
-    (void)unused;
+TEST(upright_foot_on_ice_stands) {
     runner runner = upright(0.9);
     scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE);
     for (int i = 0; i < 1000; ++i) {
@@ -238,34 +223,11 @@ static void upright_foot_on_ice_stands(void **unused) {
 
 /* The leg is stretched by just the foot's weight: no force on an upright foot, whose torque has no lever.
  * Which way the last bit of the force decides is as good as any, but it has to be decided once. */
-static void upright_foot_without_load_does_not_chatter(void **unused) {
-    (void)unused;
+TEST(upright_foot_without_load_does_not_chatter) {
     for (int i = -2; i <= 2; ++i) {
         runner runner = upright(1.0 + 0.1 * 0.01 + i * 1e-16);
         while (runner.motion.time < 10.0 && runner_advance(&runner, 1e-2)) {
         }
         assert_true(runner.resolutions < 20);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sticking_impact_that_slips_at_once),
-        cmocka_unit_test(impact_that_leaves_at_once_stays_in_retract),
-        cmocka_unit_test(impact_that_leaves_at_once_stays_in_place),
-        cmocka_unit_test(impact_into_graze),
-        cmocka_unit_test(touchdown_at_the_apex),
-        cmocka_unit_test(torque_jump_starts_a_slip),
-        cmocka_unit_test(friction_jump_starts_a_slip),
-        cmocka_unit_test(torque_jump_ends_the_contact),
-        cmocka_unit_test(torque_jump_ends_the_contact_into_graze),
-        cmocka_unit_test(jump_past_cone_and_load_leaves_the_ground),
-        cmocka_unit_test(mid_stance_may_end_the_contact),
-        cmocka_unit_test(mid_stance_may_start_a_slip),
-        cmocka_unit_test(torque_jump_ends_a_graze),
-        cmocka_unit_test(jumps_in_flight_cause_nothing),
-        cmocka_unit_test(upright_foot_on_ice_stands),
-        cmocka_unit_test(upright_foot_without_load_does_not_chatter),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

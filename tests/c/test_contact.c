@@ -10,8 +10,7 @@ static tdmf_ground_force force_of(const runner *runner) {
 }
 
 /* A vertical leg at its free length carries nothing; the foot's own weight rests on the ground. */
-static void unloaded_leg_leaves_the_weight_of_the_foot(void **unused) {
-    (void)unused;
+TEST(unloaded_leg_leaves_the_weight_of_the_foot) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.0);
     runner.motion.state[TDMF_LEG_LENGTH] = 1.0;
     assert_close(force_of(&runner).normal, 0.1 * 0.01, 1e-17);
@@ -19,16 +18,14 @@ static void unloaded_leg_leaves_the_weight_of_the_foot(void **unused) {
 }
 
 /* A still leg pushes the foot away from the body: ahead of it, the ground holds back. */
-static void sticking_force_points_along_the_leg(void **unused) {
-    (void)unused;
+TEST(sticking_force_points_along_the_leg) {
     const runner ahead = scene_on_ground(TDMF_CONTACT_STICK, 0.5, 0.101);
     const runner behind = scene_on_ground(TDMF_CONTACT_STICK, -0.5, 0.101);
     assert_close(force_of(&ahead).tangential, -0.1 * tan(0.5), 1e-15);
     assert_close(force_of(&behind).tangential, 0.1 * tan(0.5), 1e-15);
 }
 
-static void friction_opposes_the_slip(void **unused) {
-    (void)unused;
+TEST(friction_opposes_the_slip) {
     runner runner = scene_on_ground(TDMF_CONTACT_SLIP_POSITIVE, 0.5, 0.2);
     runner.inputs.ground.friction = 0.25;
     assert_close(force_of(&runner).tangential, -0.05, 1e-15);
@@ -36,8 +33,7 @@ static void friction_opposes_the_slip(void **unused) {
     assert_close(force_of(&runner).tangential, 0.05, 1e-15);
 }
 
-static void no_force_off_the_ground_and_in_graze(void **unused) {
-    (void)unused;
+TEST(no_force_off_the_ground_and_in_graze) {
     random_source source = {21};
     static const tdmf_contact_mode modes[] = {TDMF_CONTACT_FLIGHT, TDMF_CONTACT_GRAZE};
     for (int i = 0; i < 2; ++i) {
@@ -46,8 +42,7 @@ static void no_force_off_the_ground_and_in_graze(void **unused) {
     }
 }
 
-static void only_stick_and_slip_are_contact(void **unused) {
-    (void)unused;
+TEST(only_stick_and_slip_are_contact) {
     static const bool contact[] = {false, true, true, true, false};
     static const double sign[] = {0.0, 0.0, 1.0, -1.0, 0.0};
     for (int i = 0; i < 5; ++i) {
@@ -55,15 +50,4 @@ static void only_stick_and_slip_are_contact(void **unused) {
         assert_true(tdmf_in_contact(&mode) == contact[i]);
         assert_true(tdmf_slip_sign(&mode) == sign[i]);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(unloaded_leg_leaves_the_weight_of_the_foot),
-        cmocka_unit_test(sticking_force_points_along_the_leg),
-        cmocka_unit_test(friction_opposes_the_slip),
-        cmocka_unit_test(no_force_off_the_ground_and_in_graze),
-        cmocka_unit_test(only_stick_and_slip_are_contact),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,6 +5,7 @@
 #include "compare.h"
 #include "reference_gaits.h"
 #include "scene.h"
+#include "simulation.h"
 
 #include <math.h>
 #include <string.h>
@@ -31,8 +32,7 @@ static tdmf_outcome advance(run *run, double until) {
     return tdmf_cvode_advance(&run->solver, SYSTEM_OF(&run->runner), &no_rates, until, &run->motion);
 }
 
-static void a_stride_of_every_gait(void **state) {
-    (void)state;
+TEST(a_stride_of_every_gait) {
     if (!tdmf_cvode_is_available()) {
         skip();
     }
@@ -48,8 +48,7 @@ static void a_stride_of_every_gait(void **state) {
     }
 }
 
-static void limits_are_those_of_a_call(void **state) {
-    (void)state;
+TEST(limits_are_those_of_a_call) {
     if (!tdmf_cvode_is_available()) {
         skip();
     }
@@ -66,8 +65,7 @@ static void limits_are_those_of_a_call(void **state) {
     }
 }
 
-static void requests_without_sense_are_refused(void **state) {
-    (void)state;
+TEST(requests_without_sense_are_refused) {
     run run = begin(&reference_gaits[DEFAULT_GAIT]);
     const tdmf_motion before = run.motion;
     assert_int_equal(advance(&run, NAN), TDMF_REFUSED);
@@ -83,10 +81,9 @@ static void requests_without_sense_are_refused(void **state) {
 /* Lengths, times and masses scaled by powers of two: every number is the same but for its exponent, and CVODE
  * makes the same steps, but for the pivots of its linear solver. What these change is of the size of an
  * integration's own error, which in the period is a thousand times the tolerance of a step. */
-static void another_scale_is_the_same_work(void **state) {
+TEST(another_scale_is_the_same_work) {
     static const double finer = 1e-11;
     static const int exponents[][3] = {{0, -10, 0}, {-8, 6, 3}, {10, -4, -5}, {0, 9, 0}};
-    (void)state;
     if (!tdmf_cvode_is_available()) {
         skip();
     }
@@ -110,7 +107,7 @@ static void another_scale_is_the_same_work(void **state) {
         p.hip.stance_torque *= energy;
         p.hip.kp *= energy;
         p.hip.kd *= energy * time;
-        assert_null(tdmf_model_create(&scaled.runner.model, &p).variable);
+        scaled.runner.model = accepted_model(&p);
         double *const q = scaled.motion.state;
         q[TDMF_FOOT_X] *= length;
         q[TDMF_FOOT_Y] *= length;
@@ -128,8 +125,7 @@ static void another_scale_is_the_same_work(void **state) {
 }
 
 /* Friction that is taken away from under a foot at rest, between two calls. */
-static void an_input_that_has_jumped_is_met_before_the_first_step(void **state) {
-    (void)state;
+TEST(an_input_that_has_jumped_is_met_before_the_first_step) {
     if (!tdmf_cvode_is_available()) {
         skip();
     }
@@ -152,16 +148,15 @@ static void an_input_that_has_jumped_is_met_before_the_first_step(void **state) 
 }
 
 /* CVODE does not integrate the clock; its steps read it all the same. */
-static void a_leg_that_is_retracted_goes_by_the_clock(void **state) {
+TEST(a_leg_that_is_retracted_goes_by_the_clock) {
     int in_place = 0, others = 0;
-    (void)state;
     if (!tdmf_cvode_is_available()) {
         skip();
     }
     run run = begin(&reference_gaits[DEFAULT_GAIT]);
     tdmf_parameters retracted = run.runner.model.parameters;
     retracted.hip.retraction_rate = 0.01;
-    assert_null(tdmf_model_create(&run.runner.model, &retracted).variable);
+    run.runner.model = accepted_model(&retracted);
     tdmf_motion native = run.motion;
     tdmf_solver native_solver = run.solver;
     run.solver.relative_tolerance = 1e-11;
@@ -180,16 +175,4 @@ static void a_leg_that_is_retracted_goes_by_the_clock(void **state) {
     }
     assert_int_equal(run.motion.record.stride.count, native.record.stride.count);
     assert_true(in_place > 5 && others > 5);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_stride_of_every_gait),
-        cmocka_unit_test(limits_are_those_of_a_call),
-        cmocka_unit_test(requests_without_sense_are_refused),
-        cmocka_unit_test(another_scale_is_the_same_work),
-        cmocka_unit_test(a_leg_that_is_retracted_goes_by_the_clock),
-        cmocka_unit_test(an_input_that_has_jumped_is_met_before_the_first_step),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,6 +8,7 @@
 #include "compare.h"
 #include "declared.h"
 #include "ground_line.h"
+#include "simulation.h"
 #include "system_of.h"
 
 #include <float.h>
@@ -189,7 +190,7 @@ static void change_further(run *run) {
     }
     if (random_chance(&run->further, 0.5)) {
         declared_settings(&run->further, run->decades, &parameters);
-        assert_null(tdmf_model_create(&run->model, &parameters).variable);
+        run->model = accepted_model(&parameters);
     }
 }
 
@@ -256,7 +257,7 @@ static bool begin(uint64_t seed, run *run) {
     run->solver.event_limit = STEPS_OF_A_PART;
     run->inputs = runner.inputs;
     memcpy(run->motion.state, runner.state, sizeof runner.state);
-    assert_null(tdmf_model_create(&run->model, &runner.parameters).variable);
+    run->model = accepted_model(&runner.parameters);
     if (run->has_further_inputs) {
         lift_to_ground(run);
     }
@@ -320,8 +321,7 @@ static void assert_saw_everything(const tally *seen) {
     assert_true(seen->leg_work > runs / 5 && seen->external_work > runs / 5);
 }
 
-static void any_declared_runner_goes_on_or_falls_or_is_given_up(void **unused) {
-    (void)unused;
+TEST(any_declared_runner_goes_on_or_falls_or_is_given_up) {
     tally seen = {0};
     long wrongs = 0;
     for (long i = 0; i < runs; ++i) {
@@ -347,10 +347,7 @@ static void any_declared_runner_goes_on_or_falls_or_is_given_up(void **unused) {
 }
 
 int main(int count, char **arguments) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_declared_runner_goes_on_or_falls_or_is_given_up),
-    };
     runs = count > 1 ? atol(arguments[1]) : runs;
     first_seed = count > 2 ? atol(arguments[2]) : first_seed;
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_registered_tests();
 }

@@ -314,30 +314,25 @@ static void compare_in_mode(tdmf_contact_mode contact) {
     }
 }
 
-static void flight_obeys_lagrange(void **unused) {
-    (void)unused;
+TEST(flight_obeys_lagrange) {
     compare_in_mode(TDMF_CONTACT_FLIGHT);
 }
 
-static void stick_obeys_lagrange(void **unused) {
-    (void)unused;
+TEST(stick_obeys_lagrange) {
     compare_in_mode(TDMF_CONTACT_STICK);
 }
 
-static void slip_obeys_lagrange(void **unused) {
-    (void)unused;
+TEST(slip_obeys_lagrange) {
     compare_in_mode(TDMF_CONTACT_SLIP_POSITIVE);
     compare_in_mode(TDMF_CONTACT_SLIP_NEGATIVE);
 }
 
-static void graze_obeys_lagrange(void **unused) {
-    (void)unused;
+TEST(graze_obeys_lagrange) {
     compare_in_mode(TDMF_CONTACT_GRAZE);
 }
 
 /* Constraints hold to the last bit, or the foot would drift through the ground in a long stance. */
-static void constrained_accelerations_are_exactly_zero(void **unused) {
-    (void)unused;
+TEST(constrained_accelerations_are_exactly_zero) {
     random_source source = {1};
     for (int i = 0; i < 40; ++i) {
         const int contact = TDMF_CONTACT_STICK + i % 4;
@@ -368,8 +363,7 @@ static void assert_all_finite(const runner *runner) {
 }
 
 /* Solvers probe beyond events, where a leg has any length, angle and speed. */
-static void trial_states_give_finite_results(void **unused) {
-    (void)unused;
+TEST(trial_states_give_finite_results) {
     static const double lengths[] = {0.0, -0.0, -1e-300, 1e-300, 1e-12, -1.0, -1e6, 1e6};
     static const double angles[] = {0.0, 1e-300, -1e-16, 1.5707963267948966, 1e6, -1e6};
     static const double rates[] = {0.0, -1e6, 1e6};
@@ -386,8 +380,7 @@ static void trial_states_give_finite_results(void **unused) {
     }
 }
 
-static void fallen_run_is_frozen(void **unused) {
-    (void)unused;
+TEST(fallen_run_is_frozen) {
     random_source source = {3};
     for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
         runner runner = scene_random(&source, (tdmf_contact_mode)contact);
@@ -398,17 +391,4 @@ static void fallen_run_is_frozen(void **unused) {
             assert_true(derivatives[i] == 0.0);
         }
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(flight_obeys_lagrange),
-        cmocka_unit_test(stick_obeys_lagrange),
-        cmocka_unit_test(slip_obeys_lagrange),
-        cmocka_unit_test(graze_obeys_lagrange),
-        cmocka_unit_test(constrained_accelerations_are_exactly_zero),
-        cmocka_unit_test(trial_states_give_finite_results),
-        cmocka_unit_test(fallen_run_is_frozen),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -27,8 +27,7 @@ static void assert_are(int count, const double *matrix, const double *expected, 
     }
 }
 
-static void of_a_triangle_they_are_on_the_diagonal(void **unused) {
-    (void)unused;
+TEST(of_a_triangle_they_are_on_the_diagonal) {
     static const double matrix[] = {-3.0, 2.0, 9.0, 0.0, 0.5, 4.0, 0.0, 0.0, 1.0};
     static const double expected[] = {-3.0, 1.0, 0.5};
     static const double zeros[SIZE * SIZE] = {0.0};
@@ -38,8 +37,7 @@ static void of_a_triangle_they_are_on_the_diagonal(void **unused) {
 }
 
 /* x^4 - 10 x^3 + 35 x^2 - 50 x + 24 = (x - 1) (x - 2) (x - 3) (x - 4). */
-static void of_a_companion_matrix_they_are_the_roots(void **unused) {
-    (void)unused;
+TEST(of_a_companion_matrix_they_are_the_roots) {
     static const double matrix[] = {10.0, -35.0, 50.0, -24.0, 1.0, 0.0, 0.0, 0.0,
                                     0.0,  1.0,   0.0,  0.0,   0.0, 0.0, 1.0, 0.0};
     static const double expected[] = {4.0, 3.0, 2.0, 1.0};
@@ -47,8 +45,7 @@ static void of_a_companion_matrix_they_are_the_roots(void **unused) {
 }
 
 /* All of one size and apart by a sixth of a turn: no shift tells one from another, at first. */
-static void of_a_cycle_they_are_roots_of_unity(void **unused) {
-    (void)unused;
+TEST(of_a_cycle_they_are_roots_of_unity) {
     double matrix[SIZE * SIZE] = {0.0}, pairs[2 * SIZE];
     bool met[SIZE] = {false};
     for (int i = 0; i < SIZE; ++i) {
@@ -66,8 +63,7 @@ static void of_a_cycle_they_are_roots_of_unity(void **unused) {
 }
 
 /* (0.7 - x)^6 = 1e-12: a Jordan block whose corner is not quite 0, so that rounding counts for a lot. */
-static void of_a_nearly_defective_matrix_they_are_on_a_circle(void **unused) {
-    (void)unused;
+TEST(of_a_nearly_defective_matrix_they_are_on_a_circle) {
     double matrix[SIZE * SIZE] = {0.0}, pairs[2 * SIZE], together = 0.0;
     for (int i = 0; i < SIZE; ++i) {
         matrix[SIZE * i + i] = 0.7;
@@ -129,8 +125,7 @@ static void assert_suit(const double matrix[SIZE * SIZE], const double pairs[2 *
 }
 
 /* Rows over magnitudes, so that balancing has something to do, and some elements zero. */
-static void sums_of_their_powers_are_traces(void **unused) {
-    (void)unused;
+TEST(sums_of_their_powers_are_traces) {
     enum { MATRICES = 500 };
     int not_real = 0;
     for (uint64_t seed = 0; seed < MATRICES; ++seed) {
@@ -157,8 +152,7 @@ static void sums_of_their_powers_are_traces(void **unused) {
 }
 
 /* They grow with the matrix, up to the largest numbers and down to the least. */
-static void a_factor_of_the_matrix_is_theirs(void **unused) {
-    (void)unused;
+TEST(a_factor_of_the_matrix_is_theirs) {
     static const double matrix[] = {0.25, -0.5, 0.5, 0.25}, smallest[] = {0x1p-1074};
     for (int exponent = -1000; exponent <= 1022; exponent += 2022) {
         double scaled[4], pairs[4];
@@ -173,8 +167,7 @@ static void a_factor_of_the_matrix_is_theirs(void **unused) {
     assert_are(1, smallest, smallest, 0.0);
 }
 
-static void what_has_none_is_refused(void **unused) {
-    (void)unused;
+TEST(what_has_none_is_refused) {
     static const double all_largest[] = {DBL_MAX, DBL_MAX, DBL_MAX, DBL_MAX};
     static const double bad[] = {NAN, INFINITY, -INFINITY};
     double matrix[(SIZE + 1) * (SIZE + 1)] = {1.0}, pairs[2 * SIZE + 2] = {7.0};
@@ -191,17 +184,4 @@ static void what_has_none_is_refused(void **unused) {
     assert_false(tdmf_eigenvalues(2, NULL, pairs));
     assert_false(tdmf_eigenvalues(2, matrix, NULL));
     assert_true(pairs[0] == 7.0);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(of_a_triangle_they_are_on_the_diagonal),
-        cmocka_unit_test(of_a_companion_matrix_they_are_the_roots),
-        cmocka_unit_test(of_a_cycle_they_are_roots_of_unity),
-        cmocka_unit_test(of_a_nearly_defective_matrix_they_are_on_a_circle),
-        cmocka_unit_test(sums_of_their_powers_are_traces),
-        cmocka_unit_test(a_factor_of_the_matrix_is_theirs),
-        cmocka_unit_test(what_has_none_is_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

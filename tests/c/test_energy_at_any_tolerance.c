@@ -3,6 +3,7 @@
 #include "compare.h"
 #include "sample.h"
 #include "scene.h"
+#include "simulation.h"
 #include "tdmf_slip/ensemble.h"
 
 #include <math.h>
@@ -77,7 +78,7 @@ static void run_and_check(const runner *runner, double tolerance, tally *seen) {
     enum { CALLS = 5 };
     static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
     const tdmf_model *model = &runner->model;
-    tdmf_solver solver = tdmf_solver_default();
+    tdmf_solver solver = solver_to(tolerance);
     tdmf_outcome outcome = TDMF_ARRIVED;
     tdmf_motion motion;
     memset(&motion, 0, sizeof motion);
@@ -86,7 +87,6 @@ static void run_and_check(const runner *runner, double tolerance, tally *seen) {
         return;
     }
     double largest = energy_in(model, runner->motion.state);
-    solver.relative_tolerance = tolerance;
     for (int call = 0; call < CALLS && outcome == TDMF_ARRIVED; ++call) {
         outcome = tdmf_native_advance(&solver, (tdmf_system){model, &runner->inputs}, &no_rates,
                                       motion.time + 2.0 * model->scales.time, &motion);
@@ -101,10 +101,9 @@ static void run_and_check(const runner *runner, double tolerance, tally *seen) {
     ++seen->ended[outcome];
 }
 
-static void of_any_runner(void **state) {
+TEST(of_any_runner) {
     enum { RUNS = sample_of(4000) };
     tally seen = {{0}, 0};
-    (void)state;
     for (uint64_t seed = 0; seed < RUNS; ++seed) {
         random_source source = {seed};
         const double decades = random_uniform(&source, 0.3, 2.5);
@@ -131,7 +130,7 @@ static runner leg_about_to_vanish(random_source *source) {
     p.hip.kp = random_magnitude(source, 1e-6, 1e-2);
     p.hip.kd = random_magnitude(source, 1e-6, 1e-2);
     runner runner = runner_default(0.6);
-    assert_null(tdmf_model_create(&runner.model, &p).variable);
+    runner.model = accepted_model(&p);
     memset(runner.motion.state, 0, sizeof runner.motion.state);
     runner.motion.state[TDMF_FOOT_Y] = 100.0;
     runner.motion.state[TDMF_LEG_LENGTH] = random_uniform(source, 0.5, 20.0);
@@ -142,11 +141,10 @@ static runner leg_about_to_vanish(random_source *source) {
     return runner;
 }
 
-static void of_legs_that_nearly_vanish(void **state) {
+TEST(of_legs_that_nearly_vanish) {
     enum { RUNS = sample_of(2000) };
     tally seen = {{0}, 0};
     random_source source = {21};
-    (void)state;
     for (int i = 0; i < RUNS; ++i) {
         const runner runner = leg_about_to_vanish(&source);
         run_and_check(&runner, random_magnitude(&source, 1e-5, 1e-2), &seen);
@@ -163,7 +161,7 @@ static runner leg_that_does_not_turn(random_source *source) {
     p.gravity = 1e-4;
     p.hip.liftoff_angle_factor = 0.5;
     runner runner = runner_default(0.6);
-    assert_null(tdmf_model_create(&runner.model, &p).variable);
+    runner.model = accepted_model(&p);
     runner.motion.state[TDMF_LEG_LENGTH] = random_uniform(source, 0.7, 1.3);
     runner.motion.state[TDMF_LEG_LENGTH_RATE] = 0.0;
     runner.motion.state[TDMF_LEG_ANGLE_RATE] = 0.0;
@@ -171,11 +169,10 @@ static runner leg_that_does_not_turn(random_source *source) {
     return runner;
 }
 
-static void of_legs_that_do_not_turn(void **state) {
+TEST(of_legs_that_do_not_turn) {
     enum { RUNS = sample_of(500) };
     tally seen = {{0}, 0};
     random_source source = {23};
-    (void)state;
     for (int i = 0; i < RUNS; ++i) {
         const runner runner = leg_that_does_not_turn(&source);
         run_and_check(&runner, random_magnitude(&source, 1e-14, 1e-12), &seen);
@@ -185,17 +182,16 @@ static void of_legs_that_do_not_turn(void **state) {
 
 /* A servo of any strength begins to place a leg, which has turned by 1e-9 at the end: as a difference of two
  * angles, each rounded, that is known to seven digits, and so would be the work. */
-static void of_servos_that_turn_a_leg_by_next_to_nothing(void **state) {
+TEST(of_servos_that_turn_a_leg_by_next_to_nothing) {
     enum { RUNS = sample_of(200) };
     static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
     random_source source = {24};
-    (void)state;
     for (int i = 0; i < RUNS; ++i) {
         tdmf_parameters p = tdmf_default_parameters();
         p.hip.kp = random_magnitude(&source, 1e3, 1e12);
         p.hip.kd = 0.0;
         runner runner = runner_default(0.6);
-        assert_null(tdmf_model_create(&runner.model, &p).variable);
+        runner.model = accepted_model(&p);
         runner.motion.state[TDMF_FOOT_Y] = 10.0;
         runner.motion.state[TDMF_LEG_ANGLE] = p.hip.touchdown_angle + random_uniform(&source, 0.3, 0.6);
         runner.motion.state[TDMF_LEG_ANGLE_RATE] = 0.0;
@@ -204,8 +200,7 @@ static void of_servos_that_turn_a_leg_by_next_to_nothing(void **state) {
         assert_int_equal(runner.motion.mode.phase, TDMF_PHASE_PLACE);
         const double before = energy_of(&runner.model, runner.motion.state).total;
         const double acceleration = (1.0 / p.body.mass + 1.0 / p.foot.mass) * p.hip.kp;
-        tdmf_solver solver = tdmf_solver_default();
-        solver.relative_tolerance = 1e-13;
+        tdmf_solver solver = solver_to(1e-13);
         assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates,
                                              sqrt(2e-9 / acceleration), &runner.motion),
                          TDMF_ARRIVED);
@@ -219,7 +214,7 @@ static void of_servos_that_turn_a_leg_by_next_to_nothing(void **state) {
 }
 
 /* Strides of an ensemble, from apices at which the leg is about to vanish. */
-static void of_strides_in_every_kind_of_lane(void **state) {
+TEST(of_strides_in_every_kind_of_lane) {
     enum { RUNNERS = sample_of(2000) };
     static tdmf_model models[RUNNERS];
     static tdmf_ensemble_case cases[RUNNERS];
@@ -229,7 +224,6 @@ static void of_strides_in_every_kind_of_lane(void **state) {
     const double tolerance = 1e-3;
     random_source source = {22};
     int sets = 0;
-    (void)state;
     for (int i = 0; i < RUNNERS; ++i) {
         const runner runner = leg_about_to_vanish(&source);
         const tdmf_point com = tdmf_center_of_mass(&runner.model, runner.motion.state);
@@ -274,15 +268,4 @@ static void of_strides_in_every_kind_of_lane(void **state) {
         assert_true(closed > RUNNERS / 50);
     }
     assert_true(sets >= 1);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(of_any_runner),
-        cmocka_unit_test(of_legs_that_nearly_vanish),
-        cmocka_unit_test(of_legs_that_do_not_turn),
-        cmocka_unit_test(of_servos_that_turn_a_leg_by_next_to_nothing),
-        cmocka_unit_test(of_strides_in_every_kind_of_lane),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

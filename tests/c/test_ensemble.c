@@ -4,6 +4,7 @@
 #include "reference_gaits.h"
 #include "sample.h"
 #include "scene.h"
+#include "simulation.h"
 #include "tdmf_slip/ensemble.h"
 
 #include <math.h>
@@ -143,24 +144,21 @@ static void assert_agreement(population *population) {
     free(population);
 }
 
-static void runners_near_the_gait_end_alike_by_every_instruction_set(void **state) {
-    (void)state;
+TEST(runners_near_the_gait_end_alike_by_every_instruction_set) {
     assert_agreement(make_population(start_near_the_gait, 3));
 }
 
-static void any_runner_ends_alike_by_every_instruction_set(void **state) {
-    (void)state;
+TEST(any_runner_ends_alike_by_every_instruction_set) {
     assert_agreement(make_population(start_anywhere, 2));
 }
 
 /* Every third runner has a thrust and needs the whole page, the others the plain one. */
-static void runners_of_both_pages_are_put_apart(void **state) {
+TEST(runners_of_both_pages_are_put_apart) {
     population *population = make_population(start_near_the_gait, 3);
-    (void)state;
     for (int i = 0; i < RUNNERS; ++i) {
         tdmf_parameters p = tdmf_default_parameters();
         p.leg.thrust = i % 3 == 0 ? 1e-4 : 0.0;
-        assert_null(tdmf_model_create(&population->models[i], &p).variable);
+        population->models[i] = accepted_model(&p);
     }
     tdmf_ensemble_end *together = run(&population->ensemble, NULL);
     tdmf_ensemble one = population->ensemble;
@@ -179,9 +177,8 @@ static void runners_of_both_pages_are_put_apart(void **state) {
 
 /* ---- neighbours and threads --------------------------------------------------------------------------- */
 
-static void threads_do_not_matter(void **state) {
+TEST(threads_do_not_matter) {
     population *population = make_population(start_near_the_gait, 4);
-    (void)state;
     tdmf_ensemble_end *alone = run(&population->ensemble, NULL);
     for (int threads = 2; threads <= 7; threads += 5) {
         population->ensemble.threads = threads;
@@ -193,9 +190,8 @@ static void threads_do_not_matter(void **state) {
     free(population);
 }
 
-static void neighbours_do_not_matter(void **state) {
+TEST(neighbours_do_not_matter) {
     population *population = make_population(start_near_the_gait, 4);
-    (void)state;
     tdmf_ensemble_end *together = run(&population->ensemble, NULL);
     tdmf_ensemble one = population->ensemble;
     one.count = 1;
@@ -220,9 +216,8 @@ static double mechanical_energy(const tdmf_model *model, const double apex[TDMF_
     return tdmf_mechanical_energy((tdmf_system){model, &inputs}, &mode, state).total;
 }
 
-static void energy_is_accounted_for(void **state) {
+TEST(energy_is_accounted_for) {
     population *population = make_population(start_near_the_gait, 20);
-    (void)state;
     tdmf_ensemble_end *ends = run(&population->ensemble, NULL);
     for (int i = 0; i < RUNNERS; ++i) {
         const tdmf_model *model = &population->models[i];
@@ -239,10 +234,9 @@ static void energy_is_accounted_for(void **state) {
 
 /* Friction 0.6: the reference gait attracts what starts near it, what starts low falls, what starts below the
  * ground does not start. What is no gait, being no number, attracts nothing. */
-static void runners_settle_fall_or_do_not_start(void **state) {
+TEST(runners_settle_fall_or_do_not_start) {
     double gaits[2][TDMF_SECTION_COUNT], starts[4][TDMF_SECTION_COUNT];
     const tdmf_model model = table_1(false);
-    (void)state;
     for (int i = 0; i < 4; ++i) {
         memcpy(starts[i], &reference_gaits[DEFAULT_GAIT].apex, sizeof starts[i]);
     }
@@ -290,8 +284,7 @@ static void runners_settle_fall_or_do_not_start(void **state) {
 
 /* A runner's fate from an upright apex, by every instruction set. */
 static void assert_fate(const tdmf_parameters *parameters, tdmf_fate fate) {
-    tdmf_model model;
-    assert_null(tdmf_model_create(&model, parameters).variable);
+    const tdmf_model model = accepted_model(parameters);
     const double start[1][TDMF_SECTION_COUNT] = {{1.0, 0.0, 1.0, 0.0, 0.0, 0.0}};
     const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = 10}};
     tdmf_ensemble ensemble = {.cases = &its_case,
@@ -313,9 +306,8 @@ static void assert_fate(const tdmf_parameters *parameters, tdmf_fate fate) {
 
 /* It closes no stride; the engine gives it up instead of waiting. A drive ends where the leg is upright, so
  * that it tips nobody over who lands so. */
-static void a_runner_that_sinks_into_a_stand_is_undecided(void **state) {
+TEST(a_runner_that_sinks_into_a_stand_is_undecided) {
     tdmf_parameters parameters = tdmf_default_parameters();
-    (void)state;
     parameters.leg.damping = 2.0;
     parameters.hip.touchdown_angle = 0.0;
     assert_fate(&parameters, TDMF_FATE_UNDECIDED);
@@ -326,21 +318,18 @@ static void a_runner_that_sinks_into_a_stand_is_undecided(void **state) {
 }
 
 /* The hip's servo is so stiff that no step changes the time. */
-static void what_the_solver_does_not_get_through_is_no_fall(void **state) {
+TEST(what_the_solver_does_not_get_through_is_no_fall) {
     tdmf_parameters parameters = tdmf_default_parameters();
-    (void)state;
     parameters.foot.mass = 1e-12;
     parameters.hip.kp = parameters.hip.kd = 1e18;
     assert_fate(&parameters, TDMF_FATE_UNSOLVED);
 }
 
 /* The gait at friction 0.6 takes more steps a stride than a fortieth of these limits, so that it runs out. */
-static void strides_of_a_runner_share_their_steps(void **state) {
-    tdmf_model model;
+TEST(strides_of_a_runner_share_their_steps) {
     double starts[1][TDMF_SECTION_COUNT];
     const tdmf_parameters parameters = tdmf_default_parameters();
-    (void)state;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    const tdmf_model model = accepted_model(&parameters);
     const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = 400}};
     memcpy(starts[0], &reference_gaits[DEFAULT_GAIT].apex, sizeof starts[0]);
     tdmf_ensemble ensemble = {.cases = &its_case,
@@ -369,11 +358,10 @@ static void strides_of_a_runner_share_their_steps(void **state) {
     }
 }
 
-static void work_is_counted(void **state) {
+TEST(work_is_counted) {
     population *population = make_population(start_near_the_gait, 5);
     tdmf_ensemble_work work;
     long strides = 0, fallen = 0, closed_none = 0;
-    (void)state;
     population->ensemble.threads = 2;
     tdmf_ensemble_end *ends = run(&population->ensemble, &work);
     for (int i = 0; i < RUNNERS; ++i) {
@@ -393,10 +381,9 @@ static void work_is_counted(void **state) {
 /* Events of the word +0-0+: touchdown, two slips that end and two that begin, mid-stance, lift-off, the end
  * of graze, and the apex; with the clamp, its release too. Even at this tolerance each event is met once,
  * where a series has found it. */
-static void each_event_is_met_once(void **state) {
+TEST(each_event_is_met_once) {
     enum { EVENTS = 9, STRIDES = 7 };
     int sets = 0;
-    (void)state;
     for (int clamp = 0; clamp < 2; ++clamp) {
         const tdmf_model model = table_1(clamp == 1);
         const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = STRIDES}};
@@ -421,10 +408,9 @@ static void each_event_is_met_once(void **state) {
     assert_int_equal(sets, 2 * instruction_sets(TDMF_TWO_LANES));
 }
 
-static void unsound_ensembles_are_refused(void **state) {
+TEST(unsound_ensembles_are_refused) {
     population *population = make_population(start_near_the_gait, 1);
     tdmf_ensemble_end end = {.strides = 77};
-    (void)state;
     const double tolerances[] = {0.0, -1.0, 1.0, NAN, INFINITY};
     for (size_t i = 0; i < sizeof tolerances / sizeof tolerances[0]; ++i) {
         tdmf_ensemble bad = population->ensemble;
@@ -491,33 +477,10 @@ static void strides_in_lanes_are_those_made_alone(put_runner *put) {
     free(population);
 }
 
-static void strides_near_the_gait_are_those_made_alone(void **state) {
-    (void)state;
+TEST(strides_near_the_gait_are_those_made_alone) {
     strides_in_lanes_are_those_made_alone(start_near_the_gait);
 }
 
-static void any_strides_are_those_made_alone(void **state) {
-    (void)state;
+TEST(any_strides_are_those_made_alone) {
     strides_in_lanes_are_those_made_alone(start_anywhere);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(runners_near_the_gait_end_alike_by_every_instruction_set),
-        cmocka_unit_test(any_runner_ends_alike_by_every_instruction_set),
-        cmocka_unit_test(runners_of_both_pages_are_put_apart),
-        cmocka_unit_test(threads_do_not_matter),
-        cmocka_unit_test(neighbours_do_not_matter),
-        cmocka_unit_test(energy_is_accounted_for),
-        cmocka_unit_test(runners_settle_fall_or_do_not_start),
-        cmocka_unit_test(a_runner_that_sinks_into_a_stand_is_undecided),
-        cmocka_unit_test(what_the_solver_does_not_get_through_is_no_fall),
-        cmocka_unit_test(strides_of_a_runner_share_their_steps),
-        cmocka_unit_test(work_is_counted),
-        cmocka_unit_test(each_event_is_met_once),
-        cmocka_unit_test(unsound_ensembles_are_refused),
-        cmocka_unit_test(strides_near_the_gait_are_those_made_alone),
-        cmocka_unit_test(any_strides_are_those_made_alone),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

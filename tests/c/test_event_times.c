@@ -63,9 +63,8 @@ static void assert_event_times(const run *run, const proved_event *events, int c
 
 /* ---- against proved values ----------------------------------------------------------------------------- */
 
-static void events_of_the_published_gaits_have_the_proved_times(void **state) {
+TEST(events_of_the_published_gaits_have_the_proved_times) {
     run run;
-    (void)state;
     for (int i = 0; i < PROVED_GAITS; ++i) {
         const proved_gait *gait = &proved_gaits[i];
         start_on_gait(&run, gait, tightest);
@@ -78,9 +77,8 @@ static void events_of_the_published_gaits_have_the_proved_times(void **state) {
 }
 
 /* A tolerance bounds what steps err by; events add nothing to that. */
-static void events_add_nothing_to_the_error_of_any_tolerance(void **state) {
+TEST(events_add_nothing_to_the_error_of_any_tolerance) {
     run run;
-    (void)state;
     for (double tolerance = 1e-12; tolerance < 1e-7; tolerance *= 10.0) {
         for (int i = 0; i < PROVED_GAITS; ++i) {
             start_on_gait(&run, &proved_gaits[i], tolerance);
@@ -90,9 +88,8 @@ static void events_add_nothing_to_the_error_of_any_tolerance(void **state) {
     }
 }
 
-static void a_search_finds_the_proved_gaits(void **state) {
+TEST(a_search_finds_the_proved_gaits) {
     run run;
-    (void)state;
     for (int i = 0; i < PROVED_GAITS; ++i) {
         const proved_gait *gait = &proved_gaits[i];
         double guess[TDMF_SECTION_COUNT];
@@ -106,10 +103,9 @@ static void a_search_finds_the_proved_gaits(void **state) {
     }
 }
 
-static void the_clock_of_a_run_goes_with_its_gait(void **state) {
+TEST(the_clock_of_a_run_goes_with_its_gait) {
     enum { STRIDES = 100 };
     run run;
-    (void)state;
     start_on_gait(&run, &proved_gaits[2], 1e-12);
     for (int i = 0; i < STRIDES; ++i) {
         stride(&run);
@@ -131,9 +127,8 @@ static void stride_in_lanes(const run *run, const double (*apex)[TDMF_SECTION_CO
     assert_true(tdmf_run_ensemble(&ensemble, end, NULL));
 }
 
-static void lanes_have_the_proved_periods(void **state) {
+TEST(lanes_have_the_proved_periods) {
     int sets = 0;
-    (void)state;
     for (int i = 0; i < PROVED_GAITS; ++i) {
         const proved_gait *gait = &proved_gaits[i];
         run run;
@@ -174,9 +169,8 @@ static void assert_apex(const double actual[TDMF_SECTION_COUNT], const extended_
     }
 }
 
-static void strides_under_any_gravity_have_the_events_of_extended_precision(void **state) {
+TEST(strides_under_any_gravity_have_the_events_of_extended_precision) {
     int compared = 0, total = 0;
-    (void)state;
     for (int i = 0; i < EXTENDED_STRIDES; ++i) {
         const extended_stride *expected = &extended_strides[i];
         const tdmf_parameters parameters = parameters_of_stride(expected);
@@ -194,9 +188,8 @@ static void strides_under_any_gravity_have_the_events_of_extended_precision(void
     assert_true(total >= 5 * EXTENDED_STRIDES);
 }
 
-static void lanes_take_the_strides_of_extended_precision(void **state) {
+TEST(lanes_take_the_strides_of_extended_precision) {
     int compared = 0;
-    (void)state;
     for (int i = 0; i < EXTENDED_STRIDES; ++i) {
         const extended_stride *expected = &extended_strides[i];
         const tdmf_parameters parameters = parameters_of_stride(expected);
@@ -217,11 +210,10 @@ static void lanes_take_the_strides_of_extended_precision(void **state) {
 
 /* Its clamp's argument settles at zero up to rounding long before the apex, where no step of extended
  * precision tells which side it is on; so the other solver tells. */
-static void a_stride_under_the_weakest_gravity_is_that_of_the_other_solver(void **state) {
+TEST(a_stride_under_the_weakest_gravity_is_that_of_the_other_solver) {
     static const double apex[TDMF_SECTION_COUNT] = {1.3, 0.1, 1.0, 1.0, 0.0, 0.0};
     tdmf_parameters parameters = tdmf_default_parameters();
     run native, other;
-    (void)state;
     if (!tdmf_cvode_is_available()) {
         skip();
     }
@@ -243,8 +235,7 @@ static double rise_rate(const run *run, const tdmf_event *event) {
 }
 
 /* Its own steps err by more than any margin makes. Where it finds the apex its root search tells. */
-static void cvode_finds_the_apex_where_the_center_of_mass_stops_rising(void **state) {
-    (void)state;
+TEST(cvode_finds_the_apex_where_the_center_of_mass_stops_rising) {
     if (!tdmf_cvode_is_available()) {
         skip();
     }
@@ -261,19 +252,4 @@ static void cvode_finds_the_apex_where_the_center_of_mass_stops_rising(void **st
         assert_close(rise_rate(&run, apex), 0.0, TDMF_GUARD_MARGIN + 2e-14);
         assert_relative(run.motion.record.stride.period, gait->period, 1e-10);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(events_of_the_published_gaits_have_the_proved_times),
-        cmocka_unit_test(events_add_nothing_to_the_error_of_any_tolerance),
-        cmocka_unit_test(a_search_finds_the_proved_gaits),
-        cmocka_unit_test(the_clock_of_a_run_goes_with_its_gait),
-        cmocka_unit_test(lanes_have_the_proved_periods),
-        cmocka_unit_test(strides_under_any_gravity_have_the_events_of_extended_precision),
-        cmocka_unit_test(lanes_take_the_strides_of_extended_precision),
-        cmocka_unit_test(a_stride_under_the_weakest_gravity_is_that_of_the_other_solver),
-        cmocka_unit_test(cvode_finds_the_apex_where_the_center_of_mass_stops_rising),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,6 +5,7 @@
 #include "integrate.h"
 #include "reference_gaits.h"
 #include "scene.h"
+#include "simulation.h"
 
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/ensemble.h"
@@ -41,7 +42,7 @@ static runner falling_foot(const reference_impact *law, double speed) {
     tdmf_parameters parameters = runner.model.parameters;
     parameters.ground.static_friction_ratio = law->ratio;
     parameters.ground.stribeck_velocity = law->velocity;
-    assert_null(tdmf_model_create(&runner.model, &parameters).variable);
+    runner.model = accepted_model(&parameters);
     runner.inputs.ground.friction = law->friction;
     runner.motion.state[TDMF_FOOT_Y] = 0.0;
     runner.motion.state[TDMF_LEG_ANGLE] = 0.4;
@@ -56,8 +57,7 @@ static double speed_after(const reference_impact *law, double speed) {
     return runner.motion.state[TDMF_FOOT_VX];
 }
 
-static void impacts_are_those_of_the_integral(void **state) {
-    (void)state;
+TEST(impacts_are_those_of_the_integral) {
     for (int i = 0; i < IMPACTS; ++i) {
         const reference_impact *law = &reference_impacts[i];
         const double after = speed_after(law, law->speed_before);
@@ -70,8 +70,7 @@ static void impacts_are_those_of_the_integral(void **state) {
 }
 
 /* What friction takes of the foot's kinetic energy is impact loss. */
-static void an_impact_loses_what_the_foot_does(void **state) {
-    (void)state;
+TEST(an_impact_loses_what_the_foot_does) {
     for (int i = 0; i < IMPACTS; ++i) {
         const reference_impact *law = &reference_impacts[i];
         runner runner = falling_foot(law, law->speed_before);
@@ -102,9 +101,8 @@ static double variation_of_speed(const reference_impact *law, double speed, doub
         .variation.state[TDMF_FOOT_VX];
 }
 
-static void the_impacts_tangent_is_a_ratio_of_frictions(void **state) {
+TEST(the_impacts_tangent_is_a_ratio_of_frictions) {
     int slipped = 0;
-    (void)state;
     for (int i = 0; i < 2 * IMPACTS; ++i) {
         const reference_impact *law = &reference_impacts[i / 2];
         const double sign = i % 2 == 0 ? 1.0 : -1.0;
@@ -120,8 +118,7 @@ static void the_impacts_tangent_is_a_ratio_of_frictions(void **state) {
     assert_int_equal(slipped, 2 * 6);
 }
 
-static void the_widest_fall_is_none_and_the_narrowest_is_one_at_once(void **state) {
-    (void)state;
+TEST(the_widest_fall_is_none_and_the_narrowest_is_one_at_once) {
     for (int i = 0; i < IMPACTS; ++i) {
         reference_impact wide = reference_impacts[i], narrow = wide;
         const double taken = wide.friction * wide.normal_speed;
@@ -156,22 +153,20 @@ static int slips_of(const tdmf_event_log *log) {
 }
 
 /* CVODE asks the right-hand side for mu(t); the native solver has the ramp in its series. */
-static void series_of_a_ramped_friction_agree_with_cvode(void **state) {
+TEST(series_of_a_ramped_friction_agree_with_cvode) {
     int slips = 0;
-    (void)state;
     for (int i = 0; i < RAMPED_RUNS && tdmf_cvode_is_available(); ++i) {
         const ramped_run *run = &ramped_runs[i];
         runner native = runner_default(run->friction);
         tdmf_parameters parameters = native.model.parameters;
         const tdmf_inputs rates = {.ground.friction = run->rate};
         tdmf_event_log log = {0};
-        tdmf_solver solver = tdmf_solver_default();
-        solver.relative_tolerance = 1e-13;
+        tdmf_solver solver = solver_to(1e-13);
         parameters.ground.static_friction_ratio = 1.5;
         parameters.ground.stribeck_velocity = run->velocity;
         parameters.ground.patch_begin = run->patch_begin;
         parameters.ground.patch_end = run->patch_end;
-        assert_null(tdmf_model_create(&native.model, &parameters).variable);
+        native.model = accepted_model(&parameters);
         runner_start(&native);
         runner cvode = native;
         solver.log = &log;
@@ -188,15 +183,4 @@ static void series_of_a_ramped_friction_agree_with_cvode(void **state) {
         slips += slips_of(&log);
     }
     assert_true(!tdmf_cvode_is_available() || slips >= RAMPED_RUNS);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(impacts_are_those_of_the_integral),
-        cmocka_unit_test(an_impact_loses_what_the_foot_does),
-        cmocka_unit_test(the_impacts_tangent_is_a_ratio_of_frictions),
-        cmocka_unit_test(the_widest_fall_is_none_and_the_narrowest_is_one_at_once),
-        cmocka_unit_test(series_of_a_ramped_friction_agree_with_cvode),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

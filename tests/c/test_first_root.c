@@ -58,11 +58,10 @@ static double rounding_of(const double *roots, int count) {
 
 /* Roots anywhere, some outside the reach and some close together; the polynomial is positive at 0. What is
  * found is a root to rounding, and before it the polynomial is positive wherever one looks. */
-static void the_first_of_many_roots(void **state) {
+TEST(the_first_of_many_roots) {
     enum { RUNS = sample_of(5000), ROOT_LIMIT = 12, LOOKS = 400 };
     random_source source = {41};
     int found_some = 0;
-    (void)state;
     for (int run = 0; run < RUNS; ++run) {
         const int count = 1 + (int)random_uniform(&source, 0.0, ROOT_LIMIT - 1e-9);
         double roots[ROOT_LIMIT];
@@ -89,8 +88,7 @@ static void the_first_of_many_roots(void **state) {
 }
 
 /* A dip that ends above the level is passed, one that goes through it is not, however shallow. */
-static void a_touch_is_judged_by_its_depth(void **state) {
-    (void)state;
+TEST(a_touch_is_judged_by_its_depth) {
     for (double depth = 1e-4; depth > 1e-12; depth *= 0.1) {
         polynomial p = {{0.25 + depth, -1.0, 1.0, 0.0}, 3};
         assert_true(root_of(&p) == INFINITY);
@@ -99,27 +97,15 @@ static void a_touch_is_judged_by_its_depth(void **state) {
     }
 }
 
-static void a_double_root_ends_the_search(void **state) {
-    (void)state;
+TEST(a_double_root_ends_the_search) {
     const polynomial p = {{0.25, -1.0, 1.0, 0.0}, 3};
     const double found = root_of(&p);
     assert_true(found == INFINITY || fabs(found - 0.5) < 1e-5);
 }
 
-static void what_is_due_at_once_is_found_at_once(void **state) {
-    (void)state;
+TEST(what_is_due_at_once_is_found_at_once) {
     const polynomial p = {{-1.0, 5.0, 0.0, 0.0}, 3};
     assert_true(root_of(&p) == 0.0);
     const polynomial nothing = {{NAN, 0.0, 0.0, 0.0}, 3};
     assert_true(root_of(&nothing) == 0.0);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_first_of_many_roots),
-        cmocka_unit_test(a_touch_is_judged_by_its_depth),
-        cmocka_unit_test(a_double_root_ends_the_search),
-        cmocka_unit_test(what_is_due_at_once_is_found_at_once),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -29,10 +29,9 @@ static double negative_sine(double z) {
 }
 
 /* Newton's errors are squared: from some of these guesses one is 1e-9 to 1e-13, which is no end yet. */
-static void it_goes_on_down_to_rounding(void **state) {
+TEST(it_goes_on_down_to_rounding) {
     static const double fixed = 0.73908513321516064;
     const line_map f = {cos, negative_sine};
-    (void)state;
     for (int i = 0; i <= 60; ++i) {
         const tdmf_fixed_point found = find(f, 1.0, fixed + pow(10.0, -0.1 * i));
         assert_int_equal(found.outcome, TDMF_FIXED_POINT_FOUND);
@@ -50,9 +49,8 @@ static double slope_of_almost_touching(double z) {
 }
 
 /* By 1e-8 there is none; in units of 1e4 that is rounding. */
-static void what_only_comes_near_is_no_fixed_point(void **state) {
+TEST(what_only_comes_near_is_no_fixed_point) {
     const line_map f = {almost_touches, slope_of_almost_touching};
-    (void)state;
     const tdmf_fixed_point none = find(f, 1.0, 0.1);
     assert_int_equal(none.outcome, TDMF_FIXED_POINT_NOT_FOUND);
     assert_close(none.error, 1e-8, 1e-9);
@@ -68,10 +66,9 @@ static double slope_less_arctangent(double z) {
 }
 
 /* Beyond 1.39 whole steps for the zero of atan go ever farther away. */
-static void steps_that_make_it_worse_are_shortened(void **state) {
+TEST(steps_that_make_it_worse_are_shortened) {
     static const double guesses[] = {1.5, 3.0, -10.0, 40.0};
     const line_map f = {less_arctangent, slope_less_arctangent};
-    (void)state;
     for (int i = 0; i < 4; ++i) {
         const tdmf_fixed_point found = find(f, 1.0, guesses[i]);
         assert_int_equal(found.outcome, TDMF_FIXED_POINT_FOUND);
@@ -83,18 +80,7 @@ static double not_a_number(double z) {
     return z * (double)NAN;
 }
 
-static void what_is_not_a_number_is_no_fixed_point(void **state) {
+TEST(what_is_not_a_number_is_no_fixed_point) {
     const line_map f = {not_a_number, cos};
-    (void)state;
     assert_int_equal(find(f, 1.0, 1.0).outcome, TDMF_FIXED_POINT_NOT_FOUND);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_goes_on_down_to_rounding),
-        cmocka_unit_test(what_only_comes_near_is_no_fixed_point),
-        cmocka_unit_test(steps_that_make_it_worse_are_shortened),
-        cmocka_unit_test(what_is_not_a_number_is_no_fixed_point),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

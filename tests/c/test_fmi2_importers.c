@@ -13,9 +13,8 @@
 
 /* ---- reading before initialization, as PyFMI's load_fmu and get --------------------------------------- */
 
-static void start_values_are_read_before_initialization(void **state) {
+TEST(start_values_are_read_before_initialization) {
     int read = 0;
-    (void)state;
     fmi2Component component = new_instance();
     fmi3Instance instance = new_exchange();
     for (size_t i = 0; i < fmu_variable_count; ++i) {
@@ -36,10 +35,9 @@ static void start_values_are_read_before_initialization(void **state) {
 }
 
 /* The rest is what it would be if the run began now: the same as after the start. */
-static void what_follows_from_start_values_is_read_before_initialization(void **state) {
+TEST(what_follows_from_start_values_is_read_before_initialization) {
     static double before[256];
     int read = 0;
-    (void)state;
     fmi2Component component = new_instance();
     assert_true(fmu_variable_count <= 256);
     assert_int_equal(set_real(component, "gravity", 0.02), fmi2OK);
@@ -64,8 +62,7 @@ static void what_follows_from_start_values_is_read_before_initialization(void **
 }
 
 /* An enumeration never reads 0, which is none of its values, whatever was refused before. */
-static void enumerations_have_a_value_of_theirs_after_refusals(void **state) {
-    (void)state;
+TEST(enumerations_have_a_value_of_theirs_after_refusals) {
     for (int i = 0; i < 2; ++i) {
         fmi2Component component = i == 0 ? new_instance() : new_slave();
         fmi3Instance instance = i == 0 ? new_exchange() : new_stepper(true, true);
@@ -82,13 +79,12 @@ static void enumerations_have_a_value_of_theirs_after_refusals(void **state) {
 }
 
 /* They cannot tell of a run that cannot begin; nothing is spoilt by asking. */
-static void contradicting_start_values_are_read_and_what_follows_is_not(void **state) {
+TEST(contradicting_start_values_are_read_and_what_follows_is_not) {
     const fmi2ValueReference mode = reference_of("contact.mode"), word = reference_of("stride.word"),
                              height = reference_of("body.y");
     int number = 77;
     double real = 77.0;
     const char *text = "as it was";
-    (void)state;
     fmi2Component component = new_instance();
     assert_int_equal(set_real(component, "leg.min_length", 2.0), fmi2OK);
     assert_true(get_real(component, "leg.min_length") == 2.0);
@@ -114,10 +110,9 @@ static void set_as_a_whole(fmi2Component component, double states[], double deri
     assert_int_equal(fmi2GetDerivatives(component, derivatives, TDMF_STATE_COUNT), fmi2OK);
 }
 
-static void states_set_one_by_one_are_states_set_as_a_whole(void **state) {
+TEST(states_set_one_by_one_are_states_set_as_a_whole) {
     double states[TDMF_STATE_COUNT], expected[TDMF_STATE_COUNT], found[TDMF_STATE_COUNT];
     const fmi2ValueReference first = reference_of("foot.x");
-    (void)state;
     fmi2Component whole = new_instance(), single = new_instance();
     fmi3Instance third = new_exchange();
     start_running(whole);
@@ -142,11 +137,10 @@ static void states_set_one_by_one_are_states_set_as_a_whole(void **state) {
 }
 
 /* The matrix A of a state space, by differences of states that are set one by one. */
-static void differences_of_states_set_one_by_one_are_the_directional_derivatives(void **state) {
+TEST(differences_of_states_set_one_by_one_are_the_directional_derivatives) {
     static const double delta = 1e-6;
     const fmi2ValueReference states = reference_of("foot.x"), slopes = reference_of("der(foot.x)");
     int nonzero = 0;
-    (void)state;
     fmi2Component component = new_instance();
     start_running(component);
     for (fmi2ValueReference j = 0; j < TDMF_STATE_COUNT; ++j) {
@@ -174,12 +168,11 @@ static void differences_of_states_set_one_by_one_are_the_directional_derivatives
 }
 
 /* A solver's trial may lie beyond any start: below the ground, or nowhere. */
-static void trial_states_go_beyond_the_range_of_starts(void **state) {
+TEST(trial_states_go_beyond_the_range_of_starts) {
     static const double trials[] = {-1e-9, -5.0, 1e300, INFINITY, -INFINITY};
     const fmi2ValueReference pair[] = {reference_of("foot.x"), reference_of("leg.length")};
     const double half_bad[] = {123.0, NAN};
     double derivatives[TDMF_STATE_COUNT];
-    (void)state;
     fmi2Component component = new_instance();
     start_running(component);
     const double x = get_real(component, "foot.x"), y = get_real(component, "foot.y");
@@ -201,9 +194,8 @@ static void trial_states_go_beyond_the_range_of_starts(void **state) {
 }
 
 /* Those have reinit = false and are taken in Model Exchange only (FMI 3.0.2, section 2.3.5). */
-static void event_mode_takes_states_that_no_event_changes(void **state) {
+TEST(event_mode_takes_states_that_no_event_changes) {
     int taken = 0;
-    (void)state;
     fmi3Instance exchange = new_exchange(), stepper = new_stepper(true, true);
     initialize3(exchange);
     initialize3(stepper);
@@ -228,8 +220,7 @@ static void event_mode_takes_states_that_no_event_changes(void **state) {
     fmi3FreeInstance(stepper);
 }
 
-static void states_stay_the_units_own_in_co_simulation(void **state) {
-    (void)state;
+TEST(states_stay_the_units_own_in_co_simulation) {
     fmi2Component component = new_slave();
     initialize(component);
     assert_int_equal(set_real(component, "foot.x", 1.0), fmi2Error);
@@ -251,9 +242,8 @@ static void states_stay_the_units_own_in_co_simulation(void **state) {
     assert_int_equal(fmi3Set##Type(instance, &reference, 1, NULL, 0), fmi3Error);                            \
     assert_non_null(strstr(last_message, "no variable of type " #Type))
 
-static void none_of_what_the_unit_lacks_is_given_and_one_refused(void **state) {
+TEST(none_of_what_the_unit_lacks_is_given_and_one_refused) {
     const fmi3ValueReference reference = 0;
-    (void)state;
     fmi3Instance instance = new_exchange();
     initialize3(instance);
     ASKS_FOR_NONE(Float32);
@@ -298,9 +288,8 @@ static void none_of_what_the_unit_lacks_is_given_and_one_refused(void **state) {
     fmi3FreeInstance(instance);
 }
 
-static void discrete_states_are_evaluated_by_doing_nothing(void **state) {
+TEST(discrete_states_are_evaluated_by_doing_nothing) {
     update_answer answer;
-    (void)state;
     for (int i = 0; i < 2; ++i) {
         fmi3Instance instance = i == 0 ? new_exchange() : new_stepper(true, true);
         assert_int_equal(fmi3EvaluateDiscreteStates(instance), fmi3Error);
@@ -325,9 +314,8 @@ static fmi2Component failed_slave(void) {
     return component;
 }
 
-static void a_failed_step_leaves_what_may_be_read_and_saved(void **state) {
+TEST(a_failed_step_leaves_what_may_be_read_and_saved) {
     fmi2FMUstate saved = NULL;
-    (void)state;
     fmi2Component component = failed_slave();
     assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_FLIGHT);
     assert_int_equal(get_integer(component, "hip.phase"), TDMF_PHASE_PLACE);
@@ -346,9 +334,8 @@ static void a_failed_step_leaves_what_may_be_read_and_saved(void **state) {
 }
 
 /* A refused step leaves the run where it was: the right one is made then. */
-static void a_step_out_of_place_is_made_good(void **state) {
+TEST(a_step_out_of_place_is_made_good) {
     step_answer answer;
-    (void)state;
     fmi2Component component = new_slave();
     fmi3Instance instance = new_stepper(false, false);
     initialize(component);
@@ -363,23 +350,4 @@ static void a_step_out_of_place_is_made_good(void **state) {
     assert_close(get_real(component, "foot.x"), get_float(instance, "foot.x"), 1e-12);
     fmi2FreeInstance(component);
     fmi3FreeInstance(instance);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(start_values_are_read_before_initialization),
-        cmocka_unit_test(what_follows_from_start_values_is_read_before_initialization),
-        cmocka_unit_test(enumerations_have_a_value_of_theirs_after_refusals),
-        cmocka_unit_test(contradicting_start_values_are_read_and_what_follows_is_not),
-        cmocka_unit_test(states_set_one_by_one_are_states_set_as_a_whole),
-        cmocka_unit_test(differences_of_states_set_one_by_one_are_the_directional_derivatives),
-        cmocka_unit_test(trial_states_go_beyond_the_range_of_starts),
-        cmocka_unit_test(event_mode_takes_states_that_no_event_changes),
-        cmocka_unit_test(states_stay_the_units_own_in_co_simulation),
-        cmocka_unit_test(none_of_what_the_unit_lacks_is_given_and_one_refused),
-        cmocka_unit_test(discrete_states_are_evaluated_by_doing_nothing),
-        cmocka_unit_test(a_failed_step_leaves_what_may_be_read_and_saved),
-        cmocka_unit_test(a_step_out_of_place_is_made_good),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

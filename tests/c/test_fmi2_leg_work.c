@@ -107,33 +107,29 @@ static flight fly(int step_count, extension_at extension) {
     return flown;
 }
 
-static void the_ledger_closes_along_a_ramp_to_fourth_order(void **state) {
+TEST(the_ledger_closes_along_a_ramp_to_fourth_order) {
     const flight coarse = fly(200, ramp), fine = fly(400, ramp);
-    (void)state;
     assert_int_equal(coarse.events, 200);
     assert_true(fabs(fine.work) > 1e-4);
     assert_close(fine.work, coarse.work, 1e-6);
     assert_true(fine.gap < 1e-8 && fine.gap < coarse.gap / 12.0);
 }
 
-static void along_a_curve_it_closes_to_second_order(void **state) {
+TEST(along_a_curve_it_closes_to_second_order) {
     const flight coarse = fly(400, wave), fine = fly(800, wave);
-    (void)state;
     assert_true(fine.gap < 1e-5 && fine.gap < coarse.gap / 3.5);
 }
 
-static void an_extension_that_stays_asks_for_no_event(void **state) {
+TEST(an_extension_that_stays_asks_for_no_event) {
     const flight flown = fly(400, none);
-    (void)state;
     assert_int_equal(flown.events, 0);
     assert_true(flown.work == 0.0 && flown.gap < 1e-8);
 }
 
 /* A jump's work is the spring's energy gained. */
-static void a_jump_in_event_mode_is_accounted_for_exactly(void **state) {
+TEST(a_jump_in_event_mode_is_accounted_for_exactly) {
     fmi2Component component = new_instance();
     double x[TDMF_STATE_COUNT];
-    (void)state;
     assert_int_equal(set_real(component, "leg.length", 0.9), fmi2OK);
     start_running(component);
     for (int i = 1; i <= 3; ++i) {
@@ -147,21 +143,19 @@ static void a_jump_in_event_mode_is_accounted_for_exactly(void **state) {
 }
 
 /* An importer that sets a jump without an event spreads it over one step. */
-static void jumps_without_an_event_are_seen_at_the_next_step(void **state) {
+TEST(jumps_without_an_event_are_seen_at_the_next_step) {
     const flight coarse = fly(240, steps), fine = fly(2400, steps);
-    (void)state;
     assert_int_equal(fine.events, 6);
     assert_true(fine.gap < 0.5 * coarse.gap && fine.gap < 2e-5);
 }
 
 /* A leg that lengthens on the ground thrusts from the start on, which is work at once. */
-static void a_thrust_from_the_start_is_read_before_the_run_begins(void **state) {
+TEST(a_thrust_from_the_start_is_read_before_the_run_begins) {
     const double length = 0.8, thrust = 0.02, free_length = 1.0, stiffness = 1.0;
     const double gained =
         0.5 * stiffness * (pow(free_length + thrust - length, 2.0) - pow(free_length - length, 2.0));
     fmi2Component component = new_instance();
     double x[TDMF_STATE_COUNT];
-    (void)state;
     assert_int_equal(set_real(component, "leg.thrust", thrust), fmi2OK);
     assert_int_equal(set_real(component, "leg.length", length), fmi2OK);
     assert_int_equal(set_real(component, "leg.length_rate", 0.1), fmi2OK);
@@ -181,12 +175,11 @@ static void a_thrust_from_the_start_is_read_before_the_run_begins(void **state) 
 }
 
 /* In event mode, before it is told of, the work is part of a saved state. */
-static void work_that_is_due_is_saved(void **state) {
+TEST(work_that_is_due_is_saved) {
     fmi2Component one = new_instance(), other = new_instance();
     double x[TDMF_STATE_COUNT], rates[TDMF_STATE_COUNT];
     unsigned char bytes[SERIALIZED_BYTES];
     fmi2EventInfo info;
-    (void)state;
     start_running(one);
     assert_int_equal(fmi2GetContinuousStates(one, x, TDMF_STATE_COUNT), fmi2OK);
     integrate_step(one, 0.0, 0.1, ramp, x);
@@ -199,17 +192,4 @@ static void work_that_is_due_is_saved(void **state) {
     assert_true(get_real(other, "leg.work") == get_real(one, "leg.work"));
     fmi2FreeInstance(one);
     fmi2FreeInstance(other);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_ledger_closes_along_a_ramp_to_fourth_order),
-        cmocka_unit_test(along_a_curve_it_closes_to_second_order),
-        cmocka_unit_test(an_extension_that_stays_asks_for_no_event),
-        cmocka_unit_test(a_jump_in_event_mode_is_accounted_for_exactly),
-        cmocka_unit_test(jumps_without_an_event_are_seen_at_the_next_step),
-        cmocka_unit_test(a_thrust_from_the_start_is_read_before_the_run_begins),
-        cmocka_unit_test(work_that_is_due_is_saved),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -55,8 +55,7 @@ static void assert_heard(fmi2Component component, bool errors, bool discards, bo
     assert_true(events == (result.events > 0));
 }
 
-static void an_instance_made_without_logging_is_silent(void **state) {
-    (void)state;
+TEST(an_instance_made_without_logging_is_silent) {
     fmi2Component component = logging_instance(fmi2False);
     initialize(component);
     assert_heard(component, false, false, false);
@@ -69,16 +68,14 @@ static void an_instance_made_without_logging_is_silent(void **state) {
     fmi3FreeInstance(instance);
 }
 
-static void an_instance_made_with_logging_says_everything(void **state) {
-    (void)state;
+TEST(an_instance_made_with_logging_says_everything) {
     fmi2Component component = logging_instance(fmi2True);
     initialize(component);
     assert_heard(component, true, true, true);
     fmi2FreeInstance(component);
 }
 
-static void all_is_switched_off_and_on(void **state) {
-    (void)state;
+TEST(all_is_switched_off_and_on) {
     fmi2Component component = logging_instance(fmi2True);
     initialize(component);
     assert_int_equal(fmi2SetDebugLogging(component, fmi2False, 0, NULL), fmi2OK);
@@ -88,8 +85,7 @@ static void all_is_switched_off_and_on(void **state) {
     fmi2FreeInstance(component);
 }
 
-static void categories_are_switched_one_by_one(void **state) {
-    (void)state;
+TEST(categories_are_switched_one_by_one) {
     for (int logging = 0; logging < 2; ++logging) {
         fmi2Component component = logging_instance(logging);
         initialize(component);
@@ -105,8 +101,7 @@ static void categories_are_switched_one_by_one(void **state) {
     }
 }
 
-static void what_is_switched_off_switches_nothing_on(void **state) {
-    (void)state;
+TEST(what_is_switched_off_switches_nothing_on) {
     fmi2Component component = logging_instance(fmi2False);
     initialize(component);
     assert_int_equal(fmi2SetDebugLogging(component, fmi2False, 1, errors_category), fmi2OK);
@@ -114,8 +109,7 @@ static void what_is_switched_off_switches_nothing_on(void **state) {
     fmi2FreeInstance(component);
 }
 
-static void a_category_switched_off_first_leaves_the_others(void **state) {
-    (void)state;
+TEST(a_category_switched_off_first_leaves_the_others) {
     fmi2Component component = logging_instance(fmi2True);
     initialize(component);
     assert_int_equal(fmi2SetDebugLogging(component, fmi2False, 1, events_category), fmi2OK);
@@ -123,9 +117,8 @@ static void a_category_switched_off_first_leaves_the_others(void **state) {
     fmi2FreeInstance(component);
 }
 
-static void unknown_categories_are_warned_of_and_the_others_taken(void **state) {
+TEST(unknown_categories_are_warned_of_and_the_others_taken) {
     static const char *const names[] = {"logEvents", "logWeather", NULL};
-    (void)state;
     fmi2Component component = logging_instance(fmi2True);
     initialize(component);
     assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 2, names), fmi2Warning);
@@ -169,10 +162,9 @@ static fmi2Component stepped(fmi2Boolean logging, int method, double step) {
 }
 
 /* One step over ten strides, and the same in short steps: each event is told once, in order, at its time. */
-static void every_event_of_a_step_is_logged_with_its_time(void **state) {
+TEST(every_event_of_a_step_is_logged_with_its_time) {
     static const double steps[] = {251.0, 0.25};
     static char first[EVENTS_OF_TEN_STRIDES][MESSAGE_LENGTH];
-    (void)state;
     for (int i = 0; i < 2; ++i) {
         fmi2Component component = stepped(fmi2True, SOLVER_NATIVE, steps[i]);
         assert_int_equal(message_count, EVENTS_OF_TEN_STRIDES);
@@ -195,10 +187,9 @@ static void every_event_of_a_step_is_logged_with_its_time(void **state) {
 }
 
 /* What is said of an event that the importer takes is what is said of one that the unit takes itself. */
-static void an_event_is_told_alike_in_event_mode(void **state) {
+TEST(an_event_is_told_alike_in_event_mode) {
     static char expected[EVENTS_OF_TEN_STRIDES][MESSAGE_LENGTH];
     double time = 0.0;
-    (void)state;
     fmi2FreeInstance(stepped(fmi2True, SOLVER_NATIVE, ten_strides));
     memcpy(expected, messages, sizeof expected);
     clear_messages();
@@ -225,12 +216,11 @@ static void an_event_is_told_alike_in_event_mode(void **state) {
     fmi3FreeInstance(instance);
 }
 
-static void logging_changes_no_bit_of_a_run(void **state) {
+TEST(logging_changes_no_bit_of_a_run) {
     static const char *const names[] = {"foot.x",          "foot.y",         "leg.length",
                                         "leg.angle",       "foot.vx",        "foot.vy",
                                         "leg.length_rate", "leg.angle_rate", "hip.work"};
     int compared = 0;
-    (void)state;
     for (int method = SOLVER_NATIVE; method <= SOLVER_CVODE; ++method) {
         if (method == SOLVER_CVODE && !tdmf_cvode_is_available()) {
             continue;
@@ -250,8 +240,7 @@ static void logging_changes_no_bit_of_a_run(void **state) {
 }
 
 /* A step that is logged goes by portions of events; the next, silent one has all of its events again. */
-static void a_silent_step_after_a_logged_one_goes_as_far(void **state) {
-    (void)state;
+TEST(a_silent_step_after_a_logged_one_goes_as_far) {
     fmi2Component component = stepped(fmi2True, SOLVER_NATIVE, ten_strides);
     assert_int_equal(fmi2SetDebugLogging(component, fmi2False, 0, NULL), fmi2OK);
     assert_int_equal(fmi2DoStep(component, ten_strides, ten_strides, fmi2True), fmi2OK);
@@ -260,8 +249,7 @@ static void a_silent_step_after_a_logged_one_goes_as_far(void **state) {
     fmi2FreeInstance(component);
 }
 
-static void an_input_that_jumps_between_steps_makes_an_event_too(void **state) {
-    (void)state;
+TEST(an_input_that_jumps_between_steps_makes_an_event_too) {
     fmi2Component component = logging_instance(fmi2True);
     initialize(component);
     for (int i = 0; get_integer(component, "contact.mode") != TDMF_CONTACT_STICK; ++i) {
@@ -278,8 +266,7 @@ static void an_input_that_jumps_between_steps_makes_an_event_too(void **state) {
     fmi2FreeInstance(component);
 }
 
-static void a_fall_is_logged_as_one(void **state) {
-    (void)state;
+TEST(a_fall_is_logged_as_one) {
     fmi2Component component = logging_instance(fmi2True);
     assert_int_equal(set_real(component, "foot.y", 100.0), fmi2OK);
     initialize(component);
@@ -300,7 +287,7 @@ static void update_with(fmi2Component component, const char *name, double value)
     assert_int_equal(fmi2NewDiscreteStates(component, &info), fmi2OK);
 }
 
-static void every_guard_gives_its_event_its_name(void **state) {
+TEST(every_guard_gives_its_event_its_name) {
     static const struct {
         const char *name, *changed;
         double value, foot_y, foot_vx, foot_vy;
@@ -314,7 +301,6 @@ static void every_guard_gives_its_event_its_name(void **state) {
         {"body_down", "leg.angle", 2.0, 0.0, 0.0, 0.0},
         {"leg_too_short", "leg.length", 0.01, 0.0, 0.0, 0.0},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         fmi2Component component = new_instance();
         assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 1, events_category), fmi2OK);
@@ -336,8 +322,7 @@ static void every_guard_gives_its_event_its_name(void **state) {
 
 /* A foot found below the ground moving up was put there by rounding: it is lifted, and that is no event. But
  * a landing that throws the foot off again at once is one, although the modes are what they were. */
-static void what_is_an_event_does_not_go_by_the_modes_alone(void **state) {
-    (void)state;
+TEST(what_is_an_event_does_not_go_by_the_modes_alone) {
     for (int i = 0; i < 2; ++i) {
         const double vy = i == 0 ? 1e-3 : -1e-3;
         fmi2Component component = new_instance();
@@ -360,10 +345,9 @@ static void what_is_an_event_does_not_go_by_the_modes_alone(void **state) {
 }
 
 /* Model Exchange: the importer stops where a guard is down, and what is taken there is named by it. */
-static void an_event_of_model_exchange_is_named_by_its_guard(void **state) {
+TEST(an_event_of_model_exchange_is_named_by_its_guard) {
     double states[TDMF_STATE_COUNT];
     fmi2EventInfo info;
-    (void)state;
     fmi2Component component = new_instance();
     assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 1, events_category), fmi2OK);
     start_running(component);
@@ -380,26 +364,4 @@ static void an_event_of_model_exchange_is_named_by_its_guard(void **state) {
     assert_int_equal(fmi2NewDiscreteStates(component, &info), fmi2OK);
     assert_int_equal(message_count, 1);
     fmi2FreeInstance(component);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_instance_made_without_logging_is_silent),
-        cmocka_unit_test(an_instance_made_with_logging_says_everything),
-        cmocka_unit_test(all_is_switched_off_and_on),
-        cmocka_unit_test(categories_are_switched_one_by_one),
-        cmocka_unit_test(what_is_switched_off_switches_nothing_on),
-        cmocka_unit_test(a_category_switched_off_first_leaves_the_others),
-        cmocka_unit_test(unknown_categories_are_warned_of_and_the_others_taken),
-        cmocka_unit_test(every_event_of_a_step_is_logged_with_its_time),
-        cmocka_unit_test(an_event_is_told_alike_in_event_mode),
-        cmocka_unit_test(logging_changes_no_bit_of_a_run),
-        cmocka_unit_test(a_silent_step_after_a_logged_one_goes_as_far),
-        cmocka_unit_test(an_input_that_jumps_between_steps_makes_an_event_too),
-        cmocka_unit_test(a_fall_is_logged_as_one),
-        cmocka_unit_test(every_guard_gives_its_event_its_name),
-        cmocka_unit_test(what_is_an_event_does_not_go_by_the_modes_alone),
-        cmocka_unit_test(an_event_of_model_exchange_is_named_by_its_guard),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

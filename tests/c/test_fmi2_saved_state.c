@@ -8,11 +8,10 @@ static void ramp(fmi2Component component, const char *name, double rate) {
     assert_int_equal(fmi2SetRealInputDerivatives(component, &reference, 1, &order, &rate), fmi2OK);
 }
 
-static void rates_go_with_the_run(void **unused) {
+TEST(rates_go_with_the_run) {
     static const char *const names[] = {"hip.external_torque", "ground.friction", "foot.x", "leg.angle"};
     unsigned char bytes[2][SERIALIZED_BYTES];
     fmi2Component component = new_slave(), other = new_slave();
-    (void)unused;
     initialize(component);
     step_by(&fmi2, component, 11.0);
     ramp(component, "hip.external_torque", 1e-3);
@@ -33,11 +32,10 @@ static void rates_go_with_the_run(void **unused) {
 }
 
 /* A rate set since is forgotten with the rest. */
-static void restoring_undoes_rates(void **unused) {
+TEST(restoring_undoes_rates) {
     unsigned char bytes[2][SERIALIZED_BYTES];
     fmi2FMUstate saved = NULL;
     fmi2Component component = new_slave();
-    (void)unused;
     initialize(component);
     step_by(&fmi2, component, 13.0);
     assert_int_equal(fmi2GetFMUstate(component, &saved), fmi2OK);
@@ -49,12 +47,4 @@ static void restoring_undoes_rates(void **unused) {
     assert_memory_equal(bytes[0], bytes[1], size);
     assert_int_equal(fmi2FreeFMUstate(component, &saved), fmi2OK);
     fmi2FreeInstance(component);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rates_go_with_the_run),
-        cmocka_unit_test(restoring_undoes_rates),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

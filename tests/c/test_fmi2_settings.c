@@ -2,6 +2,7 @@
  * be set, what is refused, and that they are in force at once. */
 #include "compare.h"
 #include "fmi2_importer.h"
+#include "simulation.h"
 
 #include "fmu.h"
 #include "tdmf_slip/tdmf_slip.h"
@@ -57,9 +58,8 @@ static void assert_all_are_set(fmi2Component component) {
     }
 }
 
-static void they_are_set_before_the_start_and_in_event_mode(void **state) {
+TEST(they_are_set_before_the_start_and_in_event_mode) {
     fmi2Component component = new_instance();
-    (void)state;
     assert_all_are_set(component);
     assert_int_equal(fmi2Reset(component), fmi2OK);
     assert_int_equal(fmi2SetupExperiment(component, fmi2False, 0.0, 0.0, fmi2False, 0.0), fmi2OK);
@@ -70,9 +70,8 @@ static void they_are_set_before_the_start_and_in_event_mode(void **state) {
     fmi2FreeInstance(component);
 }
 
-static void they_are_set_between_communication_steps(void **state) {
+TEST(they_are_set_between_communication_steps) {
     fmi2Component component = new_slave();
-    (void)state;
     initialize(component);
     assert_all_are_set(component);
     assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
@@ -81,10 +80,9 @@ static void they_are_set_between_communication_steps(void **state) {
 }
 
 /* Solvers of some importers set all inputs where they evaluate, after an event those of before it, too. */
-static void in_continuous_time_mode_they_keep_their_values(void **state) {
+TEST(in_continuous_time_mode_they_keep_their_values) {
     fmi2Component component = new_instance();
     fmi2ValueReference settings[EITHER];
-    (void)state;
     list_settings(settings);
     start_running(component);
     for (int i = 0; i < EITHER; ++i) {
@@ -98,21 +96,19 @@ static void in_continuous_time_mode_they_keep_their_values(void **state) {
     fmi2FreeInstance(component);
 }
 
-static void parameters_that_are_not_tunable_stay_fixed(void **state) {
+TEST(parameters_that_are_not_tunable_stay_fixed) {
     fmi2Component component = new_slave();
-    (void)state;
     initialize(component);
     assert_int_equal(set_real(component, "body.mass", 1.1), fmi2Error);
     assert_int_equal(set_real(component, "ground.static_friction_ratio", 1.1), fmi2Error);
     fmi2FreeInstance(component);
 }
 
-static void only_continuous_inputs_have_rates(void **state) {
+TEST(only_continuous_inputs_have_rates) {
     fmi2Component component = new_slave();
     const fmi2Integer first = 1;
     const double rate = 0.0;
     int continuous = 0, discrete = 0;
-    (void)state;
     initialize(component);
     for (size_t i = 0; i < fmu_variable_count; ++i) {
         const fmi2ValueReference reference = (fmi2ValueReference)i;
@@ -139,9 +135,8 @@ static void put_on_the_ground(fmi2Component component) {
     }
 }
 
-static void a_setting_is_in_force_at_once(void **state) {
+TEST(a_setting_is_in_force_at_once) {
     fmi2Component component = new_instance();
-    (void)state;
     put_on_the_ground(component);
     initialize(component);
     assert_int_equal(get_integer(component, "hip.phase"), TDMF_PHASE_DRIVE);
@@ -158,10 +153,9 @@ static void run_of_the_library(double change, double end, tdmf_motion *motion) {
     tdmf_parameters parameters = tdmf_default_parameters();
     tdmf_inputs inputs = tdmf_default_inputs();
     tdmf_solver solver = tdmf_solver_default();
-    tdmf_model model;
     memset(motion, 0, sizeof *motion);
     tdmf_default_state(motion->state);
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    tdmf_model model = accepted_model(&parameters);
     assert_null(tdmf_start((tdmf_system){&model, &inputs}, motion).variable);
     assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&model, &inputs}, NULL, change, motion),
                      TDMF_ARRIVED);
@@ -172,17 +166,16 @@ static void run_of_the_library(double change, double end, tdmf_motion *motion) {
     parameters.hip.liftoff_angle_factor = 1.25;
     parameters.hip.retraction_rate = 0.01;
     inputs.control.touchdown_angle = -0.01;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    model = accepted_model(&parameters);
     assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&model, &inputs}, NULL, end, motion),
                      TDMF_ARRIVED);
 }
 
-static void co_simulation_goes_on_with_what_was_set(void **state) {
+TEST(co_simulation_goes_on_with_what_was_set) {
     static const char *const names[] = {
         "hip.touchdown_angle",     "hip.kp", "hip.kd", "hip.stance_torque", "hip.retraction_rate",
         "hip.liftoff_angle_factor"};
     static const double values[] = {0.72, 0.12, 0.11, 0.21, 0.01, 1.25};
-    (void)state;
     for (int k = 0; k < 4; ++k) { /* in place, in contact, in retract, and in place again */
         const double change = 5.0 + 6.0 * k, end = 60.0;
         fmi2Component component = new_slave();
@@ -218,11 +211,10 @@ static double difference(fmi2Component component, const char *unknown, fmi2Value
     return (found[1] - found[0]) / (2.0 * step);
 }
 
-static void in_a_run_they_are_knowns_of_derivatives(void **state) {
+TEST(in_a_run_they_are_knowns_of_derivatives) {
     static const char *const unknowns[] = {"hip.torque", "der(leg.angle_rate)", "contact.fy", "leg.force"};
     fmi2ValueReference settings[EITHER];
     int nonzero = 0;
-    (void)state;
     list_settings(settings);
     for (int k = 0; k < 3; ++k) { /* drive, place, and retract with the clamp open */
         fmi2Component component = new_instance();
@@ -251,18 +243,4 @@ static void in_a_run_they_are_knowns_of_derivatives(void **state) {
         fmi2FreeInstance(component);
     }
     assert_true(nonzero >= 18);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(they_are_set_before_the_start_and_in_event_mode),
-        cmocka_unit_test(they_are_set_between_communication_steps),
-        cmocka_unit_test(in_continuous_time_mode_they_keep_their_values),
-        cmocka_unit_test(parameters_that_are_not_tunable_stay_fixed),
-        cmocka_unit_test(only_continuous_inputs_have_rates),
-        cmocka_unit_test(a_setting_is_in_force_at_once),
-        cmocka_unit_test(co_simulation_goes_on_with_what_was_set),
-        cmocka_unit_test(in_a_run_they_are_knowns_of_derivatives),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

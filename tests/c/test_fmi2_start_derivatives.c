@@ -272,8 +272,7 @@ static int compare_column(fmi2Component component, const start *start, fmi2Value
     return nonzero;
 }
 
-static void they_are_those_of_the_start_values(void **state) {
-    (void)state;
+TEST(they_are_those_of_the_start_values) {
     assert_true(fmu_variable_count <= MAX_VARIABLES);
     for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
         fmi2Component component = begun(&starts[k], 0.0);
@@ -292,10 +291,9 @@ static void they_are_those_of_the_start_values(void **state) {
     }
 }
 
-static void by_time_they_are_those_of_the_instants(void **state) {
+TEST(by_time_they_are_those_of_the_instants) {
     const fmi2ValueReference time = reference_of("time");
     const double one = 1.0, seconds[] = {-1.0, 3.0};
-    (void)state;
     for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
         double values[2][MAX_VARIABLES];
         int nonzero = 0;
@@ -321,11 +319,10 @@ static void by_time_they_are_those_of_the_instants(void **state) {
 }
 
 /* In a run nothing depends on time but through the states. */
-static void by_time_nothing_changes_in_a_run(void **state) {
+TEST(by_time_nothing_changes_in_a_run) {
     const fmi2ValueReference time = reference_of("time");
     const double one = 1.0;
     int compared = 0;
-    (void)state;
     fmi2Component component = new_instance();
     start_running(component);
     for (size_t i = 0; i < fmu_variable_count; ++i) {
@@ -343,8 +340,7 @@ static void by_time_nothing_changes_in_a_run(void **state) {
 }
 
 /* FMI 3.0, and the adjoint: seeds' J v = (J' seeds)' v with v over all knowns. */
-static void fmi3_gives_the_same_both_ways_round(void **state) {
-    (void)state;
+TEST(fmi3_gives_the_same_both_ways_round) {
     for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
         fmi3ValueReference knowns[MAX_VARIABLES], unknowns[MAX_VARIABLES];
         double seeds[MAX_VARIABLES], weights[MAX_VARIABLES], by_seed[MAX_VARIABLES], back[MAX_VARIABLES];
@@ -390,11 +386,10 @@ static void fmi3_gives_the_same_both_ways_round(void **state) {
 }
 
 /* What a start sets to zero depends on nothing, whatever was in it. */
-static void integrals_begin_at_zero(void **state) {
+TEST(integrals_begin_at_zero) {
     const fmi2ValueReference work = reference_of("hip.work");
     const double one = 1.0;
     double value = 1.0;
-    (void)state;
     fmi2Component component = begun(&starts[0], 0.0);
     assert_int_equal(fmi2GetDirectionalDerivative(component, &work, 1, &work, 1, &one, &value), fmi2OK);
     assert_true(value == 0.0);
@@ -404,12 +399,11 @@ static void integrals_begin_at_zero(void **state) {
     fmi2FreeInstance(component);
 }
 
-static void start_values_are_no_knowns_of_a_run(void **state) {
+TEST(start_values_are_no_knowns_of_a_run) {
     const fmi2ValueReference unknown = reference_of("body.y"), mass = reference_of("body.mass"),
                              output = reference_of("body.x");
     const double one = 1.0;
     double value = 0.0;
-    (void)state;
     fmi2Component component = new_instance();
     start_running(component);
     assert_int_equal(fmi2GetDirectionalDerivative(component, &unknown, 1, &mass, 1, &one, &value), fmi2Error);
@@ -419,16 +413,4 @@ static void start_values_are_no_knowns_of_a_run(void **state) {
                      fmi2Error);
     assert_int_equal(fmi2GetDirectionalDerivative(component, &mass, 1, &unknown, 1, &one, &value), fmi2Error);
     fmi2FreeInstance(component);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(they_are_those_of_the_start_values),
-        cmocka_unit_test(by_time_they_are_those_of_the_instants),
-        cmocka_unit_test(by_time_nothing_changes_in_a_run),
-        cmocka_unit_test(fmi3_gives_the_same_both_ways_round),
-        cmocka_unit_test(integrals_begin_at_zero),
-        cmocka_unit_test(start_values_are_no_knowns_of_a_run),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -37,8 +37,7 @@ static void prepare(job jobs[INSTANCES]) {
     }
 }
 
-static void threads_change_nothing(void **unused) {
-    (void)unused;
+TEST(threads_change_nothing) {
     static job serial[INSTANCES], parallel[INSTANCES];
     pthread_t threads[INSTANCES];
     prepare(serial);
@@ -57,9 +56,4 @@ static void threads_change_nothing(void **unused) {
         fmi2FreeInstance(serial[i].component);
         fmi2FreeInstance(parallel[i].component);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(threads_change_nothing)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

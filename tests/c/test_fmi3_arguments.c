@@ -36,11 +36,10 @@ static void assert_miscounted(fmi3Status status) {
     clear_messages();
 }
 
-static void as_many_values_as_references_are_wanted(void **state) {
+TEST(as_many_values_as_references_are_wanted) {
     const fmi3ValueReference friction = reference_of("ground.friction"), word = reference_of("stride.word");
     double value = 0.5;
     fmi3String text = "x";
-    (void)state;
     fmi3Instance instance = running3();
     for (size_t wrong = 0; wrong <= 2; wrong += 2) {
         assert_miscounted(fmi3GetFloat64(instance, &friction, 1, &value, wrong));
@@ -52,13 +51,12 @@ static void as_many_values_as_references_are_wanted(void **state) {
     fmi3FreeInstance(instance);
 }
 
-static void derivatives_want_as_many_seeds_and_values_as_there_are(void **state) {
+TEST(derivatives_want_as_many_seeds_and_values_as_there_are) {
     const fmi3ValueReference unknowns[] = {reference_of("body.x"), reference_of("body.y")};
     const fmi3ValueReference knowns[] = {reference_of("leg.angle"), reference_of("leg.length"),
                                          reference_of("foot.x")};
     static const double seeds[4] = {1.0, 2.0, 3.0, 4.0};
     double values[4] = {77.0, 77.0, 77.0, 77.0};
-    (void)state;
     fmi3Instance instance = running3();
     for (int i = -1; i <= 1; i += 2) {
         const size_t two = (size_t)(2 + i), three = (size_t)(3 + i);
@@ -81,11 +79,10 @@ static void derivatives_want_as_many_seeds_and_values_as_there_are(void **state)
     fmi3FreeInstance(instance);
 }
 
-static void output_derivatives_want_values_for_each(void **state) {
+TEST(output_derivatives_want_values_for_each) {
     const fmi3ValueReference output = reference_of("body.y");
     const fmi3Int32 first = 1;
     double value = 77.0;
-    (void)state;
     fmi3Instance instance = new_stepper(false, false);
     initialize3(instance);
     assert_int_equal(fmi3GetOutputDerivatives(instance, &output, 1, &first, &value, 2), fmi3Error);
@@ -98,11 +95,10 @@ static void output_derivatives_want_values_for_each(void **state) {
     fmi3FreeInstance(instance);
 }
 
-static void the_reference_after_the_last_is_unknown(void **state) {
+TEST(the_reference_after_the_last_is_unknown) {
     const fmi2ValueReference beyond = (fmi2ValueReference)fmu_variable_count, known = reference_of("foot.x");
     const double one = 1.0;
     double value = 77.0;
-    (void)state;
     fmi2Component component = running2();
     assert_int_equal(fmi2GetReal(component, &beyond, 1, &value), fmi2Error);
     assert_non_null(strstr(last_message, "there is no value reference"));
@@ -113,9 +109,8 @@ static void the_reference_after_the_last_is_unknown(void **state) {
     fmi2FreeInstance(component);
 }
 
-static void arrays_are_neither_too_short_nor_too_long(void **state) {
+TEST(arrays_are_neither_too_short_nor_too_long) {
     double values[TDMF_GUARD_COUNT + 1] = {0};
-    (void)state;
     fmi2Component old = running2();
     fmi3Instance new = running3();
     for (int i = -1; i <= 1; i += 2) {
@@ -135,10 +130,9 @@ static void arrays_are_neither_too_short_nor_too_long(void **state) {
     fmi3FreeInstance(new);
 }
 
-static void texts_are_set_nowhere_and_none_of_them_where_setting_is_allowed(void **state) {
+TEST(texts_are_set_nowhere_and_none_of_them_where_setting_is_allowed) {
     const fmi2ValueReference word = reference_of("stride.word");
     const fmi2String text = "x";
-    (void)state;
     fmi2Component component = running2();
     assert_int_equal(fmi2SetString(component, NULL, 0, NULL), fmi2OK);
     assert_int_equal(fmi2SetString(component, &word, 1, &text), fmi2Error);
@@ -150,10 +144,9 @@ static void texts_are_set_nowhere_and_none_of_them_where_setting_is_allowed(void
 
 /* ---- answers ------------------------------------------------------------------------------------------- */
 
-static void a_completed_step_asks_for_nothing(void **state) {
+TEST(a_completed_step_asks_for_nothing) {
     fmi2Boolean enter2 = fmi2True, stop2 = fmi2True;
     fmi3Boolean enter3 = true, stop3 = true;
-    (void)state;
     fmi2Component old = running2();
     fmi3Instance new = running3();
     assert_int_equal(fmi2CompletedIntegratorStep(old, fmi2True, &enter2, &stop2), fmi2OK);
@@ -163,8 +156,7 @@ static void a_completed_step_asks_for_nothing(void **state) {
     fmi3FreeInstance(new);
 }
 
-static void counts_of_work_end_at_the_largest_integer(void **state) {
-    (void)state;
+TEST(counts_of_work_end_at_the_largest_integer) {
     fmi2Component component = new_slave();
     instance *inside = component;
     initialize(component);
@@ -179,10 +171,9 @@ static void counts_of_work_end_at_the_largest_integer(void **state) {
 }
 
 /* Out of memory, say: enumerations have no value 0, and there is a start to read. */
-static void an_instance_that_fails_before_its_run_shows_its_start(void **state) {
+TEST(an_instance_that_fails_before_its_run_shows_its_start) {
     const fmi2ValueReference mode = reference_of("contact.mode");
     fmi2Integer value = 77;
-    (void)state;
     fmi2Component component = new_slave();
     instance *inside = component;
     inside->state = FAILED;
@@ -197,9 +188,8 @@ static void an_instance_that_fails_before_its_run_shows_its_start(void **state) 
 }
 
 /* The force of this instant is met before an input may change it: the stride's peak has it. */
-static void event_mode_is_entered_with_the_force_noted(void **state) {
+TEST(event_mode_is_entered_with_the_force_noted) {
     double states[TDMF_STATE_COUNT];
-    (void)state;
     fmi2Component component = new_instance();
     const instance *inside = component;
     bool is_noted = false;
@@ -238,24 +228,21 @@ static fmi2Status initialize_from(fmi2Component component, double start, bool ha
     return fmi2ExitInitializationMode(component);
 }
 
-static void a_run_may_stop_where_it_starts(void **state) {
-    (void)state;
+TEST(a_run_may_stop_where_it_starts) {
     fmi2Component component = new_slave();
     assert_int_equal(initialize_from(component, 2.0, true, nextafter(2.0, 0.0)), fmi2Error);
     assert_int_equal(initialize_from(component, 2.0, true, 2.0), fmi2OK);
     fmi2FreeInstance(component);
 }
 
-static void an_endless_tolerance_is_refused(void **state) {
-    (void)state;
+TEST(an_endless_tolerance_is_refused) {
     fmi2Component component = new_slave();
     assert_int_equal(fmi2SetupExperiment(component, fmi2True, INFINITY, 0.0, fmi2False, 0.0), fmi2Error);
     fmi2FreeInstance(component);
 }
 
 /* 0.1 + 0.2 > 0.3 in doubles. */
-static void rounding_does_not_carry_a_step_beyond_the_stop_time(void **state) {
-    (void)state;
+TEST(rounding_does_not_carry_a_step_beyond_the_stop_time) {
     fmi2Component component = new_slave();
     assert_true(0.1 + 0.2 > 0.3);
     assert_int_equal(initialize_from(component, 0.0, true, 0.3), fmi2OK);
@@ -264,9 +251,8 @@ static void rounding_does_not_carry_a_step_beyond_the_stop_time(void **state) {
     fmi2FreeInstance(component);
 }
 
-static void communication_points_are_off_by_rounding_only(void **state) {
+TEST(communication_points_are_off_by_rounding_only) {
     static const double epoch = 1.7e9, step = 1e-3;
-    (void)state;
     fmi2Component component = new_slave();
     assert_int_equal(initialize_from(component, 0.0, false, 0.0), fmi2OK);
     assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
@@ -279,8 +265,7 @@ static void communication_points_are_off_by_rounding_only(void **state) {
     fmi2FreeInstance(component);
 }
 
-static void a_step_beyond_all_numbers_is_refused(void **state) {
-    (void)state;
+TEST(a_step_beyond_all_numbers_is_refused) {
     fmi2Component component = new_slave();
     initialize(component);
     assert_int_equal(fmi2DoStep(component, DBL_MAX, DBL_MAX, fmi2True), fmi2Error);
@@ -302,10 +287,9 @@ static step_answer step_of(fmi3Instance instance, double angle_rate, double end)
 
 /* A step that ends at the very instant of an event has one to handle, but has not returned early. An event is
  * known finer than a step's end, so that only every other runner's step can end at its own. */
-static void a_step_that_ends_at_an_event_is_not_early(void **state) {
+TEST(a_step_that_ends_at_an_event_is_not_early) {
     enum { RUNNERS = 20 };
     int met = 0;
-    (void)state;
     fmi3Instance instance = new_stepper(true, true);
     for (int i = 0; i < RUNNERS; ++i) {
         const double angle_rate = 1e-3 * i;
@@ -323,11 +307,10 @@ static void a_step_that_ends_at_an_event_is_not_early(void **state) {
 }
 
 /* The apex is found again under an input set at it: its time is that of the event. */
-static void an_apex_under_another_input_is_at_the_same_time(void **state) {
+TEST(an_apex_under_another_input_is_at_the_same_time) {
     step_answer step;
     update_answer after;
     double time = 0.0;
-    (void)state;
     fmi3Instance instance = new_stepper(true, true);
     initialize3(instance);
     assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
@@ -350,11 +333,10 @@ static void an_apex_under_another_input_is_at_the_same_time(void **state) {
 
 /* ---- Co-Simulation of FMI 2.0 -------------------------------------------------------------------------- */
 
-static void rates_are_numbers_and_set_in_their_states(void **state) {
+TEST(rates_are_numbers_and_set_in_their_states) {
     const fmi2ValueReference torque = reference_of("hip.external_torque");
     const fmi2Integer first = 1;
     static const double endless = -INFINITY, still = 0.0;
-    (void)state;
     fmi2Component slave = new_slave(), exchange = running2();
     assert_int_equal(fmi2SetRealInputDerivatives(slave, &torque, 1, &first, &still), fmi2OK);
     initialize(slave);
@@ -370,11 +352,10 @@ static void rates_are_numbers_and_set_in_their_states(void **state) {
 }
 
 /* The runner is frozen, its surroundings are not. */
-static void inputs_go_on_at_their_rates_after_a_fall(void **state) {
+TEST(inputs_go_on_at_their_rates_after_a_fall) {
     const fmi2ValueReference torque = reference_of("hip.external_torque");
     const fmi2Integer first = 1;
     const double rate = 1e-3;
-    (void)state;
     fmi2Component component = new_slave();
     assert_int_equal(set_real(component, "foot.y", 100.0), fmi2OK);
     initialize(component);
@@ -388,13 +369,12 @@ static void inputs_go_on_at_their_rates_after_a_fall(void **state) {
 }
 
 /* With inputs that move, outputs go with them. */
-static void output_derivatives_go_with_the_rates_of_inputs(void **state) {
+TEST(output_derivatives_go_with_the_rates_of_inputs) {
     static const char *const names[] = {"contact.fx", "hip.torque"};
     static const double delta = 1e-5, rates[] = {-0.5, 0.2};
     const fmi2ValueReference inputs[] = {reference_of("ground.friction"),
                                          reference_of("hip.external_torque")};
     const fmi2Integer first[] = {1, 1};
-    (void)state;
     fmi2Component component = new_slave();
     initialize(component);
     assert_int_equal(fmi2DoStep(component, 0.0, 12.1, fmi2True), fmi2OK);
@@ -413,13 +393,12 @@ static void output_derivatives_go_with_the_rates_of_inputs(void **state) {
     fmi2FreeInstance(component);
 }
 
-static void statuses_are_those_of_steps_that_are_done(void **state) {
+TEST(statuses_are_those_of_steps_that_are_done) {
     fmi2Status status = fmi2OK;
     double time = -1.0;
     fmi2Integer integer = 0;
     fmi2Boolean terminated = fmi2True;
     fmi2String text = NULL;
-    (void)state;
     fmi2Component component = new_slave();
     assert_int_equal(fmi2GetRealStatus(component, fmi2LastSuccessfulTime, &time), fmi2Error);
     assert_int_equal(fmi2GetBooleanStatus(component, fmi2Terminated, &terminated), fmi2Error);
@@ -436,31 +415,4 @@ static void statuses_are_those_of_steps_that_are_done(void **state) {
     assert_int_equal(fmi2GetStatus(component, fmi2DoStepStatus, &status), fmi2Discard);
     assert_int_equal(fmi2DoStep(component, 2.0, 2.0, fmi2True), fmi2OK);
     fmi2FreeInstance(component);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(as_many_values_as_references_are_wanted),
-        cmocka_unit_test(derivatives_want_as_many_seeds_and_values_as_there_are),
-        cmocka_unit_test(output_derivatives_want_values_for_each),
-        cmocka_unit_test(the_reference_after_the_last_is_unknown),
-        cmocka_unit_test(arrays_are_neither_too_short_nor_too_long),
-        cmocka_unit_test(texts_are_set_nowhere_and_none_of_them_where_setting_is_allowed),
-        cmocka_unit_test(a_completed_step_asks_for_nothing),
-        cmocka_unit_test(counts_of_work_end_at_the_largest_integer),
-        cmocka_unit_test(an_instance_that_fails_before_its_run_shows_its_start),
-        cmocka_unit_test(event_mode_is_entered_with_the_force_noted),
-        cmocka_unit_test(a_run_may_stop_where_it_starts),
-        cmocka_unit_test(an_endless_tolerance_is_refused),
-        cmocka_unit_test(rounding_does_not_carry_a_step_beyond_the_stop_time),
-        cmocka_unit_test(communication_points_are_off_by_rounding_only),
-        cmocka_unit_test(a_step_beyond_all_numbers_is_refused),
-        cmocka_unit_test(a_step_that_ends_at_an_event_is_not_early),
-        cmocka_unit_test(an_apex_under_another_input_is_at_the_same_time),
-        cmocka_unit_test(rates_are_numbers_and_set_in_their_states),
-        cmocka_unit_test(inputs_go_on_at_their_rates_after_a_fall),
-        cmocka_unit_test(output_derivatives_go_with_the_rates_of_inputs),
-        cmocka_unit_test(statuses_are_those_of_steps_that_are_done),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -13,8 +13,7 @@
 
 /* ---- instantiation ------------------------------------------------------------------------------------ */
 
-static void refuses_an_interface_it_does_not_have(void **state) {
-    (void)state;
+TEST(refuses_an_interface_it_does_not_have) {
     clear_messages();
     assert_null(fmi3InstantiateScheduledExecution("runner", FMU_GUID, NULL, false, false, NULL,
                                                   importer_logger, NULL, NULL, NULL));
@@ -36,9 +35,8 @@ static void called_back(fmi3InstanceEnvironment environment, fmi3Float64 time, f
 }
 
 /* Intermediate updates are an offer that the unit need not take up. */
-static void an_importer_that_offers_intermediate_updates_is_never_called_back(void **state) {
+TEST(an_importer_that_offers_intermediate_updates_is_never_called_back) {
     const fmi3ValueReference wanted[] = {reference_of("foot.x"), reference_of("leg.angle")};
-    (void)state;
     clear_messages();
     for (int way = 0; way < 4; ++way) {
         const fmi3Boolean event_mode = way >= 2, early_return = way % 2 == 1;
@@ -72,12 +70,11 @@ static void an_importer_that_offers_intermediate_updates_is_never_called_back(vo
     assert_int_equal(message_count, 0);
 }
 
-static void refuses_null_instances(void **state) {
+TEST(refuses_null_instances) {
     double value = 0.0;
     const fmi3ValueReference reference = 0;
     const fmi3Int32 order = 1;
     step_answer answer;
-    (void)state;
     assert_int_equal(fmi3GetFloat64(NULL, &reference, 1, &value, 1), fmi3Error);
     assert_int_equal(fmi3SetFloat64(NULL, &reference, 1, &value, 1), fmi3Error);
     assert_int_equal(fmi3GetFloat64(NULL, &reference, 1, &value, 2), fmi3Error);
@@ -92,11 +89,10 @@ static void refuses_null_instances(void **state) {
     fmi3FreeInstance(NULL);
 }
 
-static void refuses_what_the_unit_does_not_have(void **state) {
+TEST(refuses_what_the_unit_does_not_have) {
     const fmi3ValueReference reference = reference_of("foot.x");
     fmi3Float32 single = 0.0F;
     fmi3Instance instance = new_exchange();
-    (void)state;
     initialize3(instance);
     assert_int_equal(fmi3GetFloat32(instance, &reference, 1, &single, 1), fmi3Error);
     assert_string_equal(last_message, "fmi3GetFloat32: the unit has no variable of type Float32");
@@ -115,9 +111,8 @@ static fmi3Instance in_event_mode(void) {
 
 /* ---- values ------------------------------------------------------------------------------------------- */
 
-static void every_variable_is_read_by_its_own_type_only(void **state) {
+TEST(every_variable_is_read_by_its_own_type_only) {
     fmi3Instance instance = in_event_mode();
-    (void)state;
     for (size_t i = 0; i < fmu_variable_count; ++i) {
         const fmi3ValueReference reference = (fmi3ValueReference)i;
         double real;
@@ -141,11 +136,10 @@ static void every_variable_is_read_by_its_own_type_only(void **state) {
 }
 
 /* Beyond what an Integer of FMI 2.0 holds, too. */
-static void enumerations_are_set_in_range_only(void **state) {
+TEST(enumerations_are_set_in_range_only) {
     const fmi3ValueReference method = reference_of("solver.method");
     static const fmi3Int64 bad[] = {INT64_MAX, INT64_MIN, (INT64_C(1) << 32) + 2};
     fmi3Instance instance = new_exchange();
-    (void)state;
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
         assert_int_equal(fmi3SetInt64(instance, &method, 1, &bad[i], 1), fmi3Discard);
         assert_int_equal(get_enumeration(instance, "solver.method"), 1);
@@ -153,12 +147,11 @@ static void enumerations_are_set_in_range_only(void **state) {
     fmi3FreeInstance(instance);
 }
 
-static void wrong_counts_references_and_arrays_are_refused(void **state) {
+TEST(wrong_counts_references_and_arrays_are_refused) {
     const fmi3ValueReference reference = 0, none = 100000;
     double values[TDMF_STATE_COUNT] = {0};
     char states[8];
     fmi3Instance instance = in_event_mode();
-    (void)state;
     assert_int_equal(fmi3GetFloat64(instance, &reference, 1, values, 2), fmi3Error);
     assert_non_null(strstr(last_message, "scalar"));
     assert_int_equal(fmi3GetFloat64(instance, &none, 1, values, 1), fmi3Error);
@@ -171,12 +164,11 @@ static void wrong_counts_references_and_arrays_are_refused(void **state) {
     fmi3FreeInstance(instance);
 }
 
-static void indicators_are_variables_too(void **state) {
+TEST(indicators_are_variables_too) {
     double indicators[TDMF_GUARD_COUNT];
     const fmi3ValueReference first = reference_of("guard.touchdown");
     fmi3Instance instance = in_event_mode();
     assert_int_equal(fmi3EnterContinuousTimeMode(instance), fmi3OK);
-    (void)state;
     assert_int_equal(fmi3GetEventIndicators(instance, indicators, TDMF_GUARD_COUNT), fmi3OK);
     assert_close(indicators[TDMF_GUARD_TOUCHDOWN], get_float(instance, "foot.y"), 1e-9);
     for (fmi3ValueReference i = 0; i < TDMF_GUARD_COUNT; ++i) {
@@ -232,12 +224,11 @@ static double difference(fmi3Instance instance, const char *unknown, const char 
 }
 
 /* Column by column against central differences, and both ways round: seeds' J v = (J' seeds)' v. */
-static void directional_and_adjoint_derivatives_are_one_matrix(void **state) {
+TEST(directional_and_adjoint_derivatives_are_one_matrix) {
     static const double weights[UNKNOWNS] = {0.3, -2.0, 1.7};
     fmi3ValueReference unknowns[UNKNOWNS], knowns[KNOWNS];
     double adjoint[KNOWNS];
     fmi3Instance instance = slipping();
-    (void)state;
     for (int i = 0; i < UNKNOWNS; ++i) {
         unknowns[i] = reference_of(unknown_names[i]);
     }
@@ -263,13 +254,12 @@ static void directional_and_adjoint_derivatives_are_one_matrix(void **state) {
     fmi3FreeInstance(instance);
 }
 
-static void derivatives_by_what_is_fixed_are_refused(void **state) {
+TEST(derivatives_by_what_is_fixed_are_refused) {
     const fmi3ValueReference unknown = reference_of("body.x"), mass = reference_of("body.mass"),
                              known = reference_of("leg.angle");
     const double seed = 1.0, bad = NAN;
     double value;
     fmi3Instance instance = slipping();
-    (void)state;
     assert_int_equal(fmi3GetAdjointDerivative(instance, &unknown, 1, &known, 1, &bad, 1, &value, 1),
                      fmi3Discard);
     assert_int_equal(fmi3GetDirectionalDerivative(instance, &unknown, 1, &known, 1, &bad, 1, &value, 1),
@@ -278,20 +268,4 @@ static void derivatives_by_what_is_fixed_are_refused(void **state) {
                      fmi3Error);
     assert_non_null(strstr(last_message, "body.mass"));
     fmi3FreeInstance(instance);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(refuses_an_interface_it_does_not_have),
-        cmocka_unit_test(an_importer_that_offers_intermediate_updates_is_never_called_back),
-        cmocka_unit_test(refuses_null_instances),
-        cmocka_unit_test(refuses_what_the_unit_does_not_have),
-        cmocka_unit_test(every_variable_is_read_by_its_own_type_only),
-        cmocka_unit_test(enumerations_are_set_in_range_only),
-        cmocka_unit_test(wrong_counts_references_and_arrays_are_refused),
-        cmocka_unit_test(indicators_are_variables_too),
-        cmocka_unit_test(directional_and_adjoint_derivatives_are_one_matrix),
-        cmocka_unit_test(derivatives_by_what_is_fixed_are_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -67,10 +67,9 @@ static int run_by_events(fmi3Instance instance, double from, double to, double s
 
 /* ---- the same strides --------------------------------------------------------------------------------- */
 
-static void without_event_mode_it_is_the_fmi2_unit(void **state) {
+TEST(without_event_mode_it_is_the_fmi2_unit) {
     fmi2Component old = new_slave();
     fmi3Instance plain = stepper_in_step_mode(false, true), eventful = stepper_in_step_mode(true, false);
-    (void)state;
     initialize(old);
     for (int i = 0; i < 26; ++i) {
         const double time = 10.0 * i;
@@ -93,9 +92,8 @@ static void without_event_mode_it_is_the_fmi2_unit(void **state) {
     fmi3FreeInstance(eventful);
 }
 
-static void stopping_at_every_event_changes_nothing(void **state) {
+TEST(stopping_at_every_event_changes_nothing) {
     static const double steps[] = {0.05, 1.0, 251.0};
-    (void)state;
     for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
         fmi3Instance plain = stepper_in_step_mode(false, false), eventful = stepper_in_step_mode(true, true);
         const long count = lround(ten_strides / steps[i]);
@@ -116,11 +114,10 @@ static void stopping_at_every_event_changes_nothing(void **state) {
 }
 
 /* By a clock that counts the seconds of an epoch, or more coarsely yet. */
-static void strides_stopped_at_events_do_not_depend_on_the_start_time(void **state) {
+TEST(strides_stopped_at_events_do_not_depend_on_the_start_time) {
     static const double starts[] = {1.7e9, 1e13};
     static const char *const quantities[] = {"stride.period", "stride.length", "stride.stance_time",
                                              "stride.duty_factor", "stride.work"};
-    (void)state;
     for (size_t i = 0; i < sizeof starts / sizeof starts[0]; ++i) {
         fmi3Instance at_zero = stepper_in_step_mode(true, true), later = new_stepper(true, true);
         update_answer answer;
@@ -142,12 +139,11 @@ static void strides_stopped_at_events_do_not_depend_on_the_start_time(void **sta
 
 /* ---- events ------------------------------------------------------------------------------------------- */
 
-static void the_left_limit_is_as_near_by_a_coarse_clock(void **state) {
+TEST(the_left_limit_is_as_near_by_a_coarse_clock) {
     const double start = 1.7e9;
     step_answer step;
     update_answer answer;
     fmi3Instance instance = new_stepper(true, true);
-    (void)state;
     assert_int_equal(fmi3EnterInitializationMode(instance, fmi3False, 0.0, start, fmi3False, 0.0), fmi3OK);
     assert_int_equal(fmi3ExitInitializationMode(instance), fmi3OK);
     assert_int_equal(update(instance, &answer), fmi3OK);
@@ -167,11 +163,10 @@ static void the_left_limit_is_as_near_by_a_coarse_clock(void **state) {
     fmi3FreeInstance(instance);
 }
 
-static void a_step_ends_at_the_event_and_before_it(void **state) {
+TEST(a_step_ends_at_the_event_and_before_it) {
     step_answer step;
     update_answer after;
     fmi3Instance instance = stepper_in_step_mode(true, true);
-    (void)state;
     assert_int_equal(do_step(instance, 0.0, 20.0, &step), fmi3OK);
     assert_true(step.event && step.early);
     assert_close(step.time, touchdown, 0.01);
@@ -198,10 +193,9 @@ static void a_step_ends_at_the_event_and_before_it(void **state) {
 
 /* Continuous outputs are the same from both sides of an event that moves no state; an impact keeps the body.
  */
-static void states_before_an_event_are_its_left_limit(void **state) {
+TEST(states_before_an_event_are_its_left_limit) {
     fmi3Instance instance = stepper_in_step_mode(true, true);
     double time = 0.0;
-    (void)state;
     for (int i = 0; i < EVENTS_OF_A_STRIDE; ++i) {
         step_answer step;
         update_answer after;
@@ -224,10 +218,9 @@ static void states_before_an_event_are_its_left_limit(void **state) {
     fmi3FreeInstance(instance);
 }
 
-static void an_event_left_unhandled_is_taken_by_the_next_step(void **state) {
+TEST(an_event_left_unhandled_is_taken_by_the_next_step) {
     step_answer step;
     fmi3Instance instance = stepper_in_step_mode(true, true);
-    (void)state;
     assert_int_equal(do_step(instance, 0.0, 20.0, &step), fmi3OK);
     assert_true(step.early);
     assert_int_equal(do_step(instance, step.time, 0.01, &step), fmi3OK);
@@ -236,12 +229,11 @@ static void an_event_left_unhandled_is_taken_by_the_next_step(void **state) {
 }
 
 /* The ground turns to ice in event mode, in mid-stance, while the foot sticks: it slips at once. */
-static void inputs_jump_in_event_mode(void **state) {
+TEST(inputs_jump_in_event_mode) {
     step_answer step;
     update_answer after;
     fmi3Instance instance = stepper_in_step_mode(true, true);
     double time = 0.0;
-    (void)state;
     while (get_enumeration(instance, "contact.mode") != TDMF_CONTACT_STICK) {
         assert_int_equal(do_step(instance, time, 20.0, &step), fmi3OK);
         time = step.time;
@@ -260,9 +252,8 @@ static void inputs_jump_in_event_mode(void **state) {
 
 /* Friction is another when the event is handled: the foot lands as the impact map has it for that friction,
  * from the velocity that it has before. */
-static void inputs_set_at_an_event_act_on_it(void **state) {
+TEST(inputs_set_at_an_event_act_on_it) {
     static const double frictions[] = {0.0, 0.3, 0.6, 1.0, 10.0};
-    (void)state;
     for (size_t i = 0; i < sizeof frictions / sizeof frictions[0]; ++i) {
         step_answer step;
         update_answer after;
@@ -290,9 +281,8 @@ static void inputs_set_at_an_event_act_on_it(void **state) {
 
 /* An apex, taken under another friction than it was found with, is latched at the time at which the unit
  * stands, not at the one found anew, which is a rounding error later where the runner is heavy. */
-static void an_apex_taken_anew_has_the_time_of_its_event(void **state) {
+TEST(an_apex_taken_anew_has_the_time_of_its_event) {
     static const double starts[] = {0.0, 1.0, 1e3};
-    (void)state;
     for (size_t i = 0; i < sizeof starts / sizeof starts[0]; ++i) {
         step_answer step;
         update_answer after;
@@ -319,12 +309,11 @@ static void an_apex_taken_anew_has_the_time_of_its_event(void **state) {
 }
 
 /* The foot would slip now, but the ground turns rough: it does not. */
-static void an_event_may_be_averted(void **state) {
+TEST(an_event_may_be_averted) {
     step_answer step;
     update_answer after;
     fmi3Instance instance = stepper_in_step_mode(true, true);
     double time = 0.0;
-    (void)state;
     while (get_enumeration(instance, "contact.mode") != TDMF_CONTACT_STICK) {
         assert_int_equal(do_step(instance, time, 20.0, &step), fmi3OK);
         time = step.time;
@@ -345,10 +334,9 @@ static void an_event_may_be_averted(void **state) {
     fmi3FreeInstance(instance);
 }
 
-static void a_fall_is_an_event_and_then_there_are_none(void **state) {
+TEST(a_fall_is_an_event_and_then_there_are_none) {
     step_answer step;
     fmi3Instance instance = new_stepper(true, true);
-    (void)state;
     assert_int_equal(set_float(instance, "foot.y", 100.0), fmi3OK);
     initialize3(instance);
     assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
@@ -359,12 +347,11 @@ static void a_fall_is_an_event_and_then_there_are_none(void **state) {
     fmi3FreeInstance(instance);
 }
 
-static void cvode_stops_at_events_too(void **state) {
+TEST(cvode_stops_at_events_too) {
     const fmi3ValueReference method = reference_of("solver.method");
     const fmi3Int64 cvode = SOLVER_CVODE;
     step_answer step;
     fmi3Instance instance = new_stepper(true, true);
-    (void)state;
     assert_int_equal(fmi3SetInt64(instance, &method, 1, &cvode, 1), fmi3OK);
     if (fmi3EnterInitializationMode(instance, false, 0.0, 0.0, false, 0.0) != fmi3OK ||
         fmi3ExitInitializationMode(instance) != fmi3OK) {
@@ -381,10 +368,9 @@ static void cvode_stops_at_events_too(void **state) {
 
 /* ---- refusals ----------------------------------------------------------------------------------------- */
 
-static void steps_that_are_none_are_refused(void **state) {
+TEST(steps_that_are_none_are_refused) {
     static const double steps[] = {0.0, -1.0, NAN, INFINITY};
     step_answer step;
-    (void)state;
     for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
         fmi3Instance instance = stepper_in_step_mode(true, true);
         clear_messages();
@@ -398,10 +384,9 @@ static void steps_that_are_none_are_refused(void **state) {
     fmi3FreeInstance(instance);
 }
 
-static void stiff_parameters_end_in_a_message(void **state) {
+TEST(stiff_parameters_end_in_a_message) {
     step_answer step;
     fmi3Instance instance = new_stepper(true, true);
-    (void)state;
     assert_int_equal(set_float(instance, "hip.kd", 2.5e13), fmi3OK);
     begin(&fmi3, instance, STEPS_WITH_EVENTS);
     assert_int_equal(do_step(instance, 0.0, 0.1, &step), fmi3Error);
@@ -425,12 +410,11 @@ static fmi3Status restore3(fmi3Instance instance, const fmi3Byte bytes[SERIALIZE
 }
 
 /* Saved at an event that is still to be taken, and again in event mode. */
-static void a_saved_state_holds_the_pending_event(void **state) {
+TEST(a_saved_state_holds_the_pending_event) {
     fmi3Byte bytes[SERIALIZED_BYTES];
     step_answer step;
     update_answer after;
     fmi3Instance instance = stepper_in_step_mode(true, true), other = new_stepper(true, true);
-    (void)state;
     assert_int_equal(do_step(instance, 0.0, 20.0, &step), fmi3OK);
     assert_int_equal(restore3(other, bytes, save_bytes(&fmi3, instance, bytes)), fmi3OK);
     take_event(instance, &after);
@@ -447,26 +431,4 @@ static void a_saved_state_holds_the_pending_event(void **state) {
     fmi3FreeInstance(instance);
     fmi3FreeInstance(other);
     fmi3FreeInstance(third);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(without_event_mode_it_is_the_fmi2_unit),
-        cmocka_unit_test(stopping_at_every_event_changes_nothing),
-        cmocka_unit_test(strides_stopped_at_events_do_not_depend_on_the_start_time),
-        cmocka_unit_test(the_left_limit_is_as_near_by_a_coarse_clock),
-        cmocka_unit_test(a_step_ends_at_the_event_and_before_it),
-        cmocka_unit_test(states_before_an_event_are_its_left_limit),
-        cmocka_unit_test(an_event_left_unhandled_is_taken_by_the_next_step),
-        cmocka_unit_test(inputs_jump_in_event_mode),
-        cmocka_unit_test(inputs_set_at_an_event_act_on_it),
-        cmocka_unit_test(an_apex_taken_anew_has_the_time_of_its_event),
-        cmocka_unit_test(an_event_may_be_averted),
-        cmocka_unit_test(a_fall_is_an_event_and_then_there_are_none),
-        cmocka_unit_test(cvode_stops_at_events_too),
-        cmocka_unit_test(steps_that_are_none_are_refused),
-        cmocka_unit_test(stiff_parameters_end_in_a_message),
-        cmocka_unit_test(a_saved_state_holds_the_pending_event),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -127,8 +127,7 @@ static void forge_everywhere(fmi_kind kind, long *refused, long *accepted) {
     fmi3FreeInstance(instance);
 }
 
-static void whatever_is_forged_is_refused_or_goes_on(void **unused) {
-    (void)unused;
+TEST(whatever_is_forged_is_refused_or_goes_on) {
     for (fmi_kind kind = EXCHANGE; kind < KINDS; ++kind) {
         long refused = 0, accepted = 0;
         forge_everywhere(kind, &refused, &accepted);
@@ -137,8 +136,7 @@ static void whatever_is_forged_is_refused_or_goes_on(void **unused) {
 }
 
 /* Of what is not a variable, too, but becomes one when a stride closes. */
-static void no_field_holds_what_is_not_a_number(void **unused) {
-    (void)unused;
+TEST(no_field_holds_what_is_not_a_number) {
     serialized good, bad;
     step_answer step;
     const double nan = NAN;
@@ -216,8 +214,7 @@ static void replace_number(serialized *state, double from, double to) {
     memcpy(state->bytes + offset_of(state, &from, sizeof from), &to, sizeof to);
 }
 
-static void a_parameter_out_of_range_is_refused(void **unused) {
-    (void)unused;
+TEST(a_parameter_out_of_range_is_refused) {
     serialized state;
     fmi3Instance instance = new_stepper(false, false);
     assert_int_equal(set_float(instance, "body.mass", 1.25), fmi3OK);
@@ -234,8 +231,7 @@ static void a_parameter_out_of_range_is_refused(void **unused) {
 }
 
 /* The input, and the line of the ground that it has set, wherever a run takes them from. */
-static void a_slope_out_of_range_is_refused(void **unused) {
-    (void)unused;
+TEST(a_slope_out_of_range_is_refused) {
     fmi3Instance instance = new_stepper(false, false);
     assert_int_equal(set_float(instance, "ground.slope", 0.03125), fmi3OK);
     initialize3(instance);
@@ -244,8 +240,7 @@ static void a_slope_out_of_range_is_refused(void **unused) {
 }
 
 /* At 56 s the leg is placed since the apex. A clock that runs backwards. */
-static void a_clock_that_runs_backwards_is_refused(void **unused) {
-    (void)unused;
+TEST(a_clock_that_runs_backwards_is_refused) {
     step_answer step;
     fmi3Instance instance = new_on_its_way(STEPS);
     assert_int_equal(do_step(instance, 40.0, 16.0, &step), fmi3OK);
@@ -256,8 +251,7 @@ static void a_clock_that_runs_backwards_is_refused(void **unused) {
 }
 
 /* A word is held as its code, a truth as 0 or 1, and a count is a number of things. */
-static void what_is_no_whole_number_is_refused(void **unused) {
-    (void)unused;
+TEST(what_is_no_whole_number_is_refused) {
     static const char *const names[] = {"stride.word_code", "event.count", "stride.count"};
     fmi3Instance instance = new_on_its_way(STEPS);
     for (int i = 0; i < 3; ++i) {
@@ -267,8 +261,7 @@ static void what_is_no_whole_number_is_refused(void **unused) {
     fmi3FreeInstance(instance);
 }
 
-static void a_time_of_the_past_that_lies_ahead_is_refused(void **unused) {
-    (void)unused;
+TEST(a_time_of_the_past_that_lies_ahead_is_refused) {
     static const char *const names[] = {"event.last_time", "apex.time"};
     fmi3Instance instance = new_on_its_way(STEPS);
     for (int i = 0; i < 2; ++i) {
@@ -278,8 +271,7 @@ static void a_time_of_the_past_that_lies_ahead_is_refused(void **unused) {
 }
 
 /* Beyond 1e100 s differences of times might overflow. */
-static void a_time_beyond_any_clock_is_refused(void **unused) {
-    (void)unused;
+TEST(a_time_beyond_any_clock_is_refused) {
     static const double times[] = {1e101, -1e101, INFINITY, NAN};
     for (int i = 0; i < 4; ++i) {
         serialized state;
@@ -300,8 +292,7 @@ static void a_time_beyond_any_clock_is_refused(void **unused) {
 }
 
 /* The event is at the time of the run, wherever that is written. */
-static void an_event_elsewhere_is_refused(void **unused) {
-    (void)unused;
+TEST(an_event_elsewhere_is_refused) {
     fmi3Instance instance = new_on_its_way(STEPS_WITH_EVENTS);
     const double time = get_float(instance, "time");
     assert_true(refusals(instance, STEPS_WITH_EVENTS, time, time + 1.0, "refused") >= 5);
@@ -309,8 +300,7 @@ static void an_event_elsewhere_is_refused(void **unused) {
 }
 
 /* A foot that sticks, lifted to where it was in flight. */
-static void a_contact_in_the_air_is_refused(void **unused) {
-    (void)unused;
+TEST(a_contact_in_the_air_is_refused) {
     serialized state;
     fmi3Instance instance = new_stepper(false, false);
     step_answer step;
@@ -328,8 +318,7 @@ static void a_contact_in_the_air_is_refused(void **unused) {
     assert_refused(STEPS, &state, "foot.y");
 }
 
-static void a_call_state_that_the_interface_has_not_is_refused(void **unused) {
-    (void)unused;
+TEST(a_call_state_that_the_interface_has_not_is_refused) {
     static const int states[KINDS][3] = {{STEP_MODE, EVENT_MODE | CONTINUOUS_TIME_MODE, INSTANTIATED},
                                          {EVENT_MODE, STEP_MODE | FAILED, INITIALIZATION_MODE},
                                          {CONTINUOUS_TIME_MODE, 0, INSTANTIATED}};
@@ -344,8 +333,7 @@ static void a_call_state_that_the_interface_has_not_is_refused(void **unused) {
 }
 
 /* Before the start there is none either, nor anything that came of it. */
-static void an_event_is_pending_in_event_mode_only(void **unused) {
-    (void)unused;
+TEST(an_event_is_pending_in_event_mode_only) {
     static const int claims[][2] = {{CO_SIMULATION, STEP_MODE}, {MODEL_EXCHANGE, EVENT_MODE}};
     const int before = INSTANTIATED;
     const unsigned char begun = 0;
@@ -362,8 +350,7 @@ static void an_event_is_pending_in_event_mode_only(void **unused) {
 }
 
 /* One runs without having begun, another has begun and does not run. */
-static void a_run_in_a_state_that_it_cannot_be_in_is_refused(void **unused) {
-    (void)unused;
+TEST(a_run_in_a_state_that_it_cannot_be_in_is_refused) {
     serialized state;
     save_on_its_way(STEPS, &state);
     state.bytes[FORGE_BEGUN] = 0;
@@ -376,16 +363,14 @@ static void a_run_in_a_state_that_it_cannot_be_in_is_refused(void **unused) {
     assert_refused(STEPS, &state, "the state of the call sequence");
 }
 
-static void a_truth_that_is_neither_true_nor_false_is_refused(void **unused) {
-    (void)unused;
+TEST(a_truth_that_is_neither_true_nor_false_is_refused) {
     serialized state;
     save_on_its_way(STEPS_WITH_EVENTS, &state);
     memset(state.bytes + FORGE_PENDING, 2, 1);
     assert_refused(STEPS_WITH_EVENTS, &state, "the pending event");
 }
 
-static void work_that_no_run_has_done_is_refused(void **unused) {
-    (void)unused;
+TEST(work_that_no_run_has_done_is_refused) {
     static const int64_t claims[] = {-1, INT64_MAX};
     for (int i = 0; i < 2; ++i) {
         serialized state;
@@ -431,8 +416,7 @@ static int run_to(fmi3Instance instance, fmi_kind kind, double end) {
 }
 
 /* The largest count there is: the run goes on as ever, and the counters stay where they are. */
-static void a_full_counter_stays_full(void **unused) {
-    (void)unused;
+TEST(a_full_counter_stays_full) {
     static const char *counters[] = {"event.count", "stride.count"};
     for (fmi_kind kind = STEPS; kind < KINDS; ++kind) {
         for (int c = 0; c < 2; ++c) {
@@ -455,8 +439,7 @@ static void a_full_counter_stays_full(void **unused) {
 }
 
 /* Every byte of the header is looked at, whether or not the checksum covers it. */
-static void a_header_that_is_not_ours_is_refused(void **unused) {
-    (void)unused;
+TEST(a_header_that_is_not_ours_is_refused) {
     serialized good;
     save_on_its_way(STEPS, &good);
     fmi3Instance instance = new_on_its_way(STEPS);
@@ -470,27 +453,4 @@ static void a_header_that_is_not_ours_is_refused(void **unused) {
         assert_unchanged(instance, &good);
     }
     fmi3FreeInstance(instance);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(whatever_is_forged_is_refused_or_goes_on),
-        cmocka_unit_test(no_field_holds_what_is_not_a_number),
-        cmocka_unit_test(a_parameter_out_of_range_is_refused),
-        cmocka_unit_test(a_slope_out_of_range_is_refused),
-        cmocka_unit_test(a_clock_that_runs_backwards_is_refused),
-        cmocka_unit_test(what_is_no_whole_number_is_refused),
-        cmocka_unit_test(a_time_of_the_past_that_lies_ahead_is_refused),
-        cmocka_unit_test(a_time_beyond_any_clock_is_refused),
-        cmocka_unit_test(an_event_elsewhere_is_refused),
-        cmocka_unit_test(a_call_state_that_the_interface_has_not_is_refused),
-        cmocka_unit_test(an_event_is_pending_in_event_mode_only),
-        cmocka_unit_test(a_run_in_a_state_that_it_cannot_be_in_is_refused),
-        cmocka_unit_test(a_truth_that_is_neither_true_nor_false_is_refused),
-        cmocka_unit_test(work_that_no_run_has_done_is_refused),
-        cmocka_unit_test(a_contact_in_the_air_is_refused),
-        cmocka_unit_test(a_full_counter_stays_full),
-        cmocka_unit_test(a_header_that_is_not_ours_is_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

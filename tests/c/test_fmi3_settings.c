@@ -38,9 +38,8 @@ static fmi3Instance stand_at_lift_off(void) {
 }
 
 /* Where the flight law has no torque, both laws agree at lift-off and there is no graze. */
-static void a_pending_event_is_that_of_the_settings_in_force(void **state) {
+TEST(a_pending_event_is_that_of_the_settings_in_force) {
     static const char *const gains[] = {"hip.kp", "hip.kd"};
-    (void)state;
     for (int set = 0; set < 2; ++set) {
         fmi3Instance instance = stand_at_lift_off();
         const int events = get_int(instance, "event.count");
@@ -59,12 +58,11 @@ static void a_pending_event_is_that_of_the_settings_in_force(void **state) {
 }
 
 /* What was changed at the event is told from what the event came of also by another instance. */
-static void a_saved_pending_event_knows_its_settings(void **state) {
+TEST(a_saved_pending_event_knows_its_settings) {
     fmi3Instance one = stand_at_lift_off(), other = new_stepper(true, true);
     fmi3Byte bytes[SERIALIZED_BYTES];
     fmi3FMUState saved = NULL;
     update_answer updated;
-    (void)state;
     assert_int_equal(set_float(one, "hip.kp", 0.0), fmi3OK);
     assert_int_equal(set_float(one, "hip.kd", 0.0), fmi3OK);
     const size_t size = save_bytes(&fmi3, one, bytes);
@@ -78,9 +76,8 @@ static void a_saved_pending_event_knows_its_settings(void **state) {
     fmi3FreeInstance(other);
 }
 
-static void they_are_set_where_a_run_stands_still(void **state) {
+TEST(they_are_set_where_a_run_stands_still) {
     static const char *const names[] = {"hip.touchdown_angle", "ground.height", "control.thrust"};
-    (void)state;
     for (int i = 0; i < 3; ++i) {
         fmi3Instance exchange = new_exchange(), stepper = new_stepper(false, false);
         initialize3(exchange);
@@ -95,13 +92,4 @@ static void they_are_set_where_a_run_stands_still(void **state) {
         fmi3FreeInstance(exchange);
         fmi3FreeInstance(stepper);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_pending_event_is_that_of_the_settings_in_force),
-        cmocka_unit_test(a_saved_pending_event_knows_its_settings),
-        cmocka_unit_test(they_are_set_where_a_run_stands_still),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

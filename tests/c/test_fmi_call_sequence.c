@@ -26,8 +26,7 @@ static void assert_not_made(const fmi_interface *fmi, const char *name, const ch
     }
 }
 
-static void refuses_wrong_name_and_token(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(refuses_wrong_name_and_token) {
     const char *const reason = fmi == &fmi2 ? "guid" : "token";
     assert_not_made(fmi, "", FMU_GUID, "name");
     assert_not_made(fmi, NULL, FMU_GUID, "name");
@@ -35,8 +34,7 @@ static void refuses_wrong_name_and_token(void **state) {
     assert_not_made(fmi, "runner", NULL, reason);
 }
 
-static void fmi2_refuses_a_type_that_is_none(void **state) {
-    (void)state;
+TEST(fmi2_refuses_a_type_that_is_none) {
     clear_messages();
     assert_null(
         fmi2Instantiate("runner", (fmi2Type)7, FMU_GUID, NULL, &importer_callbacks, fmi2False, fmi2False));
@@ -44,8 +42,7 @@ static void fmi2_refuses_a_type_that_is_none(void **state) {
     assert_non_null(strstr(last_message, "neither"));
 }
 
-static void runs_without_logger(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(runs_without_logger) {
     void *instance = fmi->instantiate(EXCHANGE, "runner", FMU_GUID, false, true);
     assert_non_null(instance);
     begin(fmi, instance, EXCHANGE);
@@ -53,8 +50,7 @@ static void runs_without_logger(void **state) {
     fmi->free(instance);
 }
 
-static void refuses_null_instances(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(refuses_null_instances) {
     const uint32_t reference = 0;
     double value = 0.0;
     void *saved = NULL;
@@ -352,8 +348,7 @@ static bool check(const fmi_interface *fmi, size_t i, unsigned situation) {
     return !allowed;
 }
 
-static void follows_the_call_sequence_and_stays_as_it_was_where_that_is_broken(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(follows_the_call_sequence_and_stays_as_it_was_where_that_is_broken) {
     int refused = 0;
     for (size_t i = 0; i < sizeof calls / sizeof calls[0]; ++i) {
         for (unsigned situation = 1; situation < EVERYWHERE; situation <<= 1) {
@@ -365,17 +360,15 @@ static void follows_the_call_sequence_and_stays_as_it_was_where_that_is_broken(v
     assert_int_equal(refused, fmi == &fmi2 ? 87 : 123);
 }
 
-static void fmi2_wants_room_for_an_update(void **state) {
+TEST(fmi2_wants_room_for_an_update) {
     void *instance = new_of_kind(&fmi2, EXCHANGE);
-    (void)state;
     initialize_unit(&fmi2, instance);
     assert_int_equal(fmi2NewDiscreteStates(instance, NULL), fmi2Error);
     fmi2FreeInstance(instance);
 }
 
-static void fmi3_wants_room_for_each_answer_of_an_update(void **state) {
+TEST(fmi3_wants_room_for_each_answer_of_an_update) {
     void *instance = new_of_kind(&fmi3, EXCHANGE);
-    (void)state;
     initialize_unit(&fmi3, instance);
     for (int missing = 0; missing < 6; ++missing) {
         fmi3Boolean truths[5];
@@ -392,8 +385,7 @@ static void fmi3_wants_room_for_each_answer_of_an_update(void **state) {
 }
 
 /* As an importer's slip, mended: start values that contradict each other are set right and tried again. */
-static void start_values_may_be_mended_after_a_refusal(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(start_values_may_be_mended_after_a_refusal) {
     void *instance = new_of_kind(fmi, EXCHANGE);
     update_answer answer;
     assert_int_equal(set_value(fmi, instance, "leg.min_length", 2.0), FMI_OK);
@@ -403,18 +395,4 @@ static void start_values_may_be_mended_after_a_refusal(void **state) {
     assert_int_equal(fmi->exit_initialization(instance), FMI_OK);
     assert_int_equal(fmi->update(instance, &answer), FMI_OK);
     fmi->free(instance);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        IN_BOTH_VERSIONS(refuses_wrong_name_and_token),
-        cmocka_unit_test(fmi2_refuses_a_type_that_is_none),
-        IN_BOTH_VERSIONS(runs_without_logger),
-        IN_BOTH_VERSIONS(refuses_null_instances),
-        IN_BOTH_VERSIONS(follows_the_call_sequence_and_stays_as_it_was_where_that_is_broken),
-        cmocka_unit_test(fmi2_wants_room_for_an_update),
-        cmocka_unit_test(fmi3_wants_room_for_each_answer_of_an_update),
-        IN_BOTH_VERSIONS(start_values_may_be_mended_after_a_refusal),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -31,8 +31,7 @@ static void run(const fmi_interface *fmi, void *instance, double from, double to
 
 /* ---- stepping ----------------------------------------------------------------------------------------- */
 
-static void steps_arrive_and_the_grid_does_not_matter(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(steps_arrive_and_the_grid_does_not_matter) {
     static const double steps[] = {0.01, 0.1, 1.255, 25.1, 251.0};
     for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
         void *instance = new_of_kind(fmi, STEPS);
@@ -67,9 +66,8 @@ static void start_at_apex(const fmi_interface *fmi, void *instance, double frict
 }
 
 /* Also where steps end at events. */
-static void a_stride_takes_the_proved_time(void **state) {
+FMI_TEST(a_stride_takes_the_proved_time) {
     step_answer answer;
-    const fmi_interface *fmi = *state;
     const tdmf_parameters parameters = table_1(true).parameters; /* as it was proved */
     for (int i = 0; i < PROVED_GAITS; ++i) {
         const proved_gait *gait = &proved_gaits[i];
@@ -99,9 +97,8 @@ static void set_parameters(const fmi_interface *fmi, void *instance, const tdmf_
     assert_int_equal(set_value(fmi, instance, "hip.kd", parameters->hip.kd), FMI_OK);
 }
 
-static void a_stride_under_any_gravity_is_that_of_extended_precision(void **state) {
+FMI_TEST(a_stride_under_any_gravity_is_that_of_extended_precision) {
     step_answer answer;
-    const fmi_interface *fmi = *state;
     for (int i = 0; i < EXTENDED_STRIDES; ++i) {
         const extended_stride *stride = &extended_strides[i];
         const tdmf_parameters parameters = parameters_of_stride(stride);
@@ -120,9 +117,8 @@ static void a_stride_under_any_gravity_is_that_of_extended_precision(void **stat
     }
 }
 
-static void rounded_communication_points_are_tolerated_and_wrong_ones_refused(void **state) {
+FMI_TEST(rounded_communication_points_are_tolerated_and_wrong_ones_refused) {
     step_answer answer;
-    const fmi_interface *fmi = *state;
     void *instance = new_of_kind(fmi, STEPS);
     initialize_unit(fmi, instance);
     double time = 0.0;
@@ -143,9 +139,8 @@ static void initialize_between(const fmi_interface *fmi, void *instance, double 
 }
 
 /* A step that is repeated, long after 1970 as well. */
-static void a_step_taken_before_is_refused(void **state) {
+FMI_TEST(a_step_taken_before_is_refused) {
     step_answer answer;
-    const fmi_interface *fmi = *state;
     void *instance = new_of_kind(fmi, STEPS);
     static const double starts[] = {0.0, 1e6, 1.7e9};
     for (size_t i = 0; i < sizeof starts / sizeof starts[0]; ++i) {
@@ -159,9 +154,8 @@ static void a_step_taken_before_is_refused(void **state) {
     fmi->free(instance);
 }
 
-static void no_step_goes_beyond_the_stop_time(void **state) {
+FMI_TEST(no_step_goes_beyond_the_stop_time) {
     step_answer answer;
-    const fmi_interface *fmi = *state;
     void *instance = new_of_kind(fmi, STEPS);
     initialize_between(fmi, instance, 0.0, 1.0);
     run(fmi, instance, 0.0, 1.0, 0.1);
@@ -170,9 +164,8 @@ static void no_step_goes_beyond_the_stop_time(void **state) {
     fmi->free(instance);
 }
 
-static void steps_that_are_none_are_refused(void **state) {
+FMI_TEST(steps_that_are_none_are_refused) {
     step_answer answer;
-    const fmi_interface *fmi = *state;
     void *instance = new_of_kind(fmi, STEPS);
     static const double steps[] = {0.0, -1.0, NAN, INFINITY};
     for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
@@ -185,8 +178,7 @@ static void steps_that_are_none_are_refused(void **state) {
     fmi->free(instance);
 }
 
-static void a_run_may_start_at_any_time(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(a_run_may_start_at_any_time) {
     void *instance = new_of_kind(fmi, STEPS);
     initialize_unit_at(fmi, instance, 1000.0);
     run(fmi, instance, 1000.0, 1000.0 + 2.5 * period, period);
@@ -214,8 +206,7 @@ static void run_from(const fmi_interface *fmi, double start, double step, double
 }
 
 /* The clock may count the seconds of an epoch, or be coarser than a mode is long. */
-static void strides_do_not_depend_on_the_start_time(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(strides_do_not_depend_on_the_start_time) {
     static const double starts[] = {1.7e9, 1e13};
     static const double steps[] = {0.1, 0.25, 7.0};
     for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
@@ -230,9 +221,8 @@ static void strides_do_not_depend_on_the_start_time(void **state) {
     }
 }
 
-static void a_step_lost_in_the_clock_is_refused(void **state) {
+FMI_TEST(a_step_lost_in_the_clock_is_refused) {
     step_answer answer;
-    const fmi_interface *fmi = *state;
     void *instance = new_of_kind(fmi, STEPS);
     initialize_unit_at(fmi, instance, 1e17);
     assert_int_equal(fmi->do_step(instance, 1e17, 64.0, &answer), FMI_OK);
@@ -241,8 +231,7 @@ static void a_step_lost_in_the_clock_is_refused(void **state) {
     fmi->free(instance);
 }
 
-static void a_fall_freezes_and_stays_readable(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(a_fall_freezes_and_stays_readable) {
     void *instance = new_of_kind(fmi, STEPS);
     assert_int_equal(set_value(fmi, instance, "foot.y", 100.0), FMI_OK);
     initialize_unit(fmi, instance);
@@ -256,11 +245,10 @@ static void a_fall_freezes_and_stays_readable(void **state) {
 }
 
 /* In stance, the leg shorter than it may be: contact, phase and forces are those of the last moment. */
-static void a_fall_leaves_the_last_contact_as_it_was(void **state) {
+FMI_TEST(a_fall_leaves_the_last_contact_as_it_was) {
     static const char *const names[] = {"foot.y",    "foot.vx",         "foot.vy",        "leg.length",
                                         "leg.angle", "leg.length_rate", "ground.friction"};
     static const double values[] = {0.0, 0.0, 0.0, 0.06, 0.1, -1.0, 10.0};
-    const fmi_interface *fmi = *state;
     void *instance = new_of_kind(fmi, STEPS);
     for (int i = 0; i < 7; ++i) {
         assert_int_equal(set_value(fmi, instance, names[i], values[i]), FMI_OK);
@@ -275,9 +263,8 @@ static void a_fall_leaves_the_last_contact_as_it_was(void **state) {
     fmi->free(instance);
 }
 
-static void stiff_parameters_end_in_a_message(void **state) {
+FMI_TEST(stiff_parameters_end_in_a_message) {
     step_answer answer;
-    const fmi_interface *fmi = *state;
     void *instance = new_of_kind(fmi, STEPS);
     assert_int_equal(set_value(fmi, instance, "hip.kd", 2.5e13), FMI_OK);
     initialize_unit(fmi, instance);
@@ -292,8 +279,7 @@ static void stiff_parameters_end_in_a_message(void **state) {
     fmi->free(instance);
 }
 
-static void the_tighter_tolerance_wins(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(the_tighter_tolerance_wins) {
     double energies[2];
     for (int i = 0; i < 2; ++i) {
         void *instance = new_of_kind(fmi, STEPS);
@@ -313,8 +299,7 @@ static void the_tighter_tolerance_wins(void **state) {
 
 /* ---- inputs and outputs --------------------------------------------------------------------------- */
 
-static void bad_inputs_in_mid_run_are_discarded(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(bad_inputs_in_mid_run_are_discarded) {
     void *instance = new_of_kind(fmi, STEPS);
     static const double bad[] = {NAN, -0.1, INFINITY};
     initialize_unit(fmi, instance);
@@ -327,9 +312,8 @@ static void bad_inputs_in_mid_run_are_discarded(void **state) {
     fmi->free(instance);
 }
 
-static void output_derivatives_are_slopes(void **state) {
+FMI_TEST(output_derivatives_are_slopes) {
     step_answer answer;
-    const fmi_interface *fmi = *state;
     void *instance = new_of_kind(fmi, STEPS);
     static const char *names[] = {"body.y",         "com.vx",     "contact.fy",
                                   "energy.kinetic", "hip.torque", "leg.angle"};
@@ -355,8 +339,7 @@ static fmi_status start_with_cvode(const fmi_interface *fmi, void *instance) {
     return fmi->exit_initialization(instance);
 }
 
-static void cvode_is_refused_where_it_is_missing(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(cvode_is_refused_where_it_is_missing) {
     if (tdmf_cvode_is_available()) {
         skip();
     }
@@ -366,8 +349,7 @@ static void cvode_is_refused_where_it_is_missing(void **state) {
     fmi->free(instance);
 }
 
-static void cvode_agrees_with_the_native_solver(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(cvode_agrees_with_the_native_solver) {
     static const char *names[] = {
         "stride.period",  "stride.length",      "stride.cost_of_transport", "apex.com_height",
         "apex.leg_angle", "energy.impact_loss", "stride.peak_force",        "stride.peak_vertical_force"};
@@ -388,8 +370,7 @@ static void cvode_agrees_with_the_native_solver(void **state) {
     fmi->free(instance);
 }
 
-static void model_exchange_calls_are_refused(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(model_exchange_calls_are_refused) {
     void *instance = new_of_kind(fmi, STEPS);
     initialize_unit(fmi, instance);
     assert_int_equal(fmi->enter_continuous_time_mode(instance), FMI_ERROR);
@@ -397,8 +378,7 @@ static void model_exchange_calls_are_refused(void **state) {
     fmi->free(instance);
 }
 
-static void ten_strides_raise_no_floating_point_exception(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(ten_strides_raise_no_floating_point_exception) {
 #ifdef __GLIBC__
     void *instance = new_of_kind(fmi, STEPS);
     initialize_unit(fmi, instance);
@@ -411,30 +391,4 @@ static void ten_strides_raise_no_floating_point_exception(void **state) {
     (void)fmi;
     skip();
 #endif
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        IN_BOTH_VERSIONS(steps_arrive_and_the_grid_does_not_matter),
-        IN_BOTH_VERSIONS(a_stride_takes_the_proved_time),
-        IN_BOTH_VERSIONS(a_stride_under_any_gravity_is_that_of_extended_precision),
-        IN_BOTH_VERSIONS(rounded_communication_points_are_tolerated_and_wrong_ones_refused),
-        IN_BOTH_VERSIONS(a_step_taken_before_is_refused),
-        IN_BOTH_VERSIONS(no_step_goes_beyond_the_stop_time),
-        IN_BOTH_VERSIONS(steps_that_are_none_are_refused),
-        IN_BOTH_VERSIONS(a_run_may_start_at_any_time),
-        IN_BOTH_VERSIONS(strides_do_not_depend_on_the_start_time),
-        IN_BOTH_VERSIONS(a_step_lost_in_the_clock_is_refused),
-        IN_BOTH_VERSIONS(a_fall_freezes_and_stays_readable),
-        IN_BOTH_VERSIONS(a_fall_leaves_the_last_contact_as_it_was),
-        IN_BOTH_VERSIONS(stiff_parameters_end_in_a_message),
-        IN_BOTH_VERSIONS(the_tighter_tolerance_wins),
-        IN_BOTH_VERSIONS(bad_inputs_in_mid_run_are_discarded),
-        IN_BOTH_VERSIONS(output_derivatives_are_slopes),
-        IN_BOTH_VERSIONS(cvode_is_refused_where_it_is_missing),
-        IN_BOTH_VERSIONS(cvode_agrees_with_the_native_solver),
-        IN_BOTH_VERSIONS(model_exchange_calls_are_refused),
-        IN_BOTH_VERSIONS(ten_strides_raise_no_floating_point_exception),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -34,7 +34,7 @@ static void *in_continuous_time_mode(const fmi_interface *fmi) {
 
 /* ---- values ------------------------------------------------------------------------------------------- */
 
-static void values_out_of_range_are_discarded_and_the_old_kept(void **state) {
+FMI_TEST(values_out_of_range_are_discarded_and_the_old_kept) {
     static const struct {
         const char *name;
         double value;
@@ -53,7 +53,6 @@ static void values_out_of_range_are_discarded_and_the_old_kept(void **state) {
                {"ground.friction", NAN},
                {"hip.external_torque", INFINITY},
                {"hip.external_torque", NAN}};
-    const fmi_interface *fmi = *state;
     void *instance = in_initialization(fmi);
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
         const double before = value_of(fmi, instance, bad[i].name);
@@ -69,9 +68,8 @@ static void values_out_of_range_are_discarded_and_the_old_kept(void **state) {
     fmi->free(instance);
 }
 
-static void enumerations_and_booleans_are_set_in_range_only(void **state) {
+FMI_TEST(enumerations_and_booleans_are_set_in_range_only) {
     static const int bad[] = {0, 3, INT32_MAX, INT32_MIN};
-    const fmi_interface *fmi = *state;
     void *instance = in_initialization(fmi);
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
         assert_int_equal(fmi->set_item(instance, reference_of("solver.method"), bad[i]), FMI_DISCARD);
@@ -85,18 +83,16 @@ static void enumerations_and_booleans_are_set_in_range_only(void **state) {
     fmi->free(instance);
 }
 
-static void sets_all_or_nothing(void **state) {
+FMI_TEST(sets_all_or_nothing) {
     const uint32_t references[] = {reference_of("body.mass"), reference_of("foot.mass")};
     const double values[] = {2.0, -1.0};
-    const fmi_interface *fmi = *state;
     void *instance = in_initialization(fmi);
     assert_int_equal(fmi->set_reals(instance, references, 2, values), FMI_DISCARD);
     assert_true(value_of(fmi, instance, "body.mass") == 1.0);
     fmi->free(instance);
 }
 
-static void checks_across_variables_wait_for_the_end_of_initialization(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(checks_across_variables_wait_for_the_end_of_initialization) {
     void *instance = new_of_kind(fmi, EXCHANGE);
     assert_int_equal(set_value(fmi, instance, "leg.length", 0.5), FMI_OK);
     assert_int_equal(set_value(fmi, instance, "leg.min_length", 0.6), FMI_OK);
@@ -107,8 +103,7 @@ static void checks_across_variables_wait_for_the_end_of_initialization(void **st
     fmi->free(instance);
 }
 
-static void refuses_a_body_below_the_ground(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(refuses_a_body_below_the_ground) {
     void *instance = new_of_kind(fmi, EXCHANGE);
     assert_int_equal(set_value(fmi, instance, "leg.angle", 3.0), FMI_OK);
     assert_int_equal(set_value(fmi, instance, "foot.y", 0.0), FMI_OK);
@@ -118,9 +113,8 @@ static void refuses_a_body_below_the_ground(void **state) {
     fmi->free(instance);
 }
 
-static void refuses_unknown_references_wrong_types_and_outputs(void **state) {
+FMI_TEST(refuses_unknown_references_wrong_types_and_outputs) {
     const uint32_t none = 100000, text = reference_of("stride.word"), output = reference_of("body.x");
-    const fmi_interface *fmi = *state;
     void *instance = in_continuous_time_mode(fmi);
     double value = 0.0;
     assert_int_equal(fmi->get_reals(instance, &none, 1, &value), FMI_ERROR);
@@ -132,17 +126,15 @@ static void refuses_unknown_references_wrong_types_and_outputs(void **state) {
     fmi->free(instance);
 }
 
-static void refuses_parameters_after_the_start(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(refuses_parameters_after_the_start) {
     void *instance = in_continuous_time_mode(fmi);
     assert_int_equal(set_value(fmi, instance, "body.mass", 2.0), FMI_ERROR);
     assert_non_null(strstr(last_message, "body.mass cannot be set in continuous-time mode"));
     fmi->free(instance);
 }
 
-static void refuses_null_and_wrong_arrays(void **state) {
+FMI_TEST(refuses_null_and_wrong_arrays) {
     const uint32_t reference = 0;
-    const fmi_interface *fmi = *state;
     void *instance = in_event_mode(fmi);
     double values[TDMF_STATE_COUNT];
     char count[8];
@@ -156,11 +148,10 @@ static void refuses_null_and_wrong_arrays(void **state) {
     fmi->free(instance);
 }
 
-static void refuses_bad_experiments(void **state) {
+FMI_TEST(refuses_bad_experiments) {
     static const fmi_experiment bad[] = {{true, 0.0, 0.0, true, 1.0},  {true, NAN, 0.0, true, 1.0},
                                          {true, 1e-6, NAN, true, 1.0}, {true, 1e-6, INFINITY, true, 1.0},
                                          {true, 1e-6, 2.0, true, 1.0}, {true, 1e-6, 0.0, true, NAN}};
-    const fmi_interface *fmi = *state;
     void *instance = new_of_kind(fmi, EXCHANGE);
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
         assert_int_equal(fmi->enter_initialization(instance, &bad[i]), FMI_ERROR);
@@ -169,8 +160,7 @@ static void refuses_bad_experiments(void **state) {
     fmi->free(instance);
 }
 
-static void initialization_shows_what_would_start(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(initialization_shows_what_would_start) {
     void *instance = in_initialization(fmi);
     double derivatives[TDMF_STATE_COUNT], indicators[TDMF_GUARD_COUNT];
     assert_int_equal(set_value(fmi, instance, "foot.vy", -0.5), FMI_OK);
@@ -185,9 +175,8 @@ static void initialization_shows_what_would_start(void **state) {
 
 /* ---- running ------------------------------------------------------------------------------------------ */
 
-static void starts_at_any_time(void **state) {
+FMI_TEST(starts_at_any_time) {
     static const char *const names[] = {"time", "apex.time", "event.last_time"};
-    const fmi_interface *fmi = *state;
     void *instance = new_of_kind(fmi, EXCHANGE);
     initialize_unit_at(fmi, instance, -12.5);
     for (int i = 0; i < 3; ++i) {
@@ -196,10 +185,9 @@ static void starts_at_any_time(void **state) {
     fmi->free(instance);
 }
 
-static void trial_states_give_finite_answers(void **state) {
+FMI_TEST(trial_states_give_finite_answers) {
     static const double wild[] = {0.0, -1.0, 1e-300, -DBL_MAX, DBL_MAX, INFINITY, -INFINITY};
     const int wild_count = (int)(sizeof wild / sizeof wild[0]);
-    const fmi_interface *fmi = *state;
     void *instance = in_continuous_time_mode(fmi);
     for (int element = 0; element < TDMF_STATE_COUNT * wild_count; ++element) {
         double states[TDMF_STATE_COUNT], derivatives[TDMF_STATE_COUNT], indicators[TDMF_GUARD_COUNT];
@@ -221,8 +209,7 @@ static void trial_states_give_finite_answers(void **state) {
 }
 
 /* One state alone is beyond all numbers, and then is none. */
-static void a_state_that_is_not_a_number_is_discarded(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(a_state_that_is_not_a_number_is_discarded) {
     void *instance = in_continuous_time_mode(fmi);
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
         double states[TDMF_STATE_COUNT], after[TDMF_STATE_COUNT], derivatives[TDMF_STATE_COUNT];
@@ -251,8 +238,7 @@ static void update_at(const fmi_interface *fmi, void *instance, const double sta
     assert_int_equal(fmi->update(instance, answer), FMI_OK);
 }
 
-static void event_mode_goes_by_the_guards(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(event_mode_goes_by_the_guards) {
     void *instance = in_continuous_time_mode(fmi);
     double states[TDMF_STATE_COUNT];
     update_answer answer;
@@ -273,8 +259,7 @@ static void event_mode_goes_by_the_guards(void **state) {
     fmi->free(instance);
 }
 
-static void a_fall_freezes_and_asks_to_stop_where_the_parameter_says_so(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(a_fall_freezes_and_asks_to_stop_where_the_parameter_says_so) {
     for (int i = 0; i < 3; ++i) {
         void *instance = new_of_kind(fmi, EXCHANGE);
         const bool stops = i > 0; /* by default, too */
@@ -299,8 +284,7 @@ static void a_fall_freezes_and_asks_to_stop_where_the_parameter_says_so(void **s
     }
 }
 
-static void nominals_follow_the_parameters(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(nominals_follow_the_parameters) {
     for (int early = 0; early < 2; ++early) { /* in initialization mode, and after it */
         double nominals[TDMF_STATE_COUNT];
         void *instance = in_initialization(fmi);
@@ -321,10 +305,9 @@ static void nominals_follow_the_parameters(void **state) {
 }
 
 /* In initialization mode they are those of the run that would start. */
-static void derivatives_are_there_before_the_run(void **state) {
+FMI_TEST(derivatives_are_there_before_the_run) {
     const uint32_t unknown = reference_of("der(foot.vy)"), known = reference_of("leg.length");
     const double seed = 1.0;
-    const fmi_interface *fmi = *state;
     void *instance = in_initialization(fmi);
     double before, after;
     assert_int_equal(set_value(fmi, instance, "leg.stiffness", 3.0), FMI_OK);
@@ -337,10 +320,9 @@ static void derivatives_are_there_before_the_run(void **state) {
 
 /* The page of a calm flight has no push. One that an importer sets acts at once, and its derivative is there
  * before. */
-static void a_push_on_a_calm_flight_acts_at_once(void **state) {
+FMI_TEST(a_push_on_a_calm_flight_acts_at_once) {
     const uint32_t unknown = reference_of("der(leg.angle_rate)"), known = reference_of("body.external_fx");
     const double one = 1.0, step = 1e-3;
-    const fmi_interface *fmi = *state;
     void *instance = in_continuous_time_mode(fmi);
     double exact[2], found[2];
     assert_int_equal(fmi->directional_derivative(instance, &unknown, 1, &known, 1, &one, &exact[0]), FMI_OK);
@@ -353,28 +335,4 @@ static void a_push_on_a_calm_flight_acts_at_once(void **state) {
     assert_close(exact[0], (found[1] - found[0]) / (2.0 * step), 1e-9);
     assert_close(exact[1], exact[0], 1e-12);
     fmi->free(instance);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        IN_BOTH_VERSIONS(a_push_on_a_calm_flight_acts_at_once),
-        IN_BOTH_VERSIONS(values_out_of_range_are_discarded_and_the_old_kept),
-        IN_BOTH_VERSIONS(enumerations_and_booleans_are_set_in_range_only),
-        IN_BOTH_VERSIONS(sets_all_or_nothing),
-        IN_BOTH_VERSIONS(checks_across_variables_wait_for_the_end_of_initialization),
-        IN_BOTH_VERSIONS(refuses_a_body_below_the_ground),
-        IN_BOTH_VERSIONS(refuses_unknown_references_wrong_types_and_outputs),
-        IN_BOTH_VERSIONS(refuses_parameters_after_the_start),
-        IN_BOTH_VERSIONS(refuses_null_and_wrong_arrays),
-        IN_BOTH_VERSIONS(refuses_bad_experiments),
-        IN_BOTH_VERSIONS(initialization_shows_what_would_start),
-        IN_BOTH_VERSIONS(starts_at_any_time),
-        IN_BOTH_VERSIONS(trial_states_give_finite_answers),
-        IN_BOTH_VERSIONS(a_state_that_is_not_a_number_is_discarded),
-        IN_BOTH_VERSIONS(event_mode_goes_by_the_guards),
-        IN_BOTH_VERSIONS(a_fall_freezes_and_asks_to_stop_where_the_parameter_says_so),
-        IN_BOTH_VERSIONS(nominals_follow_the_parameters),
-        IN_BOTH_VERSIONS(derivatives_are_there_before_the_run),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

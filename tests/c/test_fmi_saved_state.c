@@ -54,8 +54,7 @@ static void assert_same(const fmi_interface *fmi, void *a, void *b) {
 }
 
 /* Steps of 0.03 stop in every mode of the stance, the graze of 0.08 included. */
-static void co_simulation_goes_on_as_if_never_stopped(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(co_simulation_goes_on_as_if_never_stopped) {
     bool seen[TDMF_CONTACT_GRAZE + 1] = {false};
     void *straight = new_after(fmi, 11.8);
     for (int i = 0; i < 50; ++i) {
@@ -80,8 +79,7 @@ static void co_simulation_goes_on_as_if_never_stopped(void **state) {
     fmi->free(straight);
 }
 
-static void model_exchange_restores_its_call_state(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(model_exchange_restores_its_call_state) {
     void *saved = NULL;
     double states[TDMF_STATE_COUNT];
     double derivatives[2][TDMF_STATE_COUNT];
@@ -114,8 +112,7 @@ static void *new_failed(const fmi_interface *fmi, void **before) {
     return failed;
 }
 
-static void an_error_is_left_by_an_older_state(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(an_error_is_left_by_an_older_state) {
     void *saved = NULL;
     void *failed = new_failed(fmi, &saved);
     assert_int_equal(fmi->restore(failed, saved), FMI_OK);
@@ -127,8 +124,7 @@ static void an_error_is_left_by_an_older_state(void **state) {
 }
 
 /* Either version's standard lets a failed instance be saved: restored, it has failed. */
-static void an_instance_after_an_error_is_saved_as_such(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(an_instance_after_an_error_is_saved_as_such) {
     unsigned char bytes[SERIALIZED_BYTES];
     step_answer answer;
     void *saved = NULL;
@@ -157,8 +153,7 @@ static void assert_bytes_refused(const fmi_interface *fmi, const unsigned char b
     fmi->free(twin);
 }
 
-static void bytes_that_are_no_state_are_refused(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(bytes_that_are_no_state_are_refused) {
     unsigned char good[SERIALIZED_BYTES] = {0};
     unsigned char bad[SERIALIZED_BYTES];
     void *instance = new_of_kind(fmi, STEPS);
@@ -178,8 +173,7 @@ static void bytes_that_are_no_state_are_refused(void **state) {
     assert_bytes_refused(fmi, bad, size, "another program");
 }
 
-static void states_of_other_interfaces_are_refused(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(states_of_other_interfaces_are_refused) {
     void *saved = NULL;
     int refused = 0;
     for (fmi_kind from = EXCHANGE; from < fmi->kinds; ++from) {
@@ -205,8 +199,7 @@ static void states_of_other_interfaces_are_refused(void **state) {
 }
 
 /* fmusim 0.0.39 frees a state so. It stays the caller's, who has lost it. */
-static void a_state_passed_where_its_address_is_due_is_left_alone(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(a_state_passed_where_its_address_is_due_is_left_alone) {
     void *saved = NULL;
     void *instance = new_after(fmi, 12.0), *twin = new_after(fmi, 12.0);
     assert_int_equal(fmi->save(instance, &saved), FMI_OK);
@@ -290,8 +283,7 @@ static void assert_changed(const fmi_interface *fmi, void *instance) {
     assert_true(value_of(fmi, instance, "solver.relative_tolerance") == 1e-8);
 }
 
-static void a_changed_run_is_resumed(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(a_changed_run_is_resumed) {
     for (fmi_kind kind = EXCHANGE; kind < fmi->kinds; ++kind) {
         unsigned char bytes[SERIALIZED_BYTES];
         void *straight = new_of_kind(fmi, kind), *resumed = new_of_kind(fmi, kind);
@@ -316,8 +308,7 @@ static void a_changed_run_is_resumed(void **state) {
 
 /* Looks into the instance: a field that was forgotten shows itself in other runs only. Nothing is remembered
  * of the last event that was taken. */
-static void a_saved_state_holds_all_of_a_unit(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(a_saved_state_holds_all_of_a_unit) {
     int pending = 0;
     for (fmi_kind kind = EXCHANGE; kind < fmi->kinds; ++kind) {
         void *straight = new_of_kind(fmi, kind);
@@ -344,8 +335,7 @@ static void a_saved_state_holds_all_of_a_unit(void **state) {
 
 /* Saved before initialization or in it, the run begins from the start values that the state holds, but for
  * those set since. */
-static void a_state_from_before_the_start_takes_more_start_values(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(a_state_from_before_the_start_takes_more_start_values) {
     for (int i = 0; i < 2 * (int)fmi->kinds; ++i) {
         const fmi_kind kind = (fmi_kind)(i / 2);
         const bool in_initialization = i % 2 == 1;
@@ -379,8 +369,7 @@ static void a_state_from_before_the_start_takes_more_start_values(void **state) 
 
 /* The state of a run with other parameters: these, what follows from them and what was shown of the old ones
  * are gone. */
-static void restoring_replaces_parameters_and_what_follows_from_them(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(restoring_replaces_parameters_and_what_follows_from_them) {
     const fmi_experiment coarse = {true, 1e-3, 0.0, true, 14.0};
     void *saved = NULL;
     void *light = new_of_kind(fmi, STEPS), *heavy = new_of_kind(fmi, STEPS);
@@ -407,11 +396,11 @@ static void restoring_replaces_parameters_and_what_follows_from_them(void **stat
 }
 
 /* What a run has been does not depend on FMI's version. */
-static void a_state_goes_on_in_the_other_version(void **state) {
+FMI_TEST(a_state_goes_on_in_the_other_version) {
     static const char *const names[] = {"foot.x",          "foot.y",         "leg.length",
                                         "leg.angle",       "foot.vx",        "foot.vy",
                                         "leg.length_rate", "leg.angle_rate", "der(leg.angle_rate)"};
-    const fmi_interface *fmi = *state, *other_version = fmi == &fmi2 ? &fmi3 : &fmi2;
+    const fmi_interface *other_version = fmi == &fmi2 ? &fmi3 : &fmi2;
     for (fmi_kind kind = EXCHANGE; kind <= STEPS; ++kind) {
         unsigned char bytes[SERIALIZED_BYTES];
         void *instance = new_of_kind(fmi, kind), *other = new_of_kind(other_version, kind);
@@ -432,9 +421,8 @@ static void a_state_goes_on_in_the_other_version(void **state) {
 }
 
 /* The stop time and the counters of work go with the run. */
-static void the_stop_time_is_saved(void **state) {
+FMI_TEST(the_stop_time_is_saved) {
     static const char *const counters[] = {"solver.steps", "solver.evaluations"};
-    const fmi_interface *fmi = *state;
     const fmi_experiment ending = {.has_stop = true, .stop = 20.0};
     unsigned char bytes[SERIALIZED_BYTES];
     step_answer answer;
@@ -453,23 +441,4 @@ static void the_stop_time_is_saved(void **state) {
     assert_non_null(strstr(last_message, "stop time"));
     fmi->free(instance);
     fmi->free(other);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        IN_BOTH_VERSIONS(co_simulation_goes_on_as_if_never_stopped),
-        IN_BOTH_VERSIONS(model_exchange_restores_its_call_state),
-        IN_BOTH_VERSIONS(an_error_is_left_by_an_older_state),
-        IN_BOTH_VERSIONS(an_instance_after_an_error_is_saved_as_such),
-        IN_BOTH_VERSIONS(bytes_that_are_no_state_are_refused),
-        IN_BOTH_VERSIONS(states_of_other_interfaces_are_refused),
-        IN_BOTH_VERSIONS(a_state_passed_where_its_address_is_due_is_left_alone),
-        IN_BOTH_VERSIONS(a_changed_run_is_resumed),
-        IN_BOTH_VERSIONS(a_saved_state_holds_all_of_a_unit),
-        IN_BOTH_VERSIONS(a_state_from_before_the_start_takes_more_start_values),
-        IN_BOTH_VERSIONS(restoring_replaces_parameters_and_what_follows_from_them),
-        IN_BOTH_VERSIONS(a_state_goes_on_in_the_other_version),
-        IN_BOTH_VERSIONS(the_stop_time_is_saved),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -35,8 +35,7 @@ static void *new_rising(const fmi_interface *fmi, fmi_kind kind, bool clamp) {
 
 /* ---- as a variable ------------------------------------------------------------------------------------- */
 
-static void it_is_set_before_the_start_and_never_after(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(it_is_set_before_the_start_and_never_after) {
     for (fmi_kind kind = EXCHANGE; kind < fmi->kinds; ++kind) {
         for (int clamp = 0; clamp < 2; ++clamp) {
             void *instance = new_of_kind(fmi, kind);
@@ -77,19 +76,18 @@ static void assert_stride(const fmi_interface *fmi, const reference_gait *gait, 
     fmi->free(instance);
 }
 
-static void strides_are_those_of_the_reference(void **state) {
+FMI_TEST(strides_are_those_of_the_reference) {
     for (int i = 0; i < REFERENCE_GAITS; ++i) {
-        assert_stride(*state, &reference_gaits[i], SOLVER_NATIVE, 1e-10);
+        assert_stride(fmi, &reference_gaits[i], SOLVER_NATIVE, 1e-10);
         if (tdmf_cvode_is_available()) {
-            assert_stride(*state, &reference_gaits[i], SOLVER_CVODE, 1e-7);
+            assert_stride(fmi, &reference_gaits[i], SOLVER_CVODE, 1e-7);
         }
     }
 }
 
 /* ---- torque, indicator, derivatives -------------------------------------------------------------------- */
 
-static void without_it_the_indicator_is_constant_and_the_servo_pulls(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(without_it_the_indicator_is_constant_and_the_servo_pulls) {
     for (int clamp = 0; clamp < 2; ++clamp) {
         double indicators[TDMF_GUARD_COUNT], states[TDMF_STATE_COUNT];
         void *instance = new_rising(fmi, EXCHANGE, clamp == 1);
@@ -107,7 +105,7 @@ static void without_it_the_indicator_is_constant_and_the_servo_pulls(void **stat
     }
 }
 
-static void without_it_derivatives_are_those_of_the_servo(void **state) {
+FMI_TEST(without_it_derivatives_are_those_of_the_servo) {
     static const struct {
         const char *known;
         double of_torque;
@@ -117,7 +115,6 @@ static void without_it_derivatives_are_those_of_the_servo(void **state) {
                    {"hip.kd", -0.5},
                    {"hip.liftoff_angle_factor", -0.06},
                    {"hip.external_torque", 1.0}};
-    const fmi_interface *fmi = *state;
     const uint32_t torque = reference_of("hip.torque");
     for (int clamp = 0; clamp < 2; ++clamp) {
         void *instance = new_rising(fmi, EXCHANGE, clamp == 1);
@@ -136,8 +133,7 @@ static void without_it_derivatives_are_those_of_the_servo(void **state) {
 
 /* ---- saved states -------------------------------------------------------------------------------------- */
 
-static void a_saved_state_takes_the_law_along(void **state) {
-    const fmi_interface *fmi = *state;
+FMI_TEST(a_saved_state_takes_the_law_along) {
     for (int clamp = 0; clamp < 2; ++clamp) {
         unsigned char saved[SERIALIZED_BYTES], ends[2][SERIALIZED_BYTES];
         void *instance = new_rising(fmi, STEPS, clamp == 1), *other = new_of_kind(fmi, STEPS);
@@ -157,9 +153,8 @@ static void a_saved_state_takes_the_law_along(void **state) {
 }
 
 /* A clamp that is neither there nor not is refused, wherever the state has it. */
-static void a_forged_state_has_a_clamp_or_none(void **state) {
+FMI_TEST(a_forged_state_has_a_clamp_or_none) {
     static const double forged[] = {0.5, 2.0}, truth = 1.0;
-    const fmi_interface *fmi = *state;
     unsigned char saved[SERIALIZED_BYTES];
     void *instance = new_rising(fmi, STEPS, true);
     const size_t size = save_bytes(fmi, instance, saved);
@@ -179,16 +174,4 @@ static void a_forged_state_has_a_clamp_or_none(void **state) {
     }
     assert_true(refused >= 2);
     fmi->free(instance);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        IN_BOTH_VERSIONS(it_is_set_before_the_start_and_never_after),
-        IN_BOTH_VERSIONS(strides_are_those_of_the_reference),
-        IN_BOTH_VERSIONS(without_it_the_indicator_is_constant_and_the_servo_pulls),
-        IN_BOTH_VERSIONS(without_it_derivatives_are_those_of_the_servo),
-        IN_BOTH_VERSIONS(a_saved_state_takes_the_law_along),
-        IN_BOTH_VERSIONS(a_forged_state_has_a_clamp_or_none),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,6 +3,7 @@
 #include "further_gaits.h"
 
 #include "compare.h"
+#include "simulation.h"
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/ensemble.h"
 #include "tdmf_slip/return_map.h"
@@ -34,15 +35,13 @@ static void assert_is_gait(const tdmf_motion *motion, const further_gait *furthe
 
 /* ---- by the native solver ------------------------------------------------------------------------------ */
 
-static void the_native_solver_comes_back_to_the_apex(void **state) {
+TEST(the_native_solver_comes_back_to_the_apex) {
     int events = 0;
-    (void)state;
     for (int i = 0; i < FURTHER_GAITS; ++i) {
         const runner runner = runner_at_further_apex(&further_gaits[i]);
         tdmf_event_log log = {0};
         tdmf_motion motion = runner.motion;
-        tdmf_solver solver = tdmf_solver_default();
-        solver.relative_tolerance = tight;
+        tdmf_solver solver = solver_to(tight);
         solver.log = &log;
         assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), DBL_MAX, &motion).closed);
         assert_is_gait(&motion, &further_gaits[i], 1e-9);
@@ -63,7 +62,7 @@ static void assert_lanes_come_back(tdmf_instructions instructions) {
     for (int i = 0; i < FURTHER_GAITS; ++i) {
         const tdmf_ensemble_case its_case = {&models[i], tdmf_default_inputs(), {.max_strides = 1}};
         const tdmf_parameters parameters = parameters_of_further_gait(&further_gaits[i]);
-        assert_null(tdmf_model_create(&models[i], &parameters).variable);
+        models[i] = accepted_model(&parameters);
         cases[i] = its_case;
         cases[i].inputs = inputs_of_further_gait(&further_gaits[i]);
         case_of[i] = i;
@@ -96,9 +95,8 @@ static void assert_lanes_come_back(tdmf_instructions instructions) {
     }
 }
 
-static void lanes_come_back_to_the_apex(void **state) {
+TEST(lanes_come_back_to_the_apex) {
     int sets = 0;
-    (void)state;
     for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
         if (tdmf_has_instructions((tdmf_instructions)set)) {
             assert_lanes_come_back((tdmf_instructions)set);
@@ -112,16 +110,14 @@ static void lanes_come_back_to_the_apex(void **state) {
 
 /* ---- by CVODE ------------------------------------------------------------------------------------------ */
 
-static void cvode_comes_back_to_the_apex(void **state) {
-    (void)state;
+TEST(cvode_comes_back_to_the_apex) {
     if (!tdmf_cvode_is_available()) {
         skip();
     }
     for (int i = 0; i < FURTHER_GAITS; ++i) {
         const runner runner = runner_at_further_apex(&further_gaits[i]);
         tdmf_motion motion = runner.motion;
-        tdmf_solver solver = tdmf_solver_default();
-        solver.relative_tolerance = 1e-12;
+        tdmf_solver solver = solver_to(1e-12);
         /* A hundredth past the apex, in which neither a loss nor the angle of lift-off changes any more but
          * for the damper's, whose leg is at rest by then. */
         assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&runner), &no_rates,
@@ -148,8 +144,7 @@ static tdmf_return stride_of(const further_gait *further, const tdmf_parameters 
     return stride;
 }
 
-static void the_jacobian_is_that_of_the_reference(void **state) {
-    (void)state;
+TEST(the_jacobian_is_that_of_the_reference) {
     for (int i = 0; i < FURTHER_GAITS; ++i) {
         const tdmf_parameters parameters = parameters_of_further_gait(&further_gaits[i]);
         const tdmf_return stride = stride_of(&further_gaits[i], &parameters, NULL);
@@ -171,10 +166,9 @@ static double *const *parameters_of_the_laws(tdmf_parameters *p, double *members
 
 /* By central differences; at the least static friction and thrust by one that looks ahead, of second order as
  * well. */
-static void by_parameters_the_gaits_are_differentiated(void **state) {
+TEST(by_parameters_the_gaits_are_differentiated) {
     const double step = 3e-6;
     int compared = 0, one_sided = 0;
-    (void)state;
     for (int i = 0; i < FURTHER_GAITS; ++i) {
         for (int k = 0; k < LAWS_PARAMETERS; ++k) {
             const tdmf_parameters at = parameters_of_further_gait(&further_gaits[i]);
@@ -211,15 +205,4 @@ static void by_parameters_the_gaits_are_differentiated(void **state) {
     }
     assert_int_equal(compared, (FURTHER_GAITS * LAWS_PARAMETERS - 22) * TDMF_SECTION_COUNT);
     assert_int_equal(one_sided, 16 + 22);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_native_solver_comes_back_to_the_apex),
-        cmocka_unit_test(lanes_come_back_to_the_apex),
-        cmocka_unit_test(cvode_comes_back_to_the_apex),
-        cmocka_unit_test(the_jacobian_is_that_of_the_reference),
-        cmocka_unit_test(by_parameters_the_gaits_are_differentiated),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

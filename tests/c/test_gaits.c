@@ -18,8 +18,7 @@ static const double clamp_time = 1e-8; /* its guard has a dead band of 1e-10, wh
 
 /* ---- one stride ------------------------------------------------------------------------------------- */
 
-static void strides_close_on_the_reference(void **unused) {
-    (void)unused;
+TEST(strides_close_on_the_reference) {
     for (int i = 0; i < REFERENCE_GAITS; ++i) {
         runner runner = runner_at_reference_apex(&reference_gaits[i]);
         runner_stride(&runner, step);
@@ -64,8 +63,7 @@ static int next_event(runner *runner) {
     return kind;
 }
 
-static void events_happen_in_order_and_in_time(void **unused) {
-    (void)unused;
+TEST(events_happen_in_order_and_in_time) {
     for (int i = 0; i < REFERENCE_GAITS; ++i) {
         runner runner = runner_at_reference_apex(&reference_gaits[i]);
         const reference_event *expected = reference_gaits[i].events;
@@ -82,8 +80,7 @@ static void events_happen_in_order_and_in_time(void **unused) {
 }
 
 /* The gait is stable: strides go on alike, event for event. */
-static void strides_repeat(void **unused) {
-    (void)unused;
+TEST(strides_repeat) {
     runner runner = runner_at_reference_apex(&reference_gaits[DEFAULT_GAIT]);
     for (int stride = 1; stride <= 20; ++stride) {
         runner_stride(&runner, step);
@@ -92,13 +89,4 @@ static void strides_repeat(void **unused) {
         assert_relatively_close(runner.motion.record.stride.period, reference_gaits[DEFAULT_GAIT].period,
                                 1e-9);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(strides_close_on_the_reference),
-        cmocka_unit_test(events_happen_in_order_and_in_time),
-        cmocka_unit_test(strides_repeat),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

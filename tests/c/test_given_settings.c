@@ -2,6 +2,7 @@
  * beside a row is another runner's, so a wrong row is another stride. */
 #include "compare.h"
 #include "reference_gaits.h"
+#include "simulation.h"
 
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/ensemble.h"
@@ -29,7 +30,7 @@ static void gather(population *population, int first) {
     static const double values[RUNNERS][ROWS] = {{0.70, 0.69}, {0.71, 0.72}, {0.73, 0.695}};
     const tdmf_parameters parameters = tdmf_default_parameters();
     memset(population, 0, sizeof *population);
-    assert_null(tdmf_model_create(&population->model, &parameters).variable);
+    population->model = accepted_model(&parameters);
     population->setting = tdmf_setting_of("hip.touchdown_angle");
     memcpy(population->values, values, sizeof values);
     const tdmf_given_settings given = {1, &population->setting, first, ROWS, &population->values[0][0]};
@@ -60,10 +61,9 @@ static void assert_strides_by_rows(const population *population, int number, int
     memcpy(apex, population->starts[number], sizeof apex);
     for (int stride = 0; stride < STRIDES; ++stride) {
         const int row = stride < first + 1 ? 0 : 1;
-        tdmf_model model;
         tdmf_parameters parameters = population->model.parameters;
         parameters.hip.touchdown_angle = population->values[number][row];
-        assert_null(tdmf_model_create(&model, &parameters).variable);
+        const tdmf_model model = accepted_model(&parameters);
         const tdmf_return made = tdmf_return_map(&solver, (tdmf_system){&model, &population->its_case.inputs},
                                                  apex, 1e4, false, NULL, 0);
         assert_true(made.outcome == TDMF_RETURN_CLOSED);
@@ -75,8 +75,7 @@ static void assert_strides_by_rows(const population *population, int number, int
 }
 
 /* The first row holds before the first stride that is given, the last row after the last one. */
-static void strides_are_made_with_the_rows_that_are_theirs(void **state) {
-    (void)state;
+TEST(strides_are_made_with_the_rows_that_are_theirs) {
     population population;
     for (int first = 0; first <= 3; ++first) {
         gather(&population, first);
@@ -88,8 +87,7 @@ static void strides_are_made_with_the_rows_that_are_theirs(void **state) {
     }
 }
 
-static void every_row_has_to_be_in_range(void **state) {
-    (void)state;
+TEST(every_row_has_to_be_in_range) {
     population population;
     for (int i = 0; i < RUNNERS * ROWS; ++i) {
         gather(&population, 0);
@@ -102,8 +100,7 @@ static void every_row_has_to_be_in_range(void **state) {
 
 /* ---- going on ----------------------------------------------------------------------------------------- */
 
-static void a_run_that_has_made_its_strides_makes_no_more(void **state) {
-    (void)state;
+TEST(a_run_that_has_made_its_strides_makes_no_more) {
     population population;
     gather(&population, 0);
     population.its_case.rules.max_strides = 2;
@@ -127,8 +124,7 @@ static void make_fall(population *population, int number, int row) {
     }
 }
 
-static void who_has_fallen_stands_nowhere(void **state) {
-    (void)state;
+TEST(who_has_fallen_stands_nowhere) {
     population population;
     gather(&population, 0);
     make_fall(&population, FALLS, 0);
@@ -142,8 +138,7 @@ static void who_has_fallen_stands_nowhere(void **state) {
     assert_true(population.checkpoints[0].stands);
 }
 
-static void who_falls_later_stands_nowhere_then(void **state) {
-    (void)state;
+TEST(who_falls_later_stands_nowhere_then) {
     population population;
     gather(&population, 0);
     make_fall(&population, FALLS, 1);
@@ -155,15 +150,4 @@ static void who_falls_later_stands_nowhere_then(void **state) {
     assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
     assert_int_equal(population.ends[FALLS].fate, TDMF_FATE_FELL);
     assert_false(population.checkpoints[FALLS].stands);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(strides_are_made_with_the_rows_that_are_theirs),
-        cmocka_unit_test(every_row_has_to_be_in_range),
-        cmocka_unit_test(a_run_that_has_made_its_strides_makes_no_more),
-        cmocka_unit_test(who_has_fallen_stands_nowhere),
-        cmocka_unit_test(who_falls_later_stands_nowhere_then),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

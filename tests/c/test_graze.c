@@ -1,6 +1,7 @@
 /* Runs through graze, followed by every solver. */
 #include "compare.h"
 #include "scene.h"
+#include "simulation.h"
 
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/ensemble.h"
@@ -17,7 +18,7 @@ static runner runner_that_passes_upright(void) {
     const tdmf_parameters parameters = tdmf_default_parameters();
     const double start[TDMF_STATE_COUNT] = {
         [TDMF_LEG_LENGTH] = 0.95, [TDMF_LEG_ANGLE] = 0.05, [TDMF_LEG_ANGLE_RATE] = -0.6};
-    assert_null(tdmf_model_create(&runner.model, &parameters).variable);
+    runner.model = accepted_model(&parameters);
     runner.inputs.ground.slope = 0.4;
     memcpy(runner.motion.state, start, sizeof start);
     runner_start(&runner);
@@ -26,9 +27,7 @@ static runner runner_that_passes_upright(void) {
     return runner;
 }
 
-typedef tdmf_outcome advance(tdmf_solver *, tdmf_system, const tdmf_inputs *, double, tdmf_motion *);
-
-static tdmf_event_log events_until(advance *solve, double end) {
+static tdmf_event_log events_until(solver_call *solve, double end) {
     const runner runner = runner_that_passes_upright();
     tdmf_motion motion = {.mode = runner.motion.mode, .record = runner.motion.record};
     tdmf_solver solver = tdmf_solver_default();
@@ -55,14 +54,12 @@ static void assert_slips_after_mid_stance(const tdmf_event_log *log) {
     assert_int_equal(unloaded->after.contact, TDMF_CONTACT_GRAZE);
 }
 
-static void a_leg_that_passes_upright_in_graze_ends_its_drive(void **state) {
-    (void)state;
+TEST(a_leg_that_passes_upright_in_graze_ends_its_drive) {
     const tdmf_event_log log = events_until(tdmf_native_advance, 0.3);
     assert_slips_after_mid_stance(&log);
 }
 
-static void by_cvode_too(void **state) {
-    (void)state;
+TEST(by_cvode_too) {
     if (!tdmf_cvode_is_available()) {
         skip();
     }
@@ -70,8 +67,7 @@ static void by_cvode_too(void **state) {
     assert_slips_after_mid_stance(&log);
 }
 
-static void and_by_whoever_integrates_the_equations(void **state) {
-    (void)state;
+TEST(and_by_whoever_integrates_the_equations) {
     runner runner = runner_that_passes_upright();
     while (runner.motion.mode.contact == TDMF_CONTACT_GRAZE) {
         assert_true(runner_advance(&runner, 1e-3) && runner.motion.time < 0.1);
@@ -86,7 +82,6 @@ static void and_by_whoever_integrates_the_equations(void **state) {
 /* A runner with a light foot that is pushed over a slope and passes upright in graze. */
 static tdmf_model model_of_stride(tdmf_inputs *inputs) {
     tdmf_parameters parameters = tdmf_default_parameters();
-    tdmf_model model;
     *inputs = tdmf_default_inputs();
     parameters.gravity = 0.0046;
     parameters.ground.static_friction_ratio = 1.6;
@@ -102,7 +97,7 @@ static tdmf_model model_of_stride(tdmf_inputs *inputs) {
     inputs->ground.slope = 0.04;
     inputs->body.external_fx = 0.001;
     inputs->body.external_fy = 0.0004;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    const tdmf_model model = accepted_model(&parameters);
     return model;
 }
 
@@ -121,14 +116,13 @@ static tdmf_event_log events_of_stride(tdmf_motion *motion) {
     return log;
 }
 
-static void a_stride_in_lanes_passes_upright_in_graze(void **state) {
+TEST(a_stride_in_lanes_passes_upright_in_graze) {
     tdmf_inputs inputs;
     const tdmf_model model = model_of_stride(&inputs);
     const tdmf_ensemble_case its_case = {.model = &model, .inputs = inputs, .rules = {.max_strides = 1}};
     tdmf_motion motion = {0};
     const tdmf_event_log log = events_of_stride(&motion);
     int instruction_sets = 0, upright_in_graze = 0;
-    (void)state;
     for (int i = 0; i < log.count; ++i) {
         upright_in_graze += log.events[i].guard == TDMF_GUARD_MID_STANCE &&
                             log.events[i].before.contact == TDMF_CONTACT_GRAZE;
@@ -182,10 +176,9 @@ static int kinks_until_exit(runner *runner) {
 /* The clamp is no event in graze, but the law under which the foot may lift off is another beyond it. Where
  * the foot is loaded by coast, with no torque either, the band between the laws has closed by then: this is
  * of drive. */
-static void a_foot_leaves_graze_by_the_law_beyond_the_kink_of_the_clamp(void **state) {
+TEST(a_foot_leaves_graze_by_the_law_beyond_the_kink_of_the_clamp) {
     random_source source = {77};
     int compared = 0, lifted = 0;
-    (void)state;
     for (int i = 0; i < 40000; ++i) {
         runner at = scene_random(&source, TDMF_CONTACT_GRAZE);
         at.motion.mode.mid_stance_pending = at.motion.state[TDMF_LEG_ANGLE] > 0.0;
@@ -210,15 +203,4 @@ static void a_foot_leaves_graze_by_the_law_beyond_the_kink_of_the_clamp(void **s
         lifted += plain.motion.mode.contact == TDMF_CONTACT_FLIGHT;
     }
     assert_true(compared >= 30 && lifted >= 10);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_leg_that_passes_upright_in_graze_ends_its_drive),
-        cmocka_unit_test(by_cvode_too),
-        cmocka_unit_test(and_by_whoever_integrates_the_equations),
-        cmocka_unit_test(a_stride_in_lanes_passes_upright_in_graze),
-        cmocka_unit_test(a_foot_leaves_graze_by_the_law_beyond_the_kink_of_the_clamp),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
 #include "compare.h"
 #include "reference_gaits.h"
 #include "scene.h"
+#include "simulation.h"
 
 #include <float.h>
 #include <math.h>
@@ -37,7 +38,7 @@ static run run_of_length(double length, double height, double slope) {
     const tdmf_parameters parameters = parameters_of(length);
     const double *apex = (const double *)&reference_gaits[DEFAULT_GAIT].apex;
     double section[TDMF_SECTION_COUNT], scales[TDMF_SECTION_COUNT];
-    assert_null(tdmf_model_create(&run.model, &parameters).variable);
+    run.model = accepted_model(&parameters);
     tdmf_section_scales(&run.model, scales);
     for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
         section[i] = apex[i] * scales[i];
@@ -89,10 +90,9 @@ static const tdmf_event *event_of(const run *run, tdmf_guard guard) {
 
 /* ---- when a new line is in force ----------------------------------------------------------------------- */
 
-static void a_line_below_a_foot_in_flight_is_in_force_at_once_as_one_event(void **state) {
+TEST(a_line_below_a_foot_in_flight_is_in_force_at_once_as_one_event) {
     run run = run_at_apex(0.0, 0.0);
     const int events = run.motion.record.event_count;
-    (void)state;
     set_line(&run, -0.1, 0.02);
     assert_false(waits(&run));
     assert_true(run.motion.mode.ground.height == -0.1 && run.motion.mode.ground.slope == 0.02);
@@ -103,19 +103,17 @@ static void a_line_below_a_foot_in_flight_is_in_force_at_once_as_one_event(void 
     assert_close(touchdown->state[TDMF_FOOT_Y], -0.1 + touchdown->state[TDMF_FOOT_X] * tan(0.02), 1e-12);
 }
 
-static void the_same_line_set_again_is_no_event(void **state) {
+TEST(the_same_line_set_again_is_no_event) {
     run run = run_at_apex(0.3, 0.01);
     const int events = run.motion.record.event_count;
-    (void)state;
     set_line(&run, 0.3, 0.01);
     assert_false(waits(&run));
     assert_int_equal(run.motion.record.event_count, events);
 }
 
 /* A step under a stance: until lift-off the old ground is the ground. */
-static void a_foot_that_stands_keeps_its_ground(void **state) {
+TEST(a_foot_that_stands_keeps_its_ground) {
     run run = run_at_apex(0.0, 0.0);
-    (void)state;
     assert_int_equal(go_to(&run, 12.5), TDMF_ARRIVED);
     assert_true(tdmf_in_contact(&run.motion.mode));
     set_line(&run, -0.05, 0.0);
@@ -132,10 +130,9 @@ static void a_foot_that_stands_keeps_its_ground(void **state) {
 }
 
 /* A step up under a stance: the foot leaves from below it, and passes it on its way up. */
-static void a_foot_below_a_new_step_passes_it_on_its_way_up(void **state) {
+TEST(a_foot_below_a_new_step_passes_it_on_its_way_up) {
     static const double step = 0.03;
     run run = run_at_apex(0.0, 0.0);
-    (void)state;
     assert_int_equal(go_to(&run, 12.5), TDMF_ARRIVED);
     set_line(&run, step, 0.0);
     stride(&run);
@@ -150,9 +147,8 @@ static void a_foot_below_a_new_step_passes_it_on_its_way_up(void **state) {
 }
 
 /* Never above it, the foot lands on the old ground, fall and section included. */
-static void a_foot_that_stays_below_a_new_step_runs_on_the_old_ground(void **state) {
+TEST(a_foot_that_stays_below_a_new_step_runs_on_the_old_ground) {
     run high = run_at_apex(0.0, 0.0), plain = run_at_apex(0.0, 0.0);
-    (void)state;
     set_line(&high, 100.0, 0.3);
     for (int i = 0; i < 3; ++i) {
         stride(&high);
@@ -164,10 +160,9 @@ static void a_foot_that_stays_below_a_new_step_runs_on_the_old_ground(void **sta
     }
 }
 
-static void the_last_line_set_replaces_one_that_waits(void **state) {
+TEST(the_last_line_set_replaces_one_that_waits) {
     run run = run_at_apex(0.0, 0.0);
     const int events = run.motion.record.event_count;
-    (void)state;
     set_line(&run, 50.0, 0.1);
     assert_true(waits(&run));
     set_line(&run, 60.0, -0.1);
@@ -182,11 +177,10 @@ static void the_last_line_set_replaces_one_that_waits(void **state) {
 }
 
 /* The next apex is that of a runner that is lower by the step. */
-static void a_step_set_at_an_apex_shifts_its_height_by_its_own_and_no_more(void **state) {
+TEST(a_step_set_at_an_apex_shifts_its_height_by_its_own_and_no_more) {
     static const double step = 0.02;
     run stepped = run_at_apex(0.0, 0.0), lower = run_at_apex(0.0, 0.0);
     double section[TDMF_SECTION_COUNT];
-    (void)state;
     set_line(&stepped, step, 0.0);
     stride(&stepped);
     memcpy(section, &reference_gaits[DEFAULT_GAIT].apex, sizeof section);
@@ -205,14 +199,13 @@ static void a_step_set_at_an_apex_shifts_its_height_by_its_own_and_no_more(void 
 }
 
 /* A foot within 1e-12 l0 of a line is not above it yet, however it moves. */
-static void a_new_line_is_in_force_below_the_foot(void **state) {
+TEST(a_new_line_is_in_force_below_the_foot) {
     static const double beside = 0.9e-12, apart = 2e-12;
     static const struct {
         double height, rate;
         bool in_force;
     } cases[] = {{-beside, 1.0, false}, {-beside, 0.0, false}, {-beside, -1.0, false}, {beside, -1.0, false},
                  {beside, 1.0, false},  {apart, -1.0, true},   {-apart, 1.0, false}};
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         runner runner = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
         runner.motion.state[TDMF_FOOT_VY] = 0.01 * cases[i].rate;
@@ -237,9 +230,8 @@ static runner standing_on(double height, double slope) {
     return runner;
 }
 
-static void a_start_beside_the_ground_is_one_on_it(void **state) {
+TEST(a_start_beside_the_ground_is_one_on_it) {
     static const double off[] = {0.0, 0.9e-12, -0.9e-12};
-    (void)state;
     for (int i = 0; i < 3; ++i) {
         runner runner = standing_on(0.4, 0.1);
         runner.motion.state[TDMF_FOOT_Y] += off[i];
@@ -253,9 +245,8 @@ static void a_start_beside_the_ground_is_one_on_it(void **state) {
     }
 }
 
-static void a_start_below_the_ground_is_refused(void **state) {
+TEST(a_start_below_the_ground_is_refused) {
     runner runner = standing_on(0.4, 0.1);
-    (void)state;
     runner.motion.state[TDMF_FOOT_Y] -= 2e-12;
     runner.motion.time = 0.0;
     const tdmf_refusal foot = tdmf_start(SYSTEM_OF(&runner), &runner.motion);
@@ -273,9 +264,8 @@ static double kinetic_energy(const runner *runner) {
     return tdmf_mechanical_energy(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).kinetic;
 }
 
-static void at_no_impact_on_any_slope_does_kinetic_energy_rise(void **state) {
+TEST(at_no_impact_on_any_slope_does_kinetic_energy_rise) {
     random_source source = {31};
-    (void)state;
     for (int i = 0; i < 10000; ++i) {
         runner runner = scene_random(&source, TDMF_CONTACT_FLIGHT);
         runner.motion.mode.ground = tdmf_ground_line_of(0.0, random_uniform(&source, -0.99, 0.99));
@@ -304,11 +294,10 @@ static void assert_same_strides(const tdmf_stride *a, const tdmf_stride *b, doub
 }
 
 /* Up with the ground, or along it: the pivot of a line is no place on it. */
-static void a_runner_that_is_moved_with_its_ground_runs_alike(void **state) {
+TEST(a_runner_that_is_moved_with_its_ground_runs_alike) {
     static const double slopes[] = {-0.07, 0.0, 0.02};
     static const double shifts[][2] = {{0.0, 0.7}, {40.0, 0.0}, {-3.0, 10.0}};
     int compared = 0;
-    (void)state;
     for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k) {
             run here = run_at_apex(0.0, slopes[i]), there = run_at_apex(0.0, slopes[i]);
@@ -345,7 +334,7 @@ static bool begin_random(random_source *source, run *run) {
     p.hip.swing_clamp = random_truth(*source);
     *run = run_at_apex(random_uniform(source, -1.0, 1.0), random_uniform(source, -0.3, 0.2));
     run->inputs.ground.friction = random_magnitude(source, 0.05, 5.0);
-    assert_null(tdmf_model_create(&run->model, &p).variable);
+    run->model = accepted_model(&p);
     memcpy(section, &reference_gaits[DEFAULT_GAIT].apex, sizeof section);
     section[TDMF_SECTION_COM_HEIGHT] += random_uniform(source, -0.2, 0.2);
     section[TDMF_SECTION_COM_SPEED] *= random_uniform(source, 0.3, 1.3);
@@ -364,10 +353,9 @@ static void assert_no_guard_is_missed(const run *run, const tdmf_event *event) {
     }
 }
 
-static void every_event_on_a_slope_is_where_its_guard_is_zero(void **state) {
+TEST(every_event_on_a_slope_is_where_its_guard_is_zero) {
     enum { RUNS = 600 };
     int seen[TDMF_GUARD_COUNT] = {0}, apexes_in_graze = 0;
-    (void)state;
     for (uint64_t seed = 0; seed < RUNS; ++seed) {
         random_source source = {seed};
         run run;
@@ -421,11 +409,10 @@ static void assert_is_sound(const run *run, double start_energy) {
 
 /* Places up there are rounded to more than the margins of guards, which must not keep a foot at its line from
  * touching down. */
-static void a_runner_on_a_slope_far_up_or_down_runs_on(void **state) {
+TEST(a_runner_on_a_slope_far_up_or_down_runs_on) {
     static const double heights[] = {9e10, -9e10, 3e9, -3e9, 1e8, -1e8, 7e4};
     static const double length = 1e-3, slope = 5e-3;
     enum { STRIDES = 50 };
-    (void)state;
     for (size_t i = 0; i < sizeof heights / sizeof heights[0]; ++i) {
         run near = run_of_length(length, 0.0, slope);
         run far = run_of_length(length, heights[i] * length, slope);
@@ -440,10 +427,9 @@ static void a_runner_on_a_slope_far_up_or_down_runs_on(void **state) {
 }
 
 /* Friction is low and high, and the line may change at any moment. */
-static void random_runs_over_lines_that_change_stay_on_or_above_them(void **state) {
+TEST(random_runs_over_lines_that_change_stay_on_or_above_them) {
     enum { RUNS = 400, PARTS = 60 };
     int in_force[2] = {0, 0}, waited = 0, fell = 0, touchdowns = 0;
-    (void)state;
     for (uint64_t seed = 0; seed < RUNS; ++seed) {
         random_source source = {seed};
         run run = run_at_apex(0.0, 0.0);
@@ -464,25 +450,4 @@ static void random_runs_over_lines_that_change_stay_on_or_above_them(void **stat
         fell += outcome == TDMF_FELL;
     }
     assert_true(in_force[0] > 500 && in_force[1] > 500 && waited > 500 && fell > 50 && touchdowns > 500);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_line_below_a_foot_in_flight_is_in_force_at_once_as_one_event),
-        cmocka_unit_test(the_same_line_set_again_is_no_event),
-        cmocka_unit_test(a_foot_that_stands_keeps_its_ground),
-        cmocka_unit_test(a_foot_below_a_new_step_passes_it_on_its_way_up),
-        cmocka_unit_test(a_foot_that_stays_below_a_new_step_runs_on_the_old_ground),
-        cmocka_unit_test(the_last_line_set_replaces_one_that_waits),
-        cmocka_unit_test(a_step_set_at_an_apex_shifts_its_height_by_its_own_and_no_more),
-        cmocka_unit_test(a_new_line_is_in_force_below_the_foot),
-        cmocka_unit_test(a_start_beside_the_ground_is_one_on_it),
-        cmocka_unit_test(a_start_below_the_ground_is_refused),
-        cmocka_unit_test(at_no_impact_on_any_slope_does_kinetic_energy_rise),
-        cmocka_unit_test(a_runner_that_is_moved_with_its_ground_runs_alike),
-        cmocka_unit_test(every_event_on_a_slope_is_where_its_guard_is_zero),
-        cmocka_unit_test(a_runner_on_a_slope_far_up_or_down_runs_on),
-        cmocka_unit_test(random_runs_over_lines_that_change_stay_on_or_above_them),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

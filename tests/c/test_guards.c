@@ -26,8 +26,7 @@ static void raise_foot(runner *runner, double height) {
     runner->motion.state[TDMF_FOOT_Y] = height;
 }
 
-static void touchdown_watches_the_foots_height(void **unused) {
-    (void)unused;
+TEST(touchdown_watches_the_foots_height) {
     assert_guards(scene_in_flight(TDMF_PHASE_PLACE, -0.1), TDMF_GUARD_TOUCHDOWN, raise_foot, margin);
     assert_guards(scene_in_flight(TDMF_PHASE_RETRACT, 0.1), TDMF_GUARD_TOUCHDOWN, raise_foot, margin);
 }
@@ -42,8 +41,7 @@ static void assert_apex(runner runner, placement put) {
     }
 }
 
-static void apex_watches_the_climb(void **unused) {
-    (void)unused;
+TEST(apex_watches_the_climb) {
     runner in_flight = scene_in_flight(TDMF_PHASE_RETRACT, 0.1);
     in_flight.motion.state[TDMF_LEG_ANGLE_RATE] = 0.3;
     in_flight.motion.state[TDMF_LEG_ANGLE] = -0.7;
@@ -64,8 +62,7 @@ static void set_negative_retract_argument(runner *runner, double argument) {
     set_retract_argument(runner, -argument);
 }
 
-static void clamp_watches_its_argument_either_way(void **unused) {
-    (void)unused;
+TEST(clamp_watches_its_argument_either_way) {
     runner runner = scene_in_flight(TDMF_PHASE_RETRACT, 0.1);
     runner.motion.mode.liftoff_angle = -0.4;
     runner.motion.mode.clamp_closed = false;
@@ -76,8 +73,7 @@ static void clamp_watches_its_argument_either_way(void **unused) {
 
 /* ---- in contact ------------------------------------------------------------------------------------- */
 
-static void lift_off_watches_the_vertical_force(void **unused) {
-    (void)unused;
+TEST(lift_off_watches_the_vertical_force) {
     for (int contact = TDMF_CONTACT_STICK; contact <= TDMF_CONTACT_SLIP_NEGATIVE; ++contact) {
         const runner runner = scene_on_ground((tdmf_contact_mode)contact, -0.4, 0.1);
         assert_guards(runner, TDMF_GUARD_LIFT_OFF, scene_set_vertical_force, margin);
@@ -92,8 +88,7 @@ static void set_cone(runner *runner, double distance) {
     runner->inputs.ground.friction = (across + distance) / force;
 }
 
-static void slip_onset_watches_the_edges_of_the_cone(void **unused) {
-    (void)unused;
+TEST(slip_onset_watches_the_edges_of_the_cone) {
     const runner ahead = scene_on_ground(TDMF_CONTACT_STICK, 0.5, 0.1);
     const runner behind = scene_on_ground(TDMF_CONTACT_STICK, -0.5, 0.1);
     assert_guards(ahead, TDMF_GUARD_SLIP_ONSET_POSITIVE, set_cone, margin);
@@ -104,8 +99,7 @@ static void set_slip_speed(runner *runner, double speed) {
     runner->motion.state[TDMF_FOOT_VX] = speed * tdmf_slip_sign(&runner->motion.mode);
 }
 
-static void slip_velocity_zero_watches_the_speed_of_slip(void **unused) {
-    (void)unused;
+TEST(slip_velocity_zero_watches_the_speed_of_slip) {
     const runner forward = scene_on_ground(TDMF_CONTACT_SLIP_POSITIVE, 0.3, 0.1);
     const runner backward = scene_on_ground(TDMF_CONTACT_SLIP_NEGATIVE, 0.3, 0.1);
     assert_guards(forward, TDMF_GUARD_SLIP_VELOCITY_ZERO, set_slip_speed, margin);
@@ -116,8 +110,7 @@ static void set_leg_angle(runner *runner, double angle) {
     runner->motion.state[TDMF_LEG_ANGLE] = angle;
 }
 
-static void mid_stance_watches_the_leg_angle(void **unused) {
-    (void)unused;
+TEST(mid_stance_watches_the_leg_angle) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.3, 0.1);
     runner.motion.mode.phase = TDMF_PHASE_DRIVE;
     runner.motion.mode.mid_stance_pending = true;
@@ -133,8 +126,7 @@ static void set_negative_force_rate(runner *runner, double rate) {
     set_force_rate(runner, -rate);
 }
 
-static void force_peak_watches_the_rate_either_way(void **unused) {
-    (void)unused;
+TEST(force_peak_watches_the_rate_either_way) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.1);
     runner.motion.mode.ground_force_rising = true;
     assert_guards(runner, TDMF_GUARD_FORCE_PEAK, set_force_rate, dead_band);
@@ -153,8 +145,7 @@ static void set_negative_rate_on_slope(runner *runner, double rate) {
     set_rate_on_slope(runner, -rate);
 }
 
-static void vertical_force_peak_watches_its_rate_on_a_slope(void **unused) {
-    (void)unused;
+TEST(vertical_force_peak_watches_its_rate_on_a_slope) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.1);
     assert_true(scene_guard(&runner, TDMF_GUARD_VERTICAL_FORCE_PEAK) == 1.0);
     runner.motion.mode.ground = tdmf_ground_line_of(0.0, 0.1);
@@ -171,8 +162,7 @@ static void set_lift_of_stance_law(runner *runner, double lift) {
     scene_set_vertical_force(runner, -lift);
 }
 
-static void graze_to_contact_watches_the_stance_law(void **unused) {
-    (void)unused;
+TEST(graze_to_contact_watches_the_stance_law) {
     runner runner = scene_on_ground(TDMF_CONTACT_GRAZE, -0.4, 0.0);
     assert_guards(runner, TDMF_GUARD_GRAZE_TO_CONTACT, set_lift_of_stance_law, margin);
     runner.inputs.hip.external_torque = 0.05;
@@ -180,8 +170,7 @@ static void graze_to_contact_watches_the_stance_law(void **unused) {
 }
 
 /* With gains of zero the flight law applies nothing and the leg alone loads the foot. */
-static void graze_to_flight_watches_the_flight_law(void **unused) {
-    (void)unused;
+TEST(graze_to_flight_watches_the_flight_law) {
     runner runner = scene_on_ground(TDMF_CONTACT_GRAZE, -0.4, 0.0);
     runner.model.parameters.hip.kp = 0.0;
     runner.model.parameters.hip.kd = 0.0;
@@ -197,8 +186,7 @@ static void hang_body(runner *runner, double height) {
         height - runner->motion.state[TDMF_LEG_LENGTH] * cos(runner->motion.state[TDMF_LEG_ANGLE]);
 }
 
-static void body_down_watches_the_bodys_height(void **unused) {
-    (void)unused;
+TEST(body_down_watches_the_bodys_height) {
     runner runner = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
     runner.motion.state[TDMF_LEG_ANGLE] = 2.0;
     runner.motion.state[TDMF_LEG_LENGTH] = 0.8;
@@ -209,8 +197,7 @@ static void set_spare_length(runner *runner, double length) {
     runner->motion.state[TDMF_LEG_LENGTH] = runner->model.parameters.leg.min_length + length;
 }
 
-static void leg_too_short_watches_its_length(void **unused) {
-    (void)unused;
+TEST(leg_too_short_watches_its_length) {
     assert_guards(scene_in_flight(TDMF_PHASE_PLACE, -0.1), TDMF_GUARD_LEG_TOO_SHORT, set_spare_length,
                   margin);
     assert_guards(scene_on_ground(TDMF_CONTACT_STICK, 0.1, 0.1), TDMF_GUARD_LEG_TOO_SHORT, set_spare_length,
@@ -236,8 +223,7 @@ static const char *watched_guards(const tdmf_mode *mode) {
     }
 }
 
-static void guards_of_other_modes_are_one(void **unused) {
-    (void)unused;
+TEST(guards_of_other_modes_are_one) {
     random_source source = {41};
     for (int i = 0; i < 500; ++i) {
         const runner runner = scene_random(&source, (tdmf_contact_mode)(TDMF_CONTACT_FLIGHT + i % 5));
@@ -254,8 +240,7 @@ static void guards_of_other_modes_are_one(void **unused) {
     }
 }
 
-static void fallen_run_watches_nothing(void **unused) {
-    (void)unused;
+TEST(fallen_run_watches_nothing) {
     random_source source = {42};
     runner runner = scene_random(&source, TDMF_CONTACT_FLIGHT);
     runner.motion.mode.fallen = true;
@@ -263,25 +248,4 @@ static void fallen_run_watches_nothing(void **unused) {
     for (int guard = 0; guard < TDMF_GUARD_COUNT; ++guard) {
         assert_true(scene_guard(&runner, (tdmf_guard)guard) == 1.0);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(touchdown_watches_the_foots_height),
-        cmocka_unit_test(apex_watches_the_climb),
-        cmocka_unit_test(clamp_watches_its_argument_either_way),
-        cmocka_unit_test(lift_off_watches_the_vertical_force),
-        cmocka_unit_test(slip_onset_watches_the_edges_of_the_cone),
-        cmocka_unit_test(slip_velocity_zero_watches_the_speed_of_slip),
-        cmocka_unit_test(mid_stance_watches_the_leg_angle),
-        cmocka_unit_test(force_peak_watches_the_rate_either_way),
-        cmocka_unit_test(vertical_force_peak_watches_its_rate_on_a_slope),
-        cmocka_unit_test(graze_to_contact_watches_the_stance_law),
-        cmocka_unit_test(graze_to_flight_watches_the_flight_law),
-        cmocka_unit_test(body_down_watches_the_bodys_height),
-        cmocka_unit_test(leg_too_short_watches_its_length),
-        cmocka_unit_test(guards_of_other_modes_are_one),
-        cmocka_unit_test(fallen_run_watches_nothing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -26,8 +26,7 @@ static runner leg_in_drive(void) {
 }
 
 /* The first correction: in forward running theta falls, and the stance torque must do positive work. */
-static void drive_does_positive_work_in_forward_running(void **unused) {
-    (void)unused;
+TEST(drive_does_positive_work_in_forward_running) {
     runner runner = leg_in_drive();
     runner.motion.state[TDMF_LEG_ANGLE_RATE] = -1.0;
     double derivatives[TDMF_STATE_COUNT];
@@ -36,23 +35,20 @@ static void drive_does_positive_work_in_forward_running(void **unused) {
     assert_close(derivatives[TDMF_HIP_WORK], 0.2, 1e-17);
 }
 
-static void coast_applies_nothing(void **unused) {
-    (void)unused;
+TEST(coast_applies_nothing) {
     const runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.3, 0.3);
     assert_true(torque_of(&runner) == 0.0);
 }
 
 /* The second correction: retract stops the leg's backward swing with a positive torque... */
-static void retract_stops_the_backward_swing(void **unused) {
-    (void)unused;
+TEST(retract_stops_the_backward_swing) {
     const runner runner = leg_in_flight(TDMF_PHASE_RETRACT, -0.5, -1.0);
     assert_close(torque_of(&runner), -0.1 * (-0.5 + 0.6) + 0.1, 1e-16);
     assert_true(torque_of(&runner) > 0.0);
 }
 
 /* With the clamp its torque is never negative. */
-static void retract_pulls_back_without_the_clamp_alone(void **unused) {
-    (void)unused;
+TEST(retract_pulls_back_without_the_clamp_alone) {
     random_source source = {31};
     for (int i = 0; i < 1000; ++i) {
         const double angle = random_uniform(&source, -1.5, 1.5);
@@ -66,8 +62,7 @@ static void retract_pulls_back_without_the_clamp_alone(void **unused) {
 }
 
 /* While the clamp stands as last located the torque is smooth, or a solver could not step up to the kink. */
-static void clamp_stays_as_located(void **unused) {
-    (void)unused;
+TEST(clamp_stays_as_located) {
     runner opening = leg_in_flight(TDMF_PHASE_RETRACT, -0.6, -1e-11);
     runner closing = leg_in_flight(TDMF_PHASE_RETRACT, -0.6, 1e-11);
     opening.motion.mode.clamp_closed = true;
@@ -75,8 +70,7 @@ static void clamp_stays_as_located(void **unused) {
     assert_close(torque_of(&closing), -1e-12, 1e-16);
 }
 
-static void place_swings_to_the_touchdown_angle(void **unused) {
-    (void)unused;
+TEST(place_swings_to_the_touchdown_angle) {
     const runner behind = leg_in_flight(TDMF_PHASE_PLACE, -0.5, 0.0);
     const runner there = leg_in_flight(TDMF_PHASE_PLACE, touchdown_angle, 0.0);
     const runner beyond = leg_in_flight(TDMF_PHASE_PLACE, 1.0, 0.5);
@@ -86,8 +80,7 @@ static void place_swings_to_the_touchdown_angle(void **unused) {
 }
 
 /* -kp (theta - theta0 + omega s) - kd (thetadot + omega), s after place began. */
-static void place_follows_a_leg_that_is_retracted(void **unused) {
-    (void)unused;
+TEST(place_follows_a_leg_that_is_retracted) {
     random_source source = {33};
     for (int i = 0; i < 1000; ++i) {
         const double angle = random_uniform(&source, -1.5, 1.5), rate = random_uniform(&source, -2.0, 2.0);
@@ -108,8 +101,7 @@ static void place_follows_a_leg_that_is_retracted(void **unused) {
     }
 }
 
-static void external_torque_adds_to_the_law(void **unused) {
-    (void)unused;
+TEST(external_torque_adds_to_the_law) {
     runner runners[] = {
         leg_in_drive(),
         scene_on_ground(TDMF_CONTACT_SLIP_POSITIVE, -0.3, 0.3),
@@ -124,8 +116,7 @@ static void external_torque_adds_to_the_law(void **unused) {
 }
 
 /* In graze the total is what keeps the foot unloaded at the ground, whatever is added from outside. */
-static void graze_torque_unloads_the_foot(void **unused) {
-    (void)unused;
+TEST(graze_torque_unloads_the_foot) {
     random_source source = {32};
     for (int i = 0; i < 1000; ++i) {
         runner runner = scene_random(&source, TDMF_CONTACT_GRAZE);
@@ -140,8 +131,7 @@ static void graze_torque_unloads_the_foot(void **unused) {
 }
 
 /* Graze ends where the ground force under either law has the sign that the law must not give it. */
-static void graze_is_watched_by_the_ground_force_under_either_law(void **unused) {
-    (void)unused;
+TEST(graze_is_watched_by_the_ground_force_under_either_law) {
     runner runner = leg_in_drive();
     runner.inputs.hip.external_torque = 0.05;
     const double stance =
@@ -153,20 +143,4 @@ static void graze_is_watched_by_the_ground_force_under_either_law(void **unused)
         tdmf_sticking_force(SYSTEM_OF(&runner), &runner.motion.mode, law, runner.motion.state).normal;
     assert_close(scene_guard(&runner, TDMF_GUARD_GRAZE_TO_CONTACT), -stance, 1e-12);
     assert_close(scene_guard(&runner, TDMF_GUARD_GRAZE_TO_FLIGHT), flight, 1e-12);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(drive_does_positive_work_in_forward_running),
-        cmocka_unit_test(coast_applies_nothing),
-        cmocka_unit_test(retract_stops_the_backward_swing),
-        cmocka_unit_test(retract_pulls_back_without_the_clamp_alone),
-        cmocka_unit_test(clamp_stays_as_located),
-        cmocka_unit_test(place_swings_to_the_touchdown_angle),
-        cmocka_unit_test(place_follows_a_leg_that_is_retracted),
-        cmocka_unit_test(external_torque_adds_to_the_law),
-        cmocka_unit_test(graze_torque_unloads_the_foot),
-        cmocka_unit_test(graze_is_watched_by_the_ground_force_under_either_law),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -80,8 +80,7 @@ static bool put_at_impact(runner *runner) {
     return foot.vy < 0.0;
 }
 
-static void random_impacts_obey_newton_and_coulomb(void **unused) {
-    (void)unused;
+TEST(random_impacts_obey_newton_and_coulomb) {
     random_source source = {11};
     int impacts = 0;
     for (int i = 0; i < 10000; ++i) {
@@ -96,8 +95,7 @@ static void random_impacts_obey_newton_and_coulomb(void **unused) {
 }
 
 /* 0.75 * 0.5 is exact, so these are the last number inside the cone and the first outside. */
-static void sticks_up_to_the_edge_of_the_cone(void **unused) {
-    (void)unused;
+TEST(sticks_up_to_the_edge_of_the_cone) {
     const double edge = 0.75 * 0.5;
     const double outside = nextafter(edge, 1.0);
     assert_true(vx_after(edge, -0.5, 0.75) == 0.0);
@@ -109,8 +107,7 @@ static void sticks_up_to_the_edge_of_the_cone(void **unused) {
 
 /* rho = 1.5: inside its cone of 1.5 * 0.5 * 0.5 the foot sticks, outside it slides with the friction itself.
  */
-static void static_friction_decides_whether_it_sticks(void **unused) {
-    (void)unused;
+TEST(static_friction_decides_whether_it_sticks) {
     const double edge = 1.5 * 0.5 * 0.5;
     for (double sign = -1.0; sign < 2.0; sign += 2.0) {
         runner inside = falling_foot(sign * edge, -0.5), outside = falling_foot(sign * 0.4, -0.5);
@@ -123,22 +120,19 @@ static void static_friction_decides_whether_it_sticks(void **unused) {
     }
 }
 
-static void without_friction_the_foot_slides_on(void **unused) {
-    (void)unused;
+TEST(without_friction_the_foot_slides_on) {
     assert_true(vx_after(0.3, -0.5, 0.0) == 0.3);
     assert_true(vx_after(-0.3, -0.5, 0.0) == -0.3);
     assert_true(vx_after(0.0, -0.5, 0.0) == 0.0);
 }
 
-static void with_huge_friction_the_foot_sticks(void **unused) {
-    (void)unused;
+TEST(with_huge_friction_the_foot_sticks) {
     assert_true(vx_after(1e3, -0.5, 1e6) == 0.0);
     assert_true(vx_after(-1e3, -0.5, 1e6) == 0.0);
 }
 
 /* The smallest velocities there are: nothing is gained, nothing turns round. */
-static void tiny_velocities_are_no_exception(void **unused) {
-    (void)unused;
+TEST(tiny_velocities_are_no_exception) {
     static const double tiny[] = {DBL_MIN, 4.9406564584124654e-324, 1e-310, 1e-200};
     for (int i = 0; i < 16; ++i) {
         runner runner = falling_foot(tiny[i / 4], -tiny[i % 4]);
@@ -151,21 +145,7 @@ static void tiny_velocities_are_no_exception(void **unused) {
 }
 
 /* Only the foot's vertical momentum goes: half m_f vy^2. */
-static void falling_straight_costs_the_foots_kinetic_energy(void **unused) {
-    (void)unused;
+TEST(falling_straight_costs_the_foots_kinetic_energy) {
     runner runner = falling_foot(0.0, -0.5);
     assert_close(impact(&runner, 0.6), 0.5 * 0.1 * 0.25, 1e-16);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(random_impacts_obey_newton_and_coulomb),
-        cmocka_unit_test(sticks_up_to_the_edge_of_the_cone),
-        cmocka_unit_test(static_friction_decides_whether_it_sticks),
-        cmocka_unit_test(without_friction_the_foot_slides_on),
-        cmocka_unit_test(with_huge_friction_the_foot_sticks),
-        cmocka_unit_test(tiny_velocities_are_no_exception),
-        cmocka_unit_test(falling_straight_costs_the_foots_kinetic_energy),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,6 +4,7 @@
 #include "integrate.h"
 #include "sample.h"
 #include "scene.h"
+#include "simulation.h"
 
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/ensemble.h"
@@ -24,8 +25,7 @@ static runner started(double friction) {
 }
 
 /* f_y = |f_x|/mu + distance: the guard, mu times the distance, is as exact as the forces on both edges. */
-static void the_cones_guard_rounds_like_the_forces(void **unused) {
-    (void)unused;
+TEST(the_cones_guard_rounds_like_the_forces) {
     int compared = 0;
     for (int i = 0; i < FRICTIONS; ++i) {
         for (double angle = -1.0; angle < 1.1; angle += 0.25) {
@@ -46,8 +46,7 @@ static void the_cones_guard_rounds_like_the_forces(void **unused) {
 
 /* A foot that cannot slip but for an instant: the stride differs from that at 1e6 by what 1/mu makes of it.
  */
-static void every_stride_closes_in_few_steps(void **unused) {
-    (void)unused;
+TEST(every_stride_closes_in_few_steps) {
     double periods[FRICTIONS];
     for (int i = 0; i < FRICTIONS; ++i) {
         const runner runner = started(frictions[i]);
@@ -67,8 +66,7 @@ static void every_stride_closes_in_few_steps(void **unused) {
     }
 }
 
-static void the_two_solvers_agree(void **unused) {
-    (void)unused;
+TEST(the_two_solvers_agree) {
     if (!tdmf_cvode_is_available()) {
         return;
     }
@@ -89,19 +87,16 @@ static void the_two_solvers_agree(void **unused) {
 }
 
 /* The period is that which runs of the unit by CVODE settle to. */
-static void the_gait_of_a_light_foot_is_found(void **unused) {
-    (void)unused;
+TEST(the_gait_of_a_light_foot_is_found) {
     const double degree = 0.017453292519943295;
     tdmf_parameters parameters = tdmf_default_parameters();
     tdmf_inputs inputs = tdmf_default_inputs();
-    tdmf_solver solver = tdmf_solver_default();
-    tdmf_model model;
+    tdmf_solver solver = solver_to(1e-13);
     double state[TDMF_STATE_COUNT];
-    solver.relative_tolerance = 1e-13;
     parameters.foot.mass = 0.02;
     parameters.hip.touchdown_angle = 49.6715 * degree;
     inputs.ground.friction = 1000.0;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    const tdmf_model model = accepted_model(&parameters);
     tdmf_default_state(state);
     const tdmf_point com = tdmf_center_of_mass(&model, state);
     double section[TDMF_SECTION_COUNT] = {com.y,
@@ -118,16 +113,14 @@ static void the_gait_of_a_light_foot_is_found(void **unused) {
 }
 
 /* Lanes and one by one end alike, and nobody falls. */
-static void ensembles_keep_running(void **unused) {
-    (void)unused;
+TEST(ensembles_keep_running) {
     enum { RUNNERS = 64 };
     static double starts[RUNNERS][TDMF_SECTION_COUNT];
     tdmf_ensemble_case cases[FRICTIONS];
     int case_of[RUNNERS];
     tdmf_ensemble_end ends[TDMF_INSTRUCTIONS_COUNT][RUNNERS];
     const tdmf_parameters parameters = tdmf_default_parameters();
-    tdmf_model model;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    const tdmf_model model = accepted_model(&parameters);
     for (int i = 0; i < FRICTIONS; ++i) {
         const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = 20}};
         cases[i] = its_case;
@@ -160,15 +153,4 @@ static void ensembles_keep_running(void **unused) {
         }
     }
     assert_true(sets > 0);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_cones_guard_rounds_like_the_forces),
-        cmocka_unit_test(every_stride_closes_in_few_steps),
-        cmocka_unit_test(the_two_solvers_agree),
-        cmocka_unit_test(the_gait_of_a_light_foot_is_found),
-        cmocka_unit_test(ensembles_keep_running),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

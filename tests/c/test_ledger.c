@@ -38,8 +38,7 @@ static void advance_a_stride(runner *runner, double step) {
 }
 
 /* To what a fixed step of Runge-Kutta leaves, against the energy turned over. */
-static void closes_over_many_strides(void **unused) {
-    (void)unused;
+TEST(closes_over_many_strides) {
     enum { STRIDES = sample_of(100) };
     static const double frictions[] = {10.0, 0.6, 0.2};
     for (int i = 0; i < 3; ++i) {
@@ -58,8 +57,7 @@ static void closes_over_many_strides(void **unused) {
 }
 
 /* Backward, under an external torque: signs of work and travel turn, the ledger closes. */
-static void closes_whatever_the_motion(void **unused) {
-    (void)unused;
+TEST(closes_whatever_the_motion) {
     static const double torques[] = {0.02, -0.02};
     for (int i = 0; i < 2; ++i) {
         runner runner = runner_default(0.4);
@@ -73,12 +71,4 @@ static void closes_whatever_the_motion(void **unused) {
         assert_close(energy_of(&runner) - energy, l.work - l.damper - l.friction - l.impact,
                      1e-9 * (fabs(energy) + fabs(l.work)));
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(closes_over_many_strides),
-        cmocka_unit_test(closes_whatever_the_motion),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,6 +4,7 @@
 #include "reference_gaits.h"
 #include "sample.h"
 #include "scene.h"
+#include "simulation.h"
 
 #include <float.h>
 #include <math.h>
@@ -17,8 +18,7 @@ static void assert_arrives(tdmf_solver *solver, const runner *runner, double unt
 }
 
 /* Without them the motion is the same, bit by bit, and the record but for them. */
-static void peaks_and_positive_work_are_left_out(void **state) {
-    (void)state;
+TEST(peaks_and_positive_work_are_left_out) {
     for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
         const runner runner = runner_at_reference_apex(&reference_gaits[i]);
         tdmf_motion with = runner.motion, without = runner.motion;
@@ -42,8 +42,7 @@ static void peaks_and_positive_work_are_left_out(void **state) {
 
 /* ---- accuracy ----------------------------------------------------------------------------------------- */
 
-static void a_stride_of_every_gait(void **state) {
-    (void)state;
+TEST(a_stride_of_every_gait) {
     for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
         const reference_gait *gait = &reference_gaits[i];
         const runner runner = runner_at_reference_apex(gait);
@@ -57,15 +56,13 @@ static void a_stride_of_every_gait(void **state) {
 }
 
 /* Event by event, as accurate as the solver can be. */
-static void the_events_of_every_gait(void **state) {
+TEST(the_events_of_every_gait) {
     int events = 0;
-    (void)state;
     for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
         const runner runner = runner_at_reference_apex(&reference_gaits[i]);
         tdmf_event_log log = {0};
         tdmf_motion motion = runner.motion;
-        tdmf_solver solver = tdmf_solver_default();
-        solver.relative_tolerance = 1e-13;
+        tdmf_solver solver = solver_to(1e-13);
         solver.log = &log;
         assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), DBL_MAX, &motion).closed);
         assert_reference_stride(&motion, &reference_gaits[i], 1e-11);
@@ -99,10 +96,9 @@ static void run_in_steps(const runner *runner, double step, double until, tdmf_m
     }
 }
 
-static void the_ledger_closes_whatever_the_communication_step(void **state) {
+TEST(the_ledger_closes_whatever_the_communication_step) {
     enum { STRIDES = sample_of(100) };
     static const double steps[] = {0.01, 0.1, 1.7, 100.0, -5.0};
-    (void)state;
     const reference_gait *gait = &reference_gaits[DEFAULT_GAIT];
     const double until = (STRIDES + 0.5) * gait->period;
     for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
@@ -129,10 +125,9 @@ static runner random_runner_near_the_gait(random_source *source) {
     return runner;
 }
 
-static void random_runs_have_the_same_events(void **state) {
+TEST(random_runs_have_the_same_events) {
     enum { RUNS = sample_of(60) };
     random_source source = {2016};
-    (void)state;
     for (int i = 0; i < RUNS; ++i) {
         runner runner = random_runner_near_the_gait(&source);
         tdmf_motion motion = runner.motion;
@@ -153,8 +148,7 @@ static void random_runs_have_the_same_events(void **state) {
 
 /* The foot swings through the ground and back within one step: a leg that oscillates fast above a slow fall.
  */
-static void a_touch_that_turns_back_is_found(void **state) {
-    (void)state;
+TEST(a_touch_that_turns_back_is_found) {
     for (double clearance = -1e-4; clearance < 2e-4; clearance += 2e-4) {
         runner runner = runner_default(0.6);
         tdmf_parameters parameters = runner.model.parameters;
@@ -162,7 +156,7 @@ static void a_touch_that_turns_back_is_found(void **state) {
         parameters.hip.kp = 0.0;
         parameters.hip.kd = 0.0;
         parameters.gravity = 1e-6;
-        assert_null(tdmf_model_create(&runner.model, &parameters).variable);
+        runner.model = accepted_model(&parameters);
         memset(runner.motion.state, 0, sizeof runner.motion.state);
         runner.motion.state[TDMF_LEG_LENGTH] = 0.9; /* swings to 1.1 and back in 1.9 time units */
         const double lowest = 0.2 / 1.1;
@@ -205,7 +199,7 @@ static runner spinning_runner(random_source *source, spinning_fall *fall) {
     tdmf_parameters p = runner.model.parameters;
     p.hip.kp = 0.0;
     p.hip.kd = 0.0;
-    assert_null(tdmf_model_create(&runner.model, &p).variable);
+    runner.model = accepted_model(&p);
     const double inverse_reduced_mass = 1.0 / p.body.mass + 1.0 / p.foot.mass;
     const double rate = random_uniform(source, 1.2, 2.0) * (random_chance(source, 0.5) ? 1.0 : -1.0);
     const double stiffness = inverse_reduced_mass * p.leg.stiffness;
@@ -222,10 +216,9 @@ static runner spinning_runner(random_source *source, spinning_fall *fall) {
     return runner;
 }
 
-static void a_spinning_leg_touches_down_in_time(void **state) {
+TEST(a_spinning_leg_touches_down_in_time) {
     enum { FALLS = sample_of(200) };
     random_source source = {881};
-    (void)state;
     for (int i = 0; i < FALLS; ++i) {
         spinning_fall fall;
         const runner runner = spinning_runner(&source, &fall);
@@ -246,11 +239,10 @@ static void a_spinning_leg_touches_down_in_time(void **state) {
 
 /* ---- inputs that change ------------------------------------------------------------------------------- */
 
-static void a_ramp_is_the_limit_of_small_steps(void **state) {
+TEST(a_ramp_is_the_limit_of_small_steps) {
     enum { PARTS = 4000 };
     const tdmf_inputs ramp = {.ground.friction = -0.02, .hip.external_torque = 1e-4};
     const double until = 30.0;
-    (void)state;
     const runner runner = runner_at_reference_apex(&reference_gaits[1]);
     tdmf_motion ramped = runner.motion;
     tdmf_motion stepped = ramped;
@@ -272,10 +264,9 @@ static void a_ramp_is_the_limit_of_small_steps(void **state) {
 }
 
 /* A runner that stands and bounces, ever less: the first peak of the ground force is the largest. */
-static void the_peak_force_is_the_largest_met(void **state) {
+TEST(the_peak_force_is_the_largest_met) {
     enum { LOOKS = 10000 };
     const double until = 20.0;
-    (void)state;
     runner runner = runner_default(0.6);
     memset(runner.motion.state, 0, sizeof runner.motion.state);
     runner.motion.state[TDMF_LEG_LENGTH] = 0.99;
@@ -299,10 +290,9 @@ static void the_peak_force_is_the_largest_met(void **state) {
 }
 
 /* A friction that falls to zero in mid-stance stays there, as if it had been held there from then on. */
-static void a_friction_that_falls_ends_at_zero(void **state) {
+TEST(a_friction_that_falls_ends_at_zero) {
     const double zero = 13.0, until = 20.0;
     const tdmf_inputs falling = {.ground.friction = -0.6 / zero};
-    (void)state;
     runner runner = runner_at_reference_apex(&reference_gaits[DEFAULT_GAIT]);
     runner.inputs.ground.friction = 0.6;
     tdmf_motion at_once = runner.motion;
@@ -324,7 +314,7 @@ static runner bouncing_runner(void) {
     tdmf_parameters parameters = tdmf_default_parameters();
     parameters.leg.damping = 0.0;
     runner runner = runner_default(0.6);
-    assert_null(tdmf_model_create(&runner.model, &parameters).variable);
+    runner.model = accepted_model(&parameters);
     memset(runner.motion.state, 0, sizeof runner.motion.state);
     runner.motion.state[TDMF_LEG_LENGTH] = 0.99;
     runner.motion.state[TDMF_LEG_ANGLE] = -1e-12;
@@ -335,9 +325,8 @@ static runner bouncing_runner(void) {
 }
 
 /* All peaks of such a bounce are the same, and the second is found as the first was. */
-static void every_peak_of_the_force_is_met(void **state) {
+TEST(every_peak_of_the_force_is_met) {
     const double period = 6.283185307179586;
-    (void)state;
     const runner runner = bouncing_runner();
     tdmf_motion motion = runner.motion;
     tdmf_solver solver = tdmf_solver_default();
@@ -350,8 +339,7 @@ static void every_peak_of_the_force_is_met(void **state) {
 }
 
 /* The force at the end of a call counts, as an input may jump then. */
-static void a_rising_force_is_met_where_a_call_ends(void **state) {
-    (void)state;
+TEST(a_rising_force_is_met_where_a_call_ends) {
     const runner runner = bouncing_runner();
     tdmf_motion motion = runner.motion;
     tdmf_solver solver = tdmf_solver_default();
@@ -362,9 +350,8 @@ static void a_rising_force_is_met_where_a_call_ends(void **state) {
 }
 
 /* In flight and on the ground; a torque that is held and one that grows. */
-static void the_work_of_an_external_torque_is_in_the_ledger(void **state) {
+TEST(the_work_of_an_external_torque_is_in_the_ledger) {
     static const tdmf_inputs rates[] = {{.ground = {.friction = 0.0}}, {.hip.external_torque = 2e-3}};
-    (void)state;
     for (int i = 0; i < 2; ++i) {
         runner runner = runner_at_reference_apex(&reference_gaits[DEFAULT_GAIT]);
         runner.inputs.hip.external_torque = 0.02;
@@ -382,8 +369,7 @@ static void the_work_of_an_external_torque_is_in_the_ledger(void **state) {
 
 /* ---- limits ------------------------------------------------------------------------------------------- */
 
-static void limits_end_a_call_and_leave_a_valid_motion(void **state) {
-    (void)state;
+TEST(limits_end_a_call_and_leave_a_valid_motion) {
     const runner runner = runner_at_reference_apex(&reference_gaits[DEFAULT_GAIT]);
     tdmf_motion motion = runner.motion;
     tdmf_solver solver = tdmf_solver_default();
@@ -400,8 +386,7 @@ static void limits_end_a_call_and_leave_a_valid_motion(void **state) {
     assert_int_equal(motion.record.stride.count, 4);
 }
 
-static void a_fall_is_where_the_run_stays(void **state) {
-    (void)state;
+TEST(a_fall_is_where_the_run_stays) {
     runner runner = runner_default(0.6);
     runner.motion.state[TDMF_FOOT_Y] = 100.0;
     runner_start(&runner);
@@ -414,8 +399,7 @@ static void a_fall_is_where_the_run_stays(void **state) {
 }
 
 /* Also where the fall is in the last step, or the last event, that the limits allow. */
-static void a_fall_is_a_fall_under_any_limit(void **state) {
-    (void)state;
+TEST(a_fall_is_a_fall_under_any_limit) {
     runner runner = runner_default(0.6);
     runner.motion.state[TDMF_FOOT_Y] = 100.0;
     runner_start(&runner);
@@ -449,11 +433,10 @@ static void assert_refused(const runner *runner, double tolerance, tdmf_inputs i
     assert_int_equal(solver.steps, 0);
 }
 
-static void requests_without_sense_are_refused(void **state) {
+TEST(requests_without_sense_are_refused) {
     static const double no_tolerances[] = {0.0, -1e-11, 1.0, INFINITY, NAN};
     static const double no_numbers[] = {NAN, INFINITY, -INFINITY};
     runner runner = runner_at_reference_apex(&reference_gaits[DEFAULT_GAIT]);
-    (void)state;
     runner.motion.time = 1.0;
     for (size_t i = 0; i < sizeof no_tolerances / sizeof no_tolerances[0]; ++i) {
         assert_refused(&runner, no_tolerances[i], runner.inputs, no_rates, 30.0);
@@ -481,9 +464,8 @@ static void requests_without_sense_are_refused(void **state) {
     assert_non_null(strstr(tdmf_outcome_text(TDMF_REFUSED), "out of range"));
 }
 
-static void a_call_for_no_time_changes_nothing(void **state) {
+TEST(a_call_for_no_time_changes_nothing) {
     random_source source = {64};
-    (void)state;
     for (int i = 0; i < 200; ++i) {
         const runner runner = random_runner_near_the_gait(&source);
         tdmf_motion motion = runner.motion;
@@ -494,28 +476,4 @@ static void a_call_for_no_time_changes_nothing(void **state) {
         tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, motion.time, &motion);
         assert_memory_equal(motion.state, before.state, sizeof motion.state);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(peaks_and_positive_work_are_left_out),
-        cmocka_unit_test(a_stride_of_every_gait),
-        cmocka_unit_test(the_events_of_every_gait),
-        cmocka_unit_test(the_ledger_closes_whatever_the_communication_step),
-        cmocka_unit_test(random_runs_have_the_same_events),
-        cmocka_unit_test(a_touch_that_turns_back_is_found),
-        cmocka_unit_test(a_spinning_leg_touches_down_in_time),
-        cmocka_unit_test(a_ramp_is_the_limit_of_small_steps),
-        cmocka_unit_test(a_friction_that_falls_ends_at_zero),
-        cmocka_unit_test(the_peak_force_is_the_largest_met),
-        cmocka_unit_test(every_peak_of_the_force_is_met),
-        cmocka_unit_test(a_rising_force_is_met_where_a_call_ends),
-        cmocka_unit_test(the_work_of_an_external_torque_is_in_the_ledger),
-        cmocka_unit_test(limits_end_a_call_and_leave_a_valid_motion),
-        cmocka_unit_test(a_fall_is_where_the_run_stays),
-        cmocka_unit_test(a_fall_is_a_fall_under_any_limit),
-        cmocka_unit_test(requests_without_sense_are_refused),
-        cmocka_unit_test(a_call_for_no_time_changes_nothing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,13 +2,12 @@
  * bit. */
 #include "compare.h"
 #include "integrate.h"
+#include "simulation.h"
 
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/ensemble.h"
 
 #include <string.h>
-
-typedef tdmf_outcome advance(tdmf_solver *, tdmf_system, const tdmf_inputs *, double, tdmf_motion *);
 
 static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
 static const tdmf_seed nothing_given = {0};
@@ -25,9 +24,8 @@ static void assert_same_numbers(const double *a, const double *b, int count) {
     }
 }
 
-static void without_rates_inputs_are_held(void **unused) {
-    (void)unused;
-    advance *const solvers[] = {tdmf_native_advance, tdmf_cvode_advance};
+TEST(without_rates_inputs_are_held) {
+    solver_call *const solvers[] = {tdmf_native_advance, tdmf_cvode_advance};
     const runner runner = started();
     for (int i = 0; i < 1 + tdmf_cvode_is_available(); ++i) {
         tdmf_motion given = runner.motion, none = given;
@@ -42,8 +40,7 @@ static void without_rates_inputs_are_held(void **unused) {
     assert_true(later.hip.external_torque == runner.inputs.hip.external_torque);
 }
 
-static void without_a_direction_nothing_changes(void **unused) {
-    (void)unused;
+TEST(without_a_direction_nothing_changes) {
     const runner runner = started();
     const tdmf_variation length_seed = {.state = {[TDMF_LEG_LENGTH] = 1.0}};
     const double zeros[TDMF_STATE_COUNT] = {0.0};
@@ -76,8 +73,7 @@ static void default_section(double section[TDMF_SECTION_COUNT]) {
     memcpy(section, values, sizeof values);
 }
 
-static void arrays_of_no_elements_may_be_absent(void **unused) {
-    (void)unused;
+TEST(arrays_of_no_elements_may_be_absent) {
     const runner runner = started();
     tdmf_solver solver = tdmf_solver_default();
     double section[TDMF_SECTION_COUNT];
@@ -100,8 +96,7 @@ static void arrays_of_no_elements_may_be_absent(void **unused) {
     assert_null(tdmf_refusal_text(&accepted, NULL, 0));
 }
 
-static void a_number_below_zero_is_refused(void **unused) {
-    (void)unused;
+TEST(a_number_below_zero_is_refused) {
     const runner runner = started();
     tdmf_solver solver = tdmf_solver_default();
     tdmf_motion motion = runner.motion;
@@ -115,8 +110,7 @@ static void a_number_below_zero_is_refused(void **unused) {
     assert_true(motion.time == 0.0);
 }
 
-static void an_ensemble_needs_no_more_than_its_runners(void **unused) {
-    (void)unused;
+TEST(an_ensemble_needs_no_more_than_its_runners) {
     const runner runner = started();
     const tdmf_ensemble_case its_case = {&runner.model, runner.inputs, {.max_strides = 2}};
     double starts[2][TDMF_SECTION_COUNT];
@@ -141,15 +135,4 @@ static void an_ensemble_needs_no_more_than_its_runners(void **unused) {
     const tdmf_ensemble nobody = {.relative_tolerance = 1e-9, .threads = 1};
     assert_true(tdmf_run_ensemble(&nobody, NULL, &work));
     assert_int_equal(work.strides, 0);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(without_rates_inputs_are_held),
-        cmocka_unit_test(without_a_direction_nothing_changes),
-        cmocka_unit_test(arrays_of_no_elements_may_be_absent),
-        cmocka_unit_test(a_number_below_zero_is_refused),
-        cmocka_unit_test(an_ensemble_needs_no_more_than_its_runners),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

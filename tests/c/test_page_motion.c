@@ -3,6 +3,7 @@
 #include "compare.h"
 #include "page_solver.h"
 #include "scene.h"
+#include "simulation.h"
 #include "tdmf_slip/tdmf_slip.h"
 
 #include <math.h>
@@ -88,7 +89,7 @@ static case_of_run random_case(random_source *source) {
     it.motion.state[TDMF_FOOT_Y] += random_uniform(source, 0.3, 0.6);
     it.motion.state[TDMF_LEG_ANGLE] += random_uniform(source, -0.2, 0.2);
     it.motion.state[TDMF_FOOT_VY] += random_chance(source, 0.3) ? random_uniform(source, -0.1, 0.1) : 0.0;
-    assert_null(tdmf_model_create(&it.model, &parameters).variable);
+    it.model = accepted_model(&parameters);
     return it;
 }
 
@@ -111,8 +112,7 @@ static tdmf_motion end_of(const case_of_run *it, random_source *source, way_to_r
         const double end = it->changes[i + 1].time;
         bool is_over = false;
         while (!is_over) {
-            tdmf_solver solver = tdmf_solver_default();
-            solver.relative_tolerance = 1e-13;
+            tdmf_solver solver = solver_to(1e-13);
             solver.event_limit = way == CUT_AT_EVENTS ? 1 : solver.event_limit;
             solver.step_limit =
                 way == CUT_AT_STEPS ? 1 + (long)random_uniform(source, 0.0, 4.0) : solver.step_limit;
@@ -188,8 +188,7 @@ static void assert_is_written_back(const case_of_run *it, const change *at, cons
 }
 
 /* No matter where a run is cut, also where new ground waits or a push or a ramp acts. */
-static void test_a_run_that_is_cut_goes_on_as_one_that_is_not(void **state) {
-    (void)state;
+TEST(test_a_run_that_is_cut_goes_on_as_one_that_is_not) {
     random_source source = {47};
     int strides = 0, falls = 0;
     for (int i = 0; i < RUNS; ++i) {
@@ -211,13 +210,12 @@ static void test_a_run_that_is_cut_goes_on_as_one_that_is_not(void **state) {
 }
 
 /* A thrust that is set later acts at once, no matter how often the leg has been shortened since. */
-static void test_a_greatest_compression_within_a_call_is_noted(void **state) {
-    (void)state;
+TEST(test_a_greatest_compression_within_a_call_is_noted) {
     runner standing = runner_default(1.0);
     tdmf_parameters parameters = standing.model.parameters;
     parameters.leg.damping = 0.01;
     parameters.hip.stance_torque = 0.0;
-    assert_null(tdmf_model_create(&standing.model, &parameters).variable);
+    standing.model = accepted_model(&parameters);
     memset(standing.motion.state, 0, sizeof standing.motion.state);
     standing.motion.state[TDMF_LEG_LENGTH] = 0.99;
     standing.motion.state[TDMF_LEG_LENGTH_RATE] = -0.005;
@@ -279,8 +277,7 @@ static void assert_same_variation(const tdmf_variation *a, const tdmf_variation 
 }
 
 /* The peaks of the force may be at an event, whose time varies, too. */
-static void test_variations_do_not_depend_on_where_a_run_is_cut(void **state) {
-    (void)state;
+TEST(test_variations_do_not_depend_on_where_a_run_is_cut) {
     random_source source = {48};
     int compared = 0;
     for (int i = 0; i < RUNS; ++i) {
@@ -299,15 +296,6 @@ static void test_variations_do_not_depend_on_where_a_run_is_cut(void **state) {
     assert_true(compared > RUNS);
 }
 
-static void test_a_run_of_any_page_has_the_memory_that_it_needs(void **state) {
-    (void)state;
+TEST(test_a_run_of_any_page_has_the_memory_that_it_needs) {
     assert_true(tdmf_run_memory_size(&tdmf_runner_model, TDMF_VARIATION_LIMIT) <= TDMF_PAGE_MEMORY);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_a_run_of_any_page_has_the_memory_that_it_needs),
-                                       cmocka_unit_test(test_a_run_that_is_cut_goes_on_as_one_that_is_not),
-                                       cmocka_unit_test(test_a_greatest_compression_within_a_call_is_noted),
-                                       cmocka_unit_test(test_variations_do_not_depend_on_where_a_run_is_cut)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,6 +3,7 @@
 #include "compare.h"
 #include "patch_runs.h"
 #include "scene.h"
+#include "simulation.h"
 
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/ensemble.h"
@@ -15,8 +16,7 @@
 
 static tdmf_model model_of(const patch_run *run) {
     const tdmf_parameters parameters = parameters_of_patch_run(run);
-    tdmf_model model;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    const tdmf_model model = accepted_model(&parameters);
     return model;
 }
 
@@ -64,17 +64,15 @@ static void assert_falls(const patch_run *run, tdmf_system system, tdmf_solver *
     }
 }
 
-static void the_native_solver_makes_each_run_word_by_word(void **state) {
+TEST(the_native_solver_makes_each_run_word_by_word) {
     int crossings = 0, falls = 0;
-    (void)state;
     for (int i = 0; i < PATCH_RUNS; ++i) {
         const patch_run *run = &patch_runs[i];
         const tdmf_model model = model_of(run);
         const tdmf_inputs inputs = inputs_of_patch_run(run);
         tdmf_motion motion = motion_at_start(run, (tdmf_system){&model, &inputs});
         tdmf_event_log log = {0};
-        tdmf_solver solver = tdmf_solver_default();
-        solver.relative_tolerance = 1e-13;
+        tdmf_solver solver = solver_to(1e-13);
         int its_crossings = 0;
         for (int k = 0; k < run->strides; ++k) {
             solver.log = &log;
@@ -111,8 +109,7 @@ static void the_native_solver_makes_each_run_word_by_word(void **state) {
     assert_int_equal(crossings, 11);
 }
 
-static void cvode_makes_each_run(void **state) {
-    (void)state;
+TEST(cvode_makes_each_run) {
     for (int i = 0; i < PATCH_RUNS && tdmf_cvode_is_available(); ++i) {
         const patch_run *run = &patch_runs[i];
         if (run->fall_time > 0.0) {
@@ -121,8 +118,7 @@ static void cvode_makes_each_run(void **state) {
         const tdmf_model model = model_of(run);
         const tdmf_inputs inputs = inputs_of_patch_run(run);
         tdmf_motion motion = motion_at_start(run, (tdmf_system){&model, &inputs});
-        tdmf_solver solver = tdmf_solver_default();
-        solver.relative_tolerance = 1e-13;
+        tdmf_solver solver = solver_to(1e-13);
         /* This ends past the last apex and before the next touchdown. */
         assert_int_equal(
             tdmf_cvode_advance(&solver, (tdmf_system){&model, &inputs}, NULL, run->end_time + 1.0, &motion),
@@ -150,7 +146,7 @@ static void assert_lanes_make_each_run(tdmf_instructions instructions, double sh
         tdmf_parameters parameters = parameters_of_patch_run(run);
         parameters.ground.patch_begin += shift;
         parameters.ground.patch_end += shift;
-        assert_null(tdmf_model_create(&models[i], &parameters).variable);
+        models[i] = accepted_model(&parameters);
         const tdmf_ensemble_case its_case = {
             &models[i], inputs_of_patch_run(run), {.max_strides = run->strides + (run->fall_time > 0.0)}};
         cases[i] = its_case;
@@ -178,9 +174,8 @@ static void assert_lanes_make_each_run(tdmf_instructions instructions, double sh
     }
 }
 
-static void lanes_make_each_run_wherever_it_is(void **state) {
+TEST(lanes_make_each_run_wherever_it_is) {
     int sets = 0;
-    (void)state;
     for (int i = TDMF_ONE_BY_ONE; i <= TDMF_AVX512; ++i) {
         if (tdmf_has_instructions((tdmf_instructions)i)) {
             assert_lanes_make_each_run((tdmf_instructions)i, 0.0);
@@ -210,10 +205,8 @@ static double *coordinate_of(scene_of_stride *scene, int k) {
 }
 
 static tdmf_return stride_at(const scene_of_stride *scene, const tdmf_seed *seed) {
-    tdmf_model model;
-    tdmf_solver solver = tdmf_solver_default();
-    solver.relative_tolerance = 1e-14;
-    assert_null(tdmf_model_create(&model, &scene->parameters).variable);
+    tdmf_solver solver = solver_to(1e-14);
+    const tdmf_model model = accepted_model(&scene->parameters);
     const tdmf_return stride =
         tdmf_return_map_at(&solver, (tdmf_system){&model, &scene->inputs}, scene->at[FOOT_X], scene->at, 1e3,
                            true, seed, seed != NULL);
@@ -257,9 +250,8 @@ static void difference(const scene_of_stride *scene, int k, double step, double 
     }
 }
 
-static void each_stride_is_differentiated_by_foot_x_and_patch(void **state) {
+TEST(each_stride_is_differentiated_by_foot_x_and_patch) {
     int compared = 0, moved_by_foot_x = 0, moved_by_patch = 0;
-    (void)state;
     for (int i = 0; i < PATCH_RUNS; ++i) {
         const patch_run *run = &patch_runs[i];
         scene_of_stride scene = {parameters_of_patch_run(run), inputs_of_patch_run(run), {0.0}};
@@ -287,10 +279,9 @@ static void each_stride_is_differentiated_by_foot_x_and_patch(void **state) {
 }
 
 /* Where no border is crossed, the stride goes with its place. */
-static void without_a_crossing_foot_x_is_carried_along(void **state) {
+TEST(without_a_crossing_foot_x_is_carried_along) {
     scene_of_stride scene = {tdmf_default_parameters(), tdmf_default_inputs(), {0.0}};
     double by_foot_x[COORDINATES];
-    (void)state;
     memcpy(scene.at, patch_runs[0].start, sizeof patch_runs[0].start);
     scene.inputs.ground.friction = 0.6;
     scene.parameters.ground.patch_begin = 5.0;
@@ -337,20 +328,18 @@ static const stand stands[] = {
       0.0010619319215578998}},
 };
 
-static void a_foot_at_rest_on_a_border_slips_where_it_is_held_less(void **state) {
-    (void)state;
+TEST(a_foot_at_rest_on_a_border_slips_where_it_is_held_less) {
     for (size_t i = 0; i < 2 * sizeof stands / sizeof *stands; ++i) {
         const stand *stand = &stands[i / 2];
         tdmf_parameters parameters = tdmf_default_parameters();
         tdmf_inputs inputs = tdmf_default_inputs();
         tdmf_motion motion = {.state = {[TDMF_LEG_LENGTH] = 0.9, [TDMF_LEG_ANGLE] = stand->angle}};
-        tdmf_model model;
         tdmf_solver solver = tdmf_solver_default();
         parameters.ground.patch_begin = stand->begin;
         parameters.ground.patch_end = stand->end;
         parameters.hip.stance_torque = 0.0;
         inputs.ground.friction = 0.6;
-        assert_null(tdmf_model_create(&model, &parameters).variable);
+        const tdmf_model model = accepted_model(&parameters);
         motion.time = 0.0;
         assert_null(tdmf_start((tdmf_system){&model, &inputs}, &motion).variable);
         assert_int_equal(motion.mode.contact, stand->mode);
@@ -377,14 +366,13 @@ static tdmf_motion tip_over(double begin, double end, double friction, double pu
     tdmf_motion motion = {
         .state = {
             [TDMF_LEG_LENGTH] = 0.9, [TDMF_LEG_ANGLE] = push * angle, [TDMF_LEG_ANGLE_RATE] = push * 0.3}};
-    tdmf_model model;
     tdmf_solver solver = tdmf_solver_default();
     parameters.ground.patch_begin = begin;
     parameters.ground.patch_end = end;
     parameters.ground.patch_friction = 0.1;
     parameters.hip.stance_torque = 0.0;
     inputs.ground.friction = friction;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    const tdmf_model model = accepted_model(&parameters);
     const tdmf_system system = {&model, &inputs};
     assert_null(tdmf_start(system, &motion).variable);
     assert_int_equal(motion.mode.contact, TDMF_CONTACT_STICK);
@@ -395,8 +383,7 @@ static tdmf_motion tip_over(double begin, double end, double friction, double pu
 }
 
 /* It is held by the friction of the side to which it slips, as on ground that has no other. */
-static void a_foot_on_a_border_holds_on_by_the_friction_of_the_side_it_is_pushed_to(void **state) {
-    (void)state;
+TEST(a_foot_on_a_border_holds_on_by_the_friction_of_the_side_it_is_pushed_to) {
     for (int side = -1; side <= 1; side += 2) {
         const double begin = side > 0 ? 0.0 : -5.0, end = begin + 5.0;
         for (int k = 0; k < 2; ++k) {
@@ -440,14 +427,12 @@ static tdmf_motion slip_to_a_border(double angle, double border, bool by_cvode) 
     tdmf_parameters parameters = tdmf_default_parameters();
     tdmf_inputs inputs = tdmf_default_inputs();
     tdmf_motion motion = motion_that_slips(angle);
-    tdmf_solver solver = tdmf_solver_default();
-    tdmf_model model;
+    tdmf_solver solver = solver_to(1e-12);
     parameters.ground.patch_begin = border;
     parameters.ground.patch_end = 5.0;
     parameters.hip.stance_torque = 0.0;
     inputs.ground.friction = 1.0;
-    solver.relative_tolerance = 1e-12;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    const tdmf_model model = accepted_model(&parameters);
     const tdmf_system system = {&model, &inputs};
     assert_null(tdmf_start(system, &motion).variable);
     assert_int_equal(motion.mode.contact, TDMF_CONTACT_SLIP_POSITIVE);
@@ -462,9 +447,8 @@ static tdmf_motion slip_to_a_border(double angle, double border, bool by_cvode) 
 
 /* Pushed back, it is held by the ground that it comes from, or slips back to it: the border makes the less of
  * a difference the later it is met. */
-static void a_foot_that_is_pushed_back_ends_where_it_would_without_the_border(void **state) {
+TEST(a_foot_that_is_pushed_back_ends_where_it_would_without_the_border) {
     int compared = 0;
-    (void)state;
     for (int by_cvode = 0; by_cvode <= (int)tdmf_cvode_is_available(); ++by_cvode) {
         const tdmf_motion without = slip_to_a_border(-0.5, 4.0, by_cvode);
         assert_int_equal(without.mode.contact, TDMF_CONTACT_STICK);
@@ -482,9 +466,8 @@ static void a_foot_that_is_pushed_back_ends_where_it_would_without_the_border(vo
 }
 
 /* Pushed on, it rests before the border, or slips on from it. At the border itself it is one or the other. */
-static void a_foot_that_is_pushed_on_rests_before_the_border_or_slips_on(void **state) {
+TEST(a_foot_that_is_pushed_on_rests_before_the_border_or_slips_on) {
     int rested = 0, slipped = 0;
-    (void)state;
     for (int by_cvode = 0; by_cvode <= (int)tdmf_cvode_is_available(); ++by_cvode) {
         const tdmf_motion without = slip_to_a_border(0.5, 4.0, by_cvode);
         const double rest = without.state[TDMF_FOOT_X];
@@ -511,11 +494,10 @@ static void a_foot_that_is_pushed_on_rests_before_the_border_or_slips_on(void **
 
 /* ---- what is refused ----------------------------------------------------------------------------------- */
 
-static void a_patch_that_ends_before_it_begins_is_refused_by_name(void **state) {
+TEST(a_patch_that_ends_before_it_begins_is_refused_by_name) {
     tdmf_parameters parameters = tdmf_default_parameters();
     tdmf_model model;
     char text[256];
-    (void)state;
     parameters.ground.patch_begin = 2.0;
     parameters.ground.patch_end = 1.0;
     const tdmf_refusal refusal = tdmf_model_create(&model, &parameters);
@@ -524,12 +506,11 @@ static void a_patch_that_ends_before_it_begins_is_refused_by_name(void **state) 
 }
 
 /* A patch is at a place, which these maps have not. */
-static void maps_without_foot_x_refuse_a_patch(void **state) {
+TEST(maps_without_foot_x_refuse_a_patch) {
     const patch_run *run = &patch_runs[0];
     const tdmf_model model = model_of(run);
     const tdmf_inputs inputs = inputs_of_patch_run(run);
     tdmf_solver solver = tdmf_solver_default();
-    (void)state;
     assert_int_equal(
         tdmf_return_map(&solver, (tdmf_system){&model, &inputs}, run->start, 1e3, false, NULL, 0).outcome,
         TDMF_RETURN_REFUSED);
@@ -538,21 +519,4 @@ static void maps_without_foot_x_refuse_a_patch(void **state) {
     assert_int_equal(
         tdmf_reduced_map(&solver, (tdmf_system){&model, &inputs}, run->start, 1e3, false, NULL, 0).outcome,
         TDMF_RETURN_REFUSED);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_native_solver_makes_each_run_word_by_word),
-        cmocka_unit_test(cvode_makes_each_run),
-        cmocka_unit_test(lanes_make_each_run_wherever_it_is),
-        cmocka_unit_test(each_stride_is_differentiated_by_foot_x_and_patch),
-        cmocka_unit_test(without_a_crossing_foot_x_is_carried_along),
-        cmocka_unit_test(a_foot_at_rest_on_a_border_slips_where_it_is_held_less),
-        cmocka_unit_test(a_foot_on_a_border_holds_on_by_the_friction_of_the_side_it_is_pushed_to),
-        cmocka_unit_test(a_foot_that_is_pushed_back_ends_where_it_would_without_the_border),
-        cmocka_unit_test(a_foot_that_is_pushed_on_rests_before_the_border_or_slips_on),
-        cmocka_unit_test(a_patch_that_ends_before_it_begins_is_refused_by_name),
-        cmocka_unit_test(maps_without_foot_x_refuse_a_patch),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

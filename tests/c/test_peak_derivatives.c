@@ -3,6 +3,7 @@
  * peaks. */
 #include "compare.h"
 #include "reference_gaits.h"
+#include "simulation.h"
 #include "system_of.h"
 
 #include "tdmf_slip/automaton.h"
@@ -25,7 +26,7 @@ static scene scene_on_slope(double friction, double slope) {
     const tdmf_parameters parameters = tdmf_default_parameters();
     scene scene;
     memset(&scene, 0, sizeof scene);
-    assert_null(tdmf_model_create(&scene.model, &parameters).variable);
+    scene.model = accepted_model(&parameters);
     scene.inputs = tdmf_default_inputs();
     scene.inputs.ground.friction = friction;
     scene.inputs.ground.slope = slope;
@@ -35,8 +36,7 @@ static scene scene_on_slope(double friction, double slope) {
 
 static tdmf_return stride_from(const scene *scene, bool derivatives, tdmf_event_log *log) {
     static const tdmf_seed by_slope = {.inputs = {.ground = {.slope = 1.0}}};
-    tdmf_solver solver = tdmf_solver_default();
-    solver.relative_tolerance = 1e-14;
+    tdmf_solver solver = solver_to(1e-14);
     solver.log = log;
     const tdmf_return stride =
         tdmf_return_map(&solver, SYSTEM_OF(scene), scene->section, long_enough, derivatives, &by_slope, 1);
@@ -88,11 +88,10 @@ static int side_of_peak(const scene *scene) {
     return 0;
 }
 
-static void peaks_on_slopes_are_differentiated(void **state) {
+TEST(peaks_on_slopes_are_differentiated) {
     static const double slopes[] = {-0.14, -0.1, -0.05, 0.02, 0.05};
     static const double frictions[] = {10.0, 1.2, 0.6, 0.2};
     int ends = 0, begins = 0, inside = 0;
-    (void)state;
     for (int i = 0; i < 20; ++i) {
         const scene scene = scene_on_slope(frictions[i % 4], slopes[i / 4]);
         const int side = side_of_peak(&scene);
@@ -123,11 +122,10 @@ static tdmf_stride stride_in_lanes(const scene *scene, tdmf_instructions instruc
 }
 
 /* At a friction of 0.2 the foot slips while the force is largest. */
-static void lanes_find_both_peaks_on_slopes(void **state) {
+TEST(lanes_find_both_peaks_on_slopes) {
     static const double slopes[] = {-0.14, -0.05, 0.02, 0.05};
     static const double frictions[] = {10.0, 0.6, 0.2};
     int compared = 0;
-    (void)state;
     for (int i = 0; i < 12; ++i) {
         const scene scene = scene_on_slope(frictions[i % 3], slopes[i / 3]);
         const tdmf_stride stride = stride_from(&scene, false, NULL).stride;
@@ -141,12 +139,4 @@ static void lanes_find_both_peaks_on_slopes(void **state) {
         }
     }
     assert_true(compared >= 12);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(peaks_on_slopes_are_differentiated),
-        cmocka_unit_test(lanes_find_both_peaks_on_slopes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

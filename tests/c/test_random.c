@@ -7,6 +7,7 @@
 #include "compare.h"
 #include "sample.h"
 #include "scene.h"
+#include "simulation.h"
 
 #include <math.h>
 
@@ -93,7 +94,7 @@ static runner near_the_gait(random_source *source) {
         scale_randomly(source, varied[i], max_factor);
     }
     p.hip.swing_clamp = random_truth(*source);
-    assert_null(tdmf_model_create(&runner.model, &p).variable);
+    runner.model = accepted_model(&p);
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         scale_randomly(source, &runner.motion.state[i], i == TDMF_LEG_LENGTH ? 1.05 : max_factor);
     }
@@ -253,8 +254,7 @@ static void assert_saw_everything(const tally *seen) {
     assert_true(seen->strides > sample_of(100) && seen->falls > sample_of(100));
 }
 
-static void any_runner_goes_on_or_falls(void **unused) {
-    (void)unused;
+TEST(any_runner_goes_on_or_falls) {
     tally seen = {{0}, {0}, 0, 0};
     for (uint64_t seed = 0; seed < RUNS; ++seed) {
         random_source source = {seed};
@@ -268,8 +268,7 @@ static void any_runner_goes_on_or_falls(void **unused) {
     assert_saw_everything(&seen);
 }
 
-static void runner_near_the_gait_goes_on_or_falls(void **unused) {
-    (void)unused;
+TEST(runner_near_the_gait_goes_on_or_falls) {
     tally seen = {{0}, {0}, 0, 0};
     for (uint64_t seed = 0; seed < RUNS / 4; ++seed) {
         random_source source = {seed};
@@ -278,12 +277,4 @@ static void runner_near_the_gait_goes_on_or_falls(void **unused) {
         run(&source, &runner, random_chance(&source, 0.2), &seen);
     }
     assert_saw_everything(&seen);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_runner_goes_on_or_falls),
-        cmocka_unit_test(runner_near_the_gait_goes_on_or_falls),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -249,9 +249,8 @@ static uint64_t seed_of(int runner) {
     return TDMF_SAMPLE_DIVISOR == 1 ? (uint64_t)runner : runner == 0 ? 84 : 48 + (uint64_t)runner;
 }
 
-static void every_stride_is_differentiated(void **state) {
+TEST(every_stride_is_differentiated) {
     tally seen;
-    (void)state;
     memset(&seen, 0, sizeof seen);
     for (int runner = 0; runner < RUNNERS; ++runner) {
         random_source source = {seed_of(runner)};
@@ -275,9 +274,4 @@ static void every_stride_is_differentiated(void **state) {
         }
     }
     assert_saw_everything(&seen);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_stride_is_differentiated)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

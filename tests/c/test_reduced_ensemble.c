@@ -5,6 +5,7 @@
 #include "reduced_gaits.h"
 #include "sample.h"
 #include "scene.h"
+#include "simulation.h"
 #include "tdmf_slip/ensemble.h"
 
 #include <math.h>
@@ -48,7 +49,7 @@ static population *make_population(void) {
         tdmf_ensemble_case *its_case = &population->cases[i];
         tdmf_parameters parameters = tdmf_default_parameters();
         vary(&source, &parameters, &its_case->inputs);
-        assert_null(tdmf_model_create(&population->models[i], &parameters).variable);
+        population->models[i] = accepted_model(&parameters);
         its_case->model = &population->models[i];
         its_case->rules.max_strides = STRIDES;
         population->case_of[i] = i;
@@ -97,9 +98,8 @@ static tdmf_fate fate_of(tdmf_return_outcome outcome, bool first) {
 /* What the map makes of a runner. */
 static tdmf_ensemble_end iterate(const tdmf_ensemble_case *its_case, const double start[TDMF_SECTION_COUNT]) {
     tdmf_ensemble_end end = {.gait = -1};
-    tdmf_solver solver = tdmf_solver_default();
+    tdmf_solver solver = solver_to(0.1 * tight);
     tdmf_return_outcome outcome = TDMF_RETURN_CLOSED;
-    solver.relative_tolerance = 0.1 * tight;
     memcpy(end.apex, start, sizeof end.apex);
     while (outcome == TDMF_RETURN_CLOSED && end.strides < STRIDES) {
         const tdmf_return stride = tdmf_reduced_map(
@@ -139,11 +139,10 @@ static void assert_same_end(const tdmf_ensemble_end *a, const tdmf_ensemble_end 
     assert_close(a->impact_loss, b->impact_loss, tolerance);
 }
 
-static void runners_end_where_the_map_takes_them(void **state) {
+TEST(runners_end_where_the_map_takes_them) {
     population *population = make_population();
     tdmf_ensemble_end expected[RUNNERS];
     int sets = 0;
-    (void)state;
     for (int i = 0; i < RUNNERS; ++i) {
         expected[i] = iterate(&population->cases[i], population->starts[i]);
     }
@@ -170,9 +169,8 @@ static void runners_end_where_the_map_takes_them(void **state) {
 
 /* ---- neighbours and threads --------------------------------------------------------------------------- */
 
-static void neighbours_and_threads_do_not_matter(void **state) {
+TEST(neighbours_and_threads_do_not_matter) {
     population *population = make_population();
-    (void)state;
     tdmf_ensemble_end *together = run(&population->ensemble);
     population->ensemble.threads = 3;
     tdmf_ensemble_end *shared = run(&population->ensemble);
@@ -194,16 +192,14 @@ static void neighbours_and_threads_do_not_matter(void **state) {
 /* ---- settling ----------------------------------------------------------------------------------------- */
 
 /* By the two coordinates that the map has: the leg of the gait that is given is anything. */
-static void runners_settle_on_the_gaits_of_the_reference(void **state) {
-    (void)state;
+TEST(runners_settle_on_the_gaits_of_the_reference) {
     for (int i = 0; i < REDUCED_GAITS; ++i) {
         const reduced_gait *gait = &reduced_gaits[i];
         const tdmf_parameters parameters = parameters_of_reduced_gait(gait);
         const double gaits[1][TDMF_SECTION_COUNT] = {{gait->apex[0], gait->apex[1], 7.0, NAN, 7.0, 7.0}};
         const double starts[2][TDMF_SECTION_COUNT] = {{gait->apex[0], gait->apex[1]},
                                                       {gait->apex[0] + 0.03, gait->apex[1] - 0.03}};
-        tdmf_model model;
-        assert_null(tdmf_model_create(&model, &parameters).variable);
+        const tdmf_model model = accepted_model(&parameters);
         const tdmf_ensemble_case its_case = {
             &model,
             inputs_of_reduced_gait(gait),
@@ -228,22 +224,11 @@ static void runners_settle_on_the_gaits_of_the_reference(void **state) {
     }
 }
 
-static void there_is_no_third_map(void **state) {
+TEST(there_is_no_third_map) {
     population *population = make_population();
     tdmf_ensemble_end end = {.strides = 77};
-    (void)state;
     population->ensemble.map = (tdmf_ensemble_map)2;
     assert_false(tdmf_run_ensemble(&population->ensemble, &end, NULL));
     assert_int_equal(end.strides, 77);
     free(population);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(runners_end_where_the_map_takes_them),
-        cmocka_unit_test(neighbours_and_threads_do_not_matter),
-        cmocka_unit_test(runners_settle_on_the_gaits_of_the_reference),
-        cmocka_unit_test(there_is_no_third_map),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
  * counted from where each begins; and a touchdown that is not found is not one at once. */
 #include "compare.h"
 #include "reference_gaits.h"
+#include "simulation.h"
 #include "system_of.h"
 
 #include "tdmf_slip/reduced_map.h"
@@ -28,7 +29,7 @@ static scene stride_known(void) {
     tdmf_event_log log;
     memset(&scene, 0, sizeof scene);
     memset(&log, 0, sizeof log);
-    assert_null(tdmf_model_create(&scene.model, &parameters).variable);
+    scene.model = accepted_model(&parameters);
     scene.inputs = tdmf_default_inputs();
     memcpy(scene.apex, &reference_gaits[DEFAULT_GAIT].apex, sizeof scene.apex);
     const tdmf_return whole = stride(&scene, 1e3, &log);
@@ -39,10 +40,9 @@ static scene stride_known(void) {
     return scene;
 }
 
-static void the_stance_has_its_own_time(void **state) {
+TEST(the_stance_has_its_own_time) {
     const scene scene = stride_known();
     const double longer = fmax(scene.descent, scene.stance), shorter = fmin(scene.descent, scene.stance);
-    (void)state;
     assert_true(shorter > 0.05 * longer);
     assert_int_equal(stride(&scene, longer * 1.01, NULL).outcome, TDMF_RETURN_CLOSED);
     assert_true(longer * 1.01 < scene.descent + scene.stance);
@@ -51,18 +51,9 @@ static void the_stance_has_its_own_time(void **state) {
         : assert_int_equal(stride(&scene, longer * 0.99, NULL).outcome, TDMF_RETURN_NO_TOUCHDOWN);
 }
 
-static void the_descent_has_its_own_time(void **state) {
+TEST(the_descent_has_its_own_time) {
     const scene scene = stride_known();
-    (void)state;
     assert_int_equal(stride(&scene, scene.descent * (1.0 - 1e-9), NULL).outcome, TDMF_RETURN_NO_TOUCHDOWN);
     assert_int_not_equal(stride(&scene, scene.descent * (1.0 + 1e-9), NULL).outcome,
                          TDMF_RETURN_NO_TOUCHDOWN);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_stance_has_its_own_time),
-        cmocka_unit_test(the_descent_has_its_own_time),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,6 +5,7 @@
 #include "random.h"
 #include "reduced_gaits.h"
 #include "scene.h"
+#include "simulation.h"
 
 #include <limits.h>
 #include <math.h>
@@ -38,8 +39,7 @@ static apex_scene at_gait(const reduced_gait *gait) {
 }
 
 static tdmf_model model_of(const apex_scene *scene) {
-    tdmf_model model;
-    assert_null(tdmf_model_create(&model, &scene->parameters).variable);
+    const tdmf_model model = accepted_model(&scene->parameters);
     return model;
 }
 
@@ -63,8 +63,7 @@ static void eigenvalues_of(const tdmf_return *stride, double eigenvalues[2]) {
     eigenvalues[1] = middle - root;
 }
 
-static void the_map_leaves_the_gaits_of_the_reference_where_they_are(void **state) {
-    (void)state;
+TEST(the_map_leaves_the_gaits_of_the_reference_where_they_are) {
     for (int i = 0; i < REDUCED_GAITS; ++i) {
         const reduced_gait *gait = &reduced_gaits[i];
         const apex_scene scene = at_gait(gait);
@@ -84,15 +83,13 @@ static void the_map_leaves_the_gaits_of_the_reference_where_they_are(void **stat
     }
 }
 
-static void gaits_are_found_to_rounding(void **state) {
-    (void)state;
+TEST(gaits_are_found_to_rounding) {
     for (int i = 0; i < REDUCED_GAITS; ++i) {
         const reduced_gait *gait = &reduced_gaits[i];
         const apex_scene scene = at_gait(gait);
         const tdmf_model model = model_of(&scene);
         const double guess[TDMF_REDUCED_COUNT] = {gait->apex[0] + 0.02, gait->apex[1] - 0.02};
-        tdmf_solver solver = tdmf_solver_default();
-        solver.relative_tolerance = tight;
+        tdmf_solver solver = solver_to(tight);
         const tdmf_orbit orbit =
             tdmf_find_reduced_orbit(&solver, (tdmf_system){&model, &scene.inputs}, guess, NULL, 0);
         assert_int_equal(orbit.outcome, TDMF_ORBIT_FOUND);
@@ -168,8 +165,7 @@ static void assert_differentiated(const apex_scene *scene, int k, double step, d
     }
 }
 
-static void the_jacobian_is_that_of_the_map(void **state) {
-    (void)state;
+TEST(the_jacobian_is_that_of_the_map) {
     for (int i = 0; i < REDUCED_GAITS; ++i) {
         apex_scene scene = at_gait(&reduced_gaits[i]);
         scene.apex[0] += 0.01;
@@ -181,8 +177,7 @@ static void the_jacobian_is_that_of_the_map(void **state) {
 }
 
 /* A torque from outside does work up to lift-off and makes the work of a stance depend on all. */
-static void parameters_and_inputs_are_differentiated(void **state) {
-    (void)state;
+TEST(parameters_and_inputs_are_differentiated) {
     for (int i = 0; i < REDUCED_GAITS; ++i) {
         apex_scene scene = at_gait(&reduced_gaits[i]);
         scene.apex[0] += 0.01;
@@ -237,11 +232,10 @@ static apex_scene random_scene(random_source *source) {
     return scene;
 }
 
-static void the_energy_of_the_centre_of_mass_closes(void **state) {
+TEST(the_energy_of_the_centre_of_mass_closes) {
     enum { STRIDES = 300 };
     random_source source = {5};
     int compared = 0;
-    (void)state;
     for (int i = 0; i < STRIDES; ++i) {
         const apex_scene scene = random_scene(&source);
         const tdmf_model model = model_of(&scene);
@@ -260,11 +254,10 @@ static void the_energy_of_the_centre_of_mass_closes(void **state) {
 }
 
 /* Mass by a, stiffness by b, length by d: time by sqrt(a/b), speed by d sqrt(b/a), energy by b d^2. */
-static void a_scaled_runner_makes_the_scaled_stride(void **state) {
+TEST(a_scaled_runner_makes_the_scaled_stride) {
     enum { STRIDES = 200 };
     random_source source = {6};
     int compared = 0;
-    (void)state;
     for (int i = 0; i < STRIDES; ++i) {
         const apex_scene scene = random_scene(&source);
         const double mass = random_magnitude(&source, 1e-2, 1e2);
@@ -296,8 +289,7 @@ static void a_scaled_runner_makes_the_scaled_stride(void **state) {
         scaled.apex[1] *= speed;
         const tdmf_return a = stride_from(&scene, tight, true, NULL, 0);
         const tdmf_model scaled_model = model_of(&scaled);
-        tdmf_solver solver = tdmf_solver_default();
-        solver.relative_tolerance = tight;
+        tdmf_solver solver = solver_to(tight);
         const tdmf_return b = tdmf_reduced_map(&solver, (tdmf_system){&scaled_model, &scaled.inputs},
                                                scaled.apex, longest * time, true, NULL, 0);
         assert_int_equal(a.outcome, b.outcome);
@@ -316,9 +308,8 @@ static void a_scaled_runner_makes_the_scaled_stride(void **state) {
 }
 
 /* What an input adds to a setting does what the setting would do. */
-static void control_and_extension_are_settings(void **state) {
+TEST(control_and_extension_are_settings) {
     apex_scene scene = at_gait(&reduced_gaits[2]), set = scene;
-    (void)state;
     scene.inputs.control.touchdown_angle = 0.05;
     scene.inputs.control.stance_torque = 0.03;
     scene.inputs.control.thrust = 0.02;
@@ -344,10 +335,9 @@ static tdmf_return_outcome outcome_from(const apex_scene *scene) {
     return stride_from(scene, tight, true, NULL, 0).outcome;
 }
 
-static void a_stride_that_does_not_close_says_why(void **state) {
+TEST(a_stride_that_does_not_close_says_why) {
     const apex_scene gait = at_gait(&reduced_gaits[2]);
     apex_scene scene = gait;
-    (void)state;
     scene.apex[0] = 0.5; /* the foot hangs 0.696 below the centre of mass */
     assert_int_equal(outcome_from(&scene), TDMF_RETURN_NO_START);
     scene = gait;
@@ -382,9 +372,8 @@ static void a_stride_that_does_not_close_says_why(void **state) {
 
 /* At the next apex the foot is placed below the ground, behind the body, so that the impact does not load it.
  * That is the next stride's end. */
-static void a_stride_closes_where_the_next_has_no_stance(void **state) {
+TEST(a_stride_closes_where_the_next_has_no_stance) {
     apex_scene scene = {tdmf_default_parameters(), tdmf_default_inputs(), {1.0157, 1.5229}};
-    (void)state;
     scene.parameters.hip.touchdown_angle = -0.3593;
     scene.parameters.hip.retraction_rate = 0.8107;
     scene.parameters.leg.damping = 0.07;
@@ -401,22 +390,20 @@ static void a_stride_closes_where_the_next_has_no_stance(void **state) {
 }
 
 /* Nothing brings a runner down, or back, who is pushed up by his weight. */
-static void a_runner_that_is_held_up_has_no_stride(void **state) {
+TEST(a_runner_that_is_held_up_has_no_stride) {
     apex_scene scene = at_gait(&reduced_gaits[2]);
     const tdmf_model model = model_of(&scene);
-    (void)state;
     scene.inputs.body.external_fy = 1.5 * model.total_mass * model.parameters.gravity;
     const tdmf_return_outcome outcome = outcome_from(&scene);
     assert_true(outcome == TDMF_RETURN_NO_TOUCHDOWN || outcome == TDMF_RETURN_REFUSED);
 }
 
-static void what_is_no_number_or_out_of_range_is_refused(void **state) {
+TEST(what_is_no_number_or_out_of_range_is_refused) {
     static const double bad[] = {NAN, INFINITY, -INFINITY, 1e300};
     const apex_scene gait = at_gait(&reduced_gaits[2]);
     const tdmf_model model = model_of(&gait);
     tdmf_seed seeds[TDMF_REDUCED_MAP_SEEDS + 1];
     tdmf_solver solver = tdmf_solver_default();
-    (void)state;
     for (int k = 0; k < TDMF_REDUCED_COUNT; ++k) {
         for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
             apex_scene scene = gait;
@@ -446,10 +433,9 @@ static void what_is_no_number_or_out_of_range_is_refused(void **state) {
     assert_int_equal(tired.solver, TDMF_TOO_MANY_STEPS);
 }
 
-static void what_did_not_happen_or_was_not_asked_for_is_zero(void **state) {
+TEST(what_did_not_happen_or_was_not_asked_for_is_zero) {
     static const tdmf_return nothing;
     apex_scene scene = at_gait(&reduced_gaits[2]);
-    (void)state;
     const tdmf_return plain = stride_from(&scene, tight, false, NULL, 0);
     assert_memory_equal(plain.variations, nothing.variations, sizeof plain.variations);
     scene.apex[0] = 200.0;
@@ -459,11 +445,10 @@ static void what_did_not_happen_or_was_not_asked_for_is_zero(void **state) {
     assert_memory_equal(fell.variations, nothing.variations, sizeof fell.variations);
 }
 
-static void a_search_tells_what_ends_the_stride_from_its_guess(void **state) {
+TEST(a_search_tells_what_ends_the_stride_from_its_guess) {
     apex_scene scene = at_gait(&reduced_gaits[2]);
     const tdmf_model model = model_of(&scene);
     tdmf_solver solver = tdmf_solver_default();
-    (void)state;
     scene.apex[0] = 0.5;
     assert_int_equal(
         tdmf_find_reduced_orbit(&solver, (tdmf_system){&model, &scene.inputs}, scene.apex, NULL, 0).outcome,
@@ -482,7 +467,7 @@ static void a_search_tells_what_ends_the_stride_from_its_guess(void **state) {
 
 /* ---- events ------------------------------------------------------------------------------------------- */
 
-static void a_log_has_the_events_of_a_stride(void **state) {
+TEST(a_log_has_the_events_of_a_stride) {
     const apex_scene scene = at_gait(&reduced_gaits[0]); /* 0+ */
     static const int expected[] = {TDMF_GUARD_TOUCHDOWN, TDMF_GUARD_MID_STANCE,
                                    TDMF_GUARD_SLIP_ONSET_POSITIVE, TDMF_GUARD_LIFT_OFF, TDMF_GUARD_APEX};
@@ -490,7 +475,6 @@ static void a_log_has_the_events_of_a_stride(void **state) {
     const tdmf_model model = model_of(&scene);
     tdmf_event_log log = {0};
     tdmf_solver solver = tdmf_solver_default();
-    (void)state;
     solver.log = &log;
     const tdmf_return stride =
         tdmf_reduced_map(&solver, (tdmf_system){&model, &scene.inputs}, scene.apex, INFINITY, false, NULL, 0);
@@ -504,12 +488,11 @@ static void a_log_has_the_events_of_a_stride(void **state) {
     assert_close(log.events[3].state[TDMF_LEG_ANGLE], stride.liftoff_angle, 0.0);
 }
 
-static void a_fall_is_the_last_event_under_the_largest_limit(void **state) {
+TEST(a_fall_is_the_last_event_under_the_largest_limit) {
     apex_scene scene = at_gait(&reduced_gaits[0]);
     const tdmf_model model = model_of(&scene);
     tdmf_event_log log = {0};
     tdmf_solver solver = tdmf_solver_default();
-    (void)state;
     solver.event_limit = LONG_MAX;
     assert_int_equal(
         tdmf_reduced_map(&solver, (tdmf_system){&model, &scene.inputs}, scene.apex, INFINITY, false, NULL, 0)
@@ -552,8 +535,7 @@ static heights heights_after(const apex_scene *scene, double time) {
 static tdmf_event first_event(const apex_scene *scene) {
     const tdmf_model model = model_of(scene);
     tdmf_event_log log = {0};
-    tdmf_solver solver = tdmf_solver_default();
-    solver.relative_tolerance = tight;
+    tdmf_solver solver = solver_to(tight);
     solver.log = &log;
     tdmf_reduced_map(&solver, (tdmf_system){&model, &scene->inputs}, scene->apex, INFINITY, false, NULL, 0);
     assert_true(log.count > 0);
@@ -561,11 +543,10 @@ static tdmf_event first_event(const apex_scene *scene) {
 }
 
 /* The leg turns many times in the fall: the first of many heights zero is the touchdown. Sampled densely. */
-static void the_first_touchdown_is_found_however_the_leg_turns(void **state) {
+TEST(the_first_touchdown_is_found_however_the_leg_turns) {
     enum { SCENES = 200, SAMPLES = 20000 };
     random_source source = {7};
     int feet = 0, bodies = 0;
-    (void)state;
     for (int i = 0; i < SCENES; ++i) {
         apex_scene scene = random_scene(&source);
         scene.parameters.hip.retraction_rate = random_uniform(&source, -3.0, 3.0);
@@ -588,9 +569,8 @@ static void the_first_touchdown_is_found_however_the_leg_turns(void **state) {
 }
 
 /* Its leg turns fast and just misses the ground at first, which then falls away beneath it for long. */
-static void a_runner_off_a_slope_comes_down_much_later(void **state) {
+TEST(a_runner_off_a_slope_comes_down_much_later) {
     apex_scene scene = at_gait(&reduced_gaits[2]);
-    (void)state;
     scene.parameters.hip.touchdown_angle = -0.8;
     scene.parameters.hip.retraction_rate = -4.0;
     scene.parameters.gravity = 0.1;
@@ -599,27 +579,4 @@ static void a_runner_off_a_slope_comes_down_much_later(void **state) {
     scene.apex[1] = -80.0;
     /* A stone would take so long; the leg is as short as nothing beside the way. */
     assert_relatively_close(first_event(&scene).time, 2.0 * 80.0 * tan(0.7) / 0.1, 1e-2);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_map_leaves_the_gaits_of_the_reference_where_they_are),
-        cmocka_unit_test(gaits_are_found_to_rounding),
-        cmocka_unit_test(the_jacobian_is_that_of_the_map),
-        cmocka_unit_test(parameters_and_inputs_are_differentiated),
-        cmocka_unit_test(the_energy_of_the_centre_of_mass_closes),
-        cmocka_unit_test(a_scaled_runner_makes_the_scaled_stride),
-        cmocka_unit_test(control_and_extension_are_settings),
-        cmocka_unit_test(a_stride_that_does_not_close_says_why),
-        cmocka_unit_test(a_stride_closes_where_the_next_has_no_stance),
-        cmocka_unit_test(a_runner_that_is_held_up_has_no_stride),
-        cmocka_unit_test(what_is_no_number_or_out_of_range_is_refused),
-        cmocka_unit_test(what_did_not_happen_or_was_not_asked_for_is_zero),
-        cmocka_unit_test(a_search_tells_what_ends_the_stride_from_its_guess),
-        cmocka_unit_test(a_runner_off_a_slope_comes_down_much_later),
-        cmocka_unit_test(a_log_has_the_events_of_a_stride),
-        cmocka_unit_test(a_fall_is_the_last_event_under_the_largest_limit),
-        cmocka_unit_test(the_first_touchdown_is_found_however_the_leg_turns),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /* What is refused, with which words, and that a refusal writes nothing. */
 #include "compare.h"
 #include "scene.h"
+#include "simulation.h"
 
 #include <float.h>
 #include <locale.h>
@@ -68,8 +69,7 @@ static void assert_refuses_parameter(const named_value *which, double value) {
     assert_true(refusal.minimum <= refusal.maximum);
 }
 
-static void every_parameter_has_a_range(void **unused) {
-    (void)unused;
+TEST(every_parameter_has_a_range) {
     for (size_t i = 0; i < PARAMETER_NAMES; ++i) {
         const named_value *which = &parameter_names[i];
         const tdmf_refusal range = create_with(which, (double)NAN);
@@ -83,8 +83,7 @@ static void every_parameter_has_a_range(void **unused) {
     }
 }
 
-static void ranges_exclude_what_makes_no_sense(void **unused) {
-    (void)unused;
+TEST(ranges_exclude_what_makes_no_sense) {
     static const size_t positive[] = {0, 1, 2, 4, 5, 6};
     static const size_t not_negative[] = {3, 9, 10, 11};
     for (size_t i = 0; i < sizeof positive / sizeof positive[0]; ++i) {
@@ -97,12 +96,10 @@ static void ranges_exclude_what_makes_no_sense(void **unused) {
     }
 }
 
-static void minimum_length_may_not_exceed_the_free_length(void **unused) {
-    (void)unused;
+TEST(minimum_length_may_not_exceed_the_free_length) {
     tdmf_parameters parameters = tdmf_default_parameters();
-    tdmf_model model;
     parameters.leg.min_length = parameters.leg.free_length;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    tdmf_model model = accepted_model(&parameters);
     parameters.leg.min_length = nextafter(parameters.leg.free_length, 2.0);
     const tdmf_refusal refusal = tdmf_model_create(&model, &parameters);
     assert_string_equal(refusal.variable, "leg.min_length");
@@ -113,16 +110,14 @@ static void minimum_length_may_not_exceed_the_free_length(void **unused) {
 }
 
 /* 0 is another law, and not the end of this one. */
-static void a_friction_may_fall_at_once_but_not_within_next_to_nothing(void **unused) {
-    (void)unused;
+TEST(a_friction_may_fall_at_once_but_not_within_next_to_nothing) {
     tdmf_parameters parameters = tdmf_default_parameters();
-    tdmf_model model;
     char text[256];
     parameters.body.mass = 80.0;
     parameters.leg.stiffness = 20480.0; /* so that k/m is 256/s2 */
     parameters.leg.free_length = 0.5;
     parameters.ground.stribeck_velocity = 8.001e-11;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    tdmf_model model = accepted_model(&parameters);
     parameters.ground.stribeck_velocity = 5e-324;
     const tdmf_refusal refusal = tdmf_model_create(&model, &parameters);
     assert_string_equal(refusal.variable, "ground.stribeck_velocity");
@@ -130,17 +125,15 @@ static void a_friction_may_fall_at_once_but_not_within_next_to_nothing(void **un
                         "ground.stribeck_velocity = 4.94065646e-324 m/s is refused: allowed from 8e-11 to "
                         "1e+09 m/s (or 0)");
     parameters.ground.stribeck_velocity = 0.0;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    model = accepted_model(&parameters);
 }
 
-static void scales_follow_from_the_parameters(void **unused) {
-    (void)unused;
+TEST(scales_follow_from_the_parameters) {
     tdmf_parameters parameters = tdmf_default_parameters();
     parameters.body.mass = 80.0;
     parameters.leg.stiffness = 20000.0;
     parameters.leg.free_length = 0.5;
-    tdmf_model model;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    const tdmf_model model = accepted_model(&parameters);
     assert_close(model.scales.length, 0.5, 0.0);
     assert_relatively_close(model.scales.time, sqrt(80.0 / 20000.0), 1e-15);
     assert_relatively_close(model.scales.speed, 0.5 * sqrt(20000.0 / 80.0), 1e-15);
@@ -162,8 +155,7 @@ static tdmf_refusal check_torque(double torque) {
     return tdmf_check_inputs(&inputs);
 }
 
-static void inputs_have_ranges(void **unused) {
-    (void)unused;
+TEST(inputs_have_ranges) {
     static const double never[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
     for (int i = 0; i < 3; ++i) {
         assert_string_equal(check_friction(never[i]).variable, "ground.friction");
@@ -199,8 +191,7 @@ static void assert_refuses_start(int element, double value, const char *variable
     assert_string_equal(refusal.variable, variable);
 }
 
-static void every_state_has_a_range(void **unused) {
-    (void)unused;
+TEST(every_state_has_a_range) {
     static const char *const names[TDMF_MECHANICAL_COUNT] = {"foot.x",          "foot.y",        "leg.length",
                                                              "leg.angle",       "foot.vx",       "foot.vy",
                                                              "leg.length_rate", "leg.angle_rate"};
@@ -213,8 +204,7 @@ static void every_state_has_a_range(void **unused) {
     }
 }
 
-static void start_below_the_ground_is_refused(void **unused) {
-    (void)unused;
+TEST(start_below_the_ground_is_refused) {
     assert_refuses_start(TDMF_FOOT_Y, -1.1e-12, "foot.y");
     runner runner = runner_default(0.6);
     runner.motion.state[TDMF_FOOT_Y] = 0.5;
@@ -230,8 +220,7 @@ static void start_below_the_ground_is_refused(void **unused) {
     assert_string_equal(start(&runner, 0.0).variable, "body.y");
 }
 
-static void start_with_too_short_a_leg_is_refused(void **unused) {
-    (void)unused;
+TEST(start_with_too_short_a_leg_is_refused) {
     runner runner = runner_default(0.6);
     runner.motion.state[TDMF_LEG_LENGTH] = 0.05;
     assert_null(start(&runner, 0.0).variable);
@@ -243,8 +232,7 @@ static void start_with_too_short_a_leg_is_refused(void **unused) {
     assert_true(refusal.minimum == 0.05 && refusal.maximum == 1e9);
 }
 
-static void start_needs_a_finite_time_and_good_inputs(void **unused) {
-    (void)unused;
+TEST(start_needs_a_finite_time_and_good_inputs) {
     runner runner = runner_default(0.6);
     assert_string_equal(start(&runner, (double)NAN).variable, "time");
     assert_string_equal(start(&runner, (double)INFINITY).variable, "time");
@@ -266,8 +254,7 @@ static const tdmf_refusal short_leg = {"leg.length", "m", 0.01, 0.05, 1e9, "leg.
 static const char short_leg_text[] =
     "leg.length = 0.01 m is refused: allowed from 0.05 to 1e+09 m (leg.min_length)";
 
-static void text_names_variable_value_and_range(void **unused) {
-    (void)unused;
+TEST(text_names_variable_value_and_range) {
     const tdmf_refusal friction = {"ground.friction", "1", -0.5, 0.0, 1e6, NULL};
     const tdmf_refusal mass = {"body.mass", "kg", -(double)INFINITY, 1e-9, 1e9, NULL};
     const tdmf_refusal accepted = {0};
@@ -278,8 +265,7 @@ static void text_names_variable_value_and_range(void **unused) {
 }
 
 /* What refuses and what speaks fit together. */
-static void refusals_speak(void **unused) {
-    (void)unused;
+TEST(refusals_speak) {
     char text[256];
     const tdmf_refusal refusal = create_with(&parameter_names[0], -2.5);
     tdmf_refusal_text(&refusal, text, sizeof text);
@@ -290,8 +276,7 @@ static void refusals_speak(void **unused) {
     assert_non_null(strstr(text, "nan m/s2 is refused"));
 }
 
-static void text_fits_any_capacity(void **unused) {
-    (void)unused;
+TEST(text_fits_any_capacity) {
     for (size_t capacity = 0; capacity <= sizeof short_leg_text; ++capacity) {
         char text[128];
         memset(text, '#', sizeof text);
@@ -316,8 +301,7 @@ static bool use_decimal_comma(void) {
     return false;
 }
 
-static void text_has_a_decimal_point_in_any_locale(void **unused) {
-    (void)unused;
+TEST(text_has_a_decimal_point_in_any_locale) {
     if (!use_decimal_comma()) {
         skip();
     }
@@ -325,24 +309,4 @@ static void text_has_a_decimal_point_in_any_locale(void **unused) {
     tdmf_refusal_text(&short_leg, text, sizeof text);
     setlocale(LC_NUMERIC, "C");
     assert_string_equal(text, short_leg_text);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_parameter_has_a_range),
-        cmocka_unit_test(ranges_exclude_what_makes_no_sense),
-        cmocka_unit_test(minimum_length_may_not_exceed_the_free_length),
-        cmocka_unit_test(a_friction_may_fall_at_once_but_not_within_next_to_nothing),
-        cmocka_unit_test(scales_follow_from_the_parameters),
-        cmocka_unit_test(inputs_have_ranges),
-        cmocka_unit_test(every_state_has_a_range),
-        cmocka_unit_test(start_below_the_ground_is_refused),
-        cmocka_unit_test(start_with_too_short_a_leg_is_refused),
-        cmocka_unit_test(start_needs_a_finite_time_and_good_inputs),
-        cmocka_unit_test(text_names_variable_value_and_range),
-        cmocka_unit_test(refusals_speak),
-        cmocka_unit_test(text_fits_any_capacity),
-        cmocka_unit_test(text_has_a_decimal_point_in_any_locale),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,6 +3,7 @@
 #include "compare.h"
 #include "reference_gaits.h"
 #include "scene.h"
+#include "simulation.h"
 
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/ensemble.h"
@@ -27,7 +28,7 @@ static scene standing_at_apex(void) {
     memset(&scene, 0, sizeof scene);
     scene.solver = tdmf_solver_default();
     scene.inputs = tdmf_default_inputs();
-    assert_null(tdmf_model_create(&scene.model, &parameters).variable);
+    scene.model = accepted_model(&parameters);
     memcpy(scene.section, &reference_gaits[DEFAULT_GAIT].apex, sizeof scene.section);
     tdmf_section_state(SYSTEM_OF(&scene), scene.section, scene.motion.state);
     scene.motion.time = 0.0;
@@ -80,8 +81,7 @@ static void assert_refused(run *run, scene *scene) {
     assert_int_equal(scene->solver.steps, 0);
 }
 
-static void no_solver_runs_in_a_mode_that_there_is_not(void **state) {
-    (void)state;
+TEST(no_solver_runs_in_a_mode_that_there_is_not) {
     const int count = tdmf_cvode_is_available() ? RUNS : RUNS - 1;
     for (int i = 0; i < count; ++i) {
         scene sound = standing_at_apex();
@@ -94,8 +94,7 @@ static void no_solver_runs_in_a_mode_that_there_is_not(void **state) {
     }
 }
 
-static void no_solver_runs_from_a_state_that_is_not_finite(void **state) {
-    (void)state;
+TEST(no_solver_runs_from_a_state_that_is_not_finite) {
     const int count = tdmf_cvode_is_available() ? RUNS : RUNS - 1;
     const double not_finite[] = {NAN, INFINITY, -INFINITY};
     for (int i = 0; i < count; ++i) {
@@ -107,8 +106,7 @@ static void no_solver_runs_from_a_state_that_is_not_finite(void **state) {
     }
 }
 
-static void contact_and_phase_have_to_go_together(void **state) {
-    (void)state;
+TEST(contact_and_phase_have_to_go_together) {
     for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
         for (int phase = TDMF_PHASE_DRIVE; phase <= TDMF_PHASE_PLACE; ++phase) {
             scene scene = standing_at_apex();
@@ -124,8 +122,7 @@ static void contact_and_phase_have_to_go_together(void **state) {
     }
 }
 
-static void the_automaton_takes_nothing_in_a_mode_that_there_is_not(void **state) {
-    (void)state;
+TEST(the_automaton_takes_nothing_in_a_mode_that_there_is_not) {
     const scene s = standing_at_apex();
     for (int which = 0; which < 2 * NO_MODES; ++which) {
         const tdmf_mode mode = no_mode(&s.motion.mode, which);
@@ -149,8 +146,7 @@ static void the_automaton_takes_nothing_in_a_mode_that_there_is_not(void **state
 
 /* ---- counts and pointers ------------------------------------------------------------------------------ */
 
-static void solvers_refuse_null(void **state) {
-    (void)state;
+TEST(solvers_refuse_null) {
     const scene s = standing_at_apex();
     tdmf_solver solver = s.solver;
     tdmf_motion motion = s.motion;
@@ -179,8 +175,7 @@ static void solvers_refuse_null(void **state) {
     assert_memory_equal(&motion, &s.motion, sizeof motion);
 }
 
-static void a_log_begins_at_none(void **state) {
-    (void)state;
+TEST(a_log_begins_at_none) {
     scene s = standing_at_apex();
     tdmf_event_log log;
     memset(&log, 0, sizeof log);
@@ -196,8 +191,7 @@ static void a_log_begins_at_none(void **state) {
     assert_int_equal(log.count, INT_MAX);
 }
 
-static void maps_refuse_null(void **state) {
-    (void)state;
+TEST(maps_refuse_null) {
     scene s = standing_at_apex();
     const int counts[] = {1, INT_MAX, -1};
     for (int i = 0; i < 3; ++i) {
@@ -237,8 +231,7 @@ static void maps_refuse_null(void **state) {
     assert_int_equal(s.solver.steps, 0);
 }
 
-static void refusals_name_what_is_null(void **state) {
-    (void)state;
+TEST(refusals_name_what_is_null) {
     const tdmf_parameters parameters = tdmf_default_parameters();
     scene s = standing_at_apex();
     char text[64];
@@ -264,8 +257,7 @@ static void pages_take_all_seeds(void) {
     assert_int_equal(tdmf_page_stride(&map, point, end, varied).outcome, TDMF_PAGE_CROSSED);
 }
 
-static void pages_refuse_null_and_numbers_out_of_range(void **state) {
-    (void)state;
+TEST(pages_refuse_null_and_numbers_out_of_range) {
     enum { SIZE = 64 };
     double p[SIZE], x[SIZE], end[SIZE], point[] = {1.03, 6000.0};
     const tdmf_page *page = tdmf_page_named("classic_slip");
@@ -467,8 +459,7 @@ static void law_without_high(population *c) {
     c->law.high = NULL;
 }
 
-static void ensembles_refuse_counts_without_arrays(void **state) {
-    (void)state;
+TEST(ensembles_refuse_counts_without_arrays) {
     seed *const seeds[] = {no_cases,
                            cases_below_zero,
                            no_model,
@@ -506,8 +497,7 @@ static void ensembles_refuse_counts_without_arrays(void **state) {
 }
 
 /* So many threads could not even be counted. */
-static void threads_are_no_more_than_runners(void **state) {
-    (void)state;
+TEST(threads_are_no_more_than_runners) {
     population population;
     gather(&population);
     population.ensemble.threads = INT_MAX;
@@ -518,8 +508,7 @@ static void threads_are_no_more_than_runners(void **state) {
 
 /* ---- buffers that are the same ------------------------------------------------------------------------ */
 
-static void in_place_gives_the_same(void **state) {
-    (void)state;
+TEST(in_place_gives_the_same) {
     const scene s = standing_at_apex();
     double apart[TDMF_STATE_COUNT], in_place[TDMF_STATE_COUNT];
     tdmf_section_state(SYSTEM_OF(&s), s.section, apart);
@@ -544,22 +533,4 @@ static void in_place_gives_the_same(void **state) {
         tdmf_derivatives(SYSTEM_OF(&anybody), &anybody.motion.mode, in_place, in_place);
         assert_memory_equal(in_place, apart, sizeof apart);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_solver_runs_in_a_mode_that_there_is_not),
-        cmocka_unit_test(no_solver_runs_from_a_state_that_is_not_finite),
-        cmocka_unit_test(contact_and_phase_have_to_go_together),
-        cmocka_unit_test(the_automaton_takes_nothing_in_a_mode_that_there_is_not),
-        cmocka_unit_test(solvers_refuse_null),
-        cmocka_unit_test(a_log_begins_at_none),
-        cmocka_unit_test(maps_refuse_null),
-        cmocka_unit_test(refusals_name_what_is_null),
-        cmocka_unit_test(pages_refuse_null_and_numbers_out_of_range),
-        cmocka_unit_test(ensembles_refuse_counts_without_arrays),
-        cmocka_unit_test(threads_are_no_more_than_runners),
-        cmocka_unit_test(in_place_gives_the_same),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

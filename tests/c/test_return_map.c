@@ -6,6 +6,7 @@
 #include "reference_gaits.h"
 #include "sample.h"
 #include "scene.h"
+#include "simulation.h"
 #include "stride_results.h"
 #include "tdmf_slip/orbit.h"
 
@@ -53,10 +54,8 @@ static double *coordinate(scene_at_apex *scene, int k) {
 }
 
 static tdmf_return stride_of(const scene_at_apex *scene, bool derivatives, const tdmf_seed *seed) {
-    tdmf_model model;
-    tdmf_solver solver = tdmf_solver_default();
-    solver.relative_tolerance = tight;
-    assert_null(tdmf_model_create(&model, &scene->parameters).variable);
+    tdmf_solver solver = solver_to(tight);
+    const tdmf_model model = accepted_model(&scene->parameters);
     const tdmf_return stride =
         tdmf_measured_return_map(&solver, (tdmf_system){&model, &scene->inputs}, scene->section, longest,
                                  derivatives, seed, seed ? 1 : 0);
@@ -101,8 +100,7 @@ static void assert_differentiated(const scene_at_apex *scene, int k, double step
     }
 }
 
-static void the_jacobian_is_that_of_the_map(void **state) {
-    (void)state;
+TEST(the_jacobian_is_that_of_the_map) {
     for (size_t i = 0; i < REFERENCE_GAITS; i += EVERY_OTHER) {
         const scene_at_apex scene = at_gait(&reference_gaits[i]);
         for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
@@ -113,12 +111,11 @@ static void the_jacobian_is_that_of_the_map(void **state) {
 
 /* The foot comes to rest on its leg in a hundredth of a flight. The eigenvalues' sum is known by differences
  * in extended precision, three or four of the six are nearly zero. */
-static void a_light_foot_on_a_damped_leg_has_the_jacobian_of_the_map(void **state) {
+TEST(a_light_foot_on_a_damped_leg_has_the_jacobian_of_the_map) {
     scene_at_apex scene = at_gait(&reference_gaits[CLAMPED_GAIT]);
     const double gait[TDMF_SECTION_COUNT] = {2.36872145397, 0.728558540103,   1.0000189456,
                                              1.00348047412, 3.6001825915e-09, 0.0617147693284};
     double trace = 0.0;
-    (void)state;
     scene.parameters.foot.mass = 0.005;
     scene.parameters.leg.damping = 1.0;
     memcpy(scene.section, gait, sizeof gait);
@@ -138,8 +135,7 @@ static void leave_minimum(scene_at_apex *scene, int k) {
     *coordinate(scene, k) = *coordinate(&left, k);
 }
 
-static void parameters_and_inputs_are_differentiated(void **state) {
-    (void)state;
+TEST(parameters_and_inputs_are_differentiated) {
     for (size_t i = 0; i < REFERENCE_GAITS; i += EVERY_OTHER) {
         for (int k = TDMF_SECTION_COUNT; k < COORDINATES; ++k) {
             scene_at_apex scene = at_gait(&reference_gaits[i]);
@@ -162,9 +158,8 @@ static void parameters_and_inputs_are_differentiated(void **state) {
 }
 
 /* A push along the ground changes the centre of mass's speed while an apex that comes later is waited for. */
-static void under_a_push_along_the_ground_the_jacobian_is_that_of_the_map(void **state) {
+TEST(under_a_push_along_the_ground_the_jacobian_is_that_of_the_map) {
     static const double pushes[] = {-1e-3, 1e-3};
-    (void)state;
     for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
         scene_at_apex scene = at_gait(&reference_gaits[i]);
         scene.inputs.body.external_fx = pushes[i % 2];
@@ -176,10 +171,9 @@ static void under_a_push_along_the_ground_the_jacobian_is_that_of_the_map(void *
 }
 
 /* No thrust is the least that there is, so that differences look ahead only: -11/6, 3, -3/2 and 1/3. */
-static void a_thrust_of_zero_is_differentiated(void **state) {
+TEST(a_thrust_of_zero_is_differentiated) {
     static const double weights[] = {-11.0 / 6.0, 3.0, -1.5, 1.0 / 3.0};
     static const double step = 1e-4;
-    (void)state;
     for (size_t i = 0; i < REFERENCE_GAITS; i += EVERY_OTHER) {
         for (int input = 0; input < 2; ++input) {
             scene_at_apex scene = at_gait(&reference_gaits[i]);
@@ -207,15 +201,13 @@ static void a_thrust_of_zero_is_differentiated(void **state) {
 
 /* With a coarse solver the series find a touchdown where the model still sees the foot above the ground: it
  * is differentiated when it is taken. */
-static void derivatives_are_as_good_as_the_strides(void **state) {
+TEST(derivatives_are_as_good_as_the_strides) {
     enum { STRIDES = sample_of(1000) };
     random_source source = {23};
     const tdmf_parameters parameters = tdmf_default_parameters();
-    tdmf_model model;
     tdmf_seed friction;
     int compared = 0;
-    (void)state;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    const tdmf_model model = accepted_model(&parameters);
     memset(&friction, 0, sizeof friction);
     friction.inputs.ground.friction = 1.0;
     for (int i = 0; i < STRIDES; ++i) {
@@ -246,14 +238,12 @@ static void derivatives_are_as_good_as_the_strides(void **state) {
     assert_true(compared > STRIDES * 9 / 10);
 }
 
-static void what_is_too_much_is_refused(void **state) {
+TEST(what_is_too_much_is_refused) {
     const scene_at_apex scene = at_gait(&reference_gaits[DEFAULT_GAIT]);
     tdmf_seed seeds[TDMF_RETURN_MAP_SEEDS + 1];
-    tdmf_model model;
     tdmf_solver solver = tdmf_solver_default();
-    (void)state;
     memset(seeds, 0, sizeof seeds);
-    assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+    const tdmf_model model = accepted_model(&scene.parameters);
     const tdmf_return stride = tdmf_return_map(&solver, (tdmf_system){&model, &scene.inputs}, scene.section,
                                                longest, true, seeds, TDMF_RETURN_MAP_SEEDS + 1);
     assert_int_equal(stride.outcome, TDMF_RETURN_REFUSED);
@@ -276,15 +266,13 @@ static bool is_zero(const void *bytes, size_t size) {
     return zero;
 }
 
-static void what_did_not_happen_or_was_not_asked_for_is_zero(void **state) {
+TEST(what_did_not_happen_or_was_not_asked_for_is_zero) {
     scene_at_apex scene = at_gait(&reference_gaits[DEFAULT_GAIT]);
     const tdmf_return plain = stride_of(&scene, false, NULL);
     tdmf_solver solver = tdmf_solver_default();
-    tdmf_model model;
     double section_state[TDMF_STATE_COUNT];
-    (void)state;
     assert_true(is_zero(plain.variations, sizeof plain.variations));
-    assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+    const tdmf_model model = accepted_model(&scene.parameters);
     const tdmf_return late =
         tdmf_return_map(&solver, (tdmf_system){&model, &scene.inputs}, scene.section, 1.0, true, NULL, 0);
     assert_true(late.outcome == TDMF_RETURN_TOO_LONG);
@@ -296,15 +284,12 @@ static void what_did_not_happen_or_was_not_asked_for_is_zero(void **state) {
                         (TDMF_STATE_COUNT - TDMF_MECHANICAL_COUNT) * sizeof *section_state));
 }
 
-static void only_what_asks_is_measured(void **state) {
-    (void)state;
+TEST(only_what_asks_is_measured) {
     for (size_t i = 0; i < REFERENCE_GAITS; i += EVERY_OTHER) {
         const scene_at_apex scene = at_gait(&reference_gaits[i]);
         const tdmf_return measured = stride_of(&scene, true, NULL);
-        tdmf_solver solver = tdmf_solver_default();
-        tdmf_model model;
-        solver.relative_tolerance = tight;
-        assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+        tdmf_solver solver = solver_to(tight);
+        const tdmf_model model = accepted_model(&scene.parameters);
         const tdmf_return plain = tdmf_return_map(&solver, (tdmf_system){&model, &scene.inputs},
                                                   scene.section, longest, true, NULL, 0);
         assert_true(is_zero(&plain.measures, sizeof plain.measures));
@@ -316,16 +301,14 @@ static void only_what_asks_is_measured(void **state) {
     }
 }
 
-static void the_lift_off_angle_is_that_of_the_last_lift_off(void **state) {
-    (void)state;
+TEST(the_lift_off_angle_is_that_of_the_last_lift_off) {
     for (size_t i = 0; i < REFERENCE_GAITS; i += EVERY_OTHER) {
         const scene_at_apex scene = at_gait(&reference_gaits[i]);
         tdmf_solver solver = tdmf_solver_default();
         tdmf_event_log log = {0};
-        tdmf_model model;
         double angle = NAN;
         solver.log = &log;
-        assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+        const tdmf_model model = accepted_model(&scene.parameters);
         const tdmf_return stride = tdmf_return_map(&solver, (tdmf_system){&model, &scene.inputs},
                                                    scene.section, longest, false, NULL, 0);
         assert_true(log.count <= TDMF_EVENT_CAPACITY);
@@ -336,17 +319,14 @@ static void the_lift_off_angle_is_that_of_the_last_lift_off(void **state) {
     }
 }
 
-static void gaits_are_found_to_rounding(void **state) {
+TEST(gaits_are_found_to_rounding) {
     int jacobians = 0;
-    (void)state;
     for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
         const reference_gait *gait = &reference_gaits[i];
         const scene_at_apex scene = at_gait(gait);
-        tdmf_model model;
-        tdmf_solver solver = tdmf_solver_default();
+        tdmf_solver solver = solver_to(tight);
         double guess[TDMF_SECTION_COUNT];
-        solver.relative_tolerance = tight;
-        assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+        const tdmf_model model = accepted_model(&scene.parameters);
         for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
             guess[k] = scene.section[k] + 1e-3;
         }
@@ -365,12 +345,10 @@ static void gaits_are_found_to_rounding(void **state) {
     assert_int_equal(jacobians, REFERENCE_GAITS - PUBLISHED_GAITS);
 }
 
-static void what_is_no_gait_is_said_to_be_none(void **state) {
+TEST(what_is_no_gait_is_said_to_be_none) {
     scene_at_apex scene = at_gait(&reference_gaits[DEFAULT_GAIT]);
-    tdmf_model model;
     tdmf_solver solver = tdmf_solver_default();
-    (void)state;
-    assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+    const tdmf_model model = accepted_model(&scene.parameters);
     scene.section[TDMF_SECTION_COM_HEIGHT] = -1.0;
     assert_int_equal(
         tdmf_find_orbit(&solver, (tdmf_system){&model, &scene.inputs}, scene.section, NULL, 0).outcome,
@@ -387,11 +365,9 @@ static void what_is_no_gait_is_said_to_be_none(void **state) {
 }
 
 /* Neither trouble of the solver nor a stand is a fall. */
-static void only_a_fall_is_called_one(void **state) {
+TEST(only_a_fall_is_called_one) {
     scene_at_apex scene = at_gait(&reference_gaits[DEFAULT_GAIT]);
-    tdmf_model model;
-    (void)state;
-    assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+    tdmf_model model = accepted_model(&scene.parameters);
     for (int limit = 0; limit < 3; ++limit) {
         tdmf_solver few_steps = tdmf_solver_default(), few_events = tdmf_solver_default();
         few_steps.step_limit = few_events.event_limit = limit;
@@ -410,7 +386,7 @@ static void only_a_fall_is_called_one(void **state) {
     scene.parameters.hip.stance_torque = 0.0;
     scene.parameters.leg.damping = 2.0;
     scene.parameters.hip.touchdown_angle = 0.0;
-    assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+    model = accepted_model(&scene.parameters);
     assert_int_equal(tdmf_find_orbit(&solver, (tdmf_system){&model, &scene.inputs}, stand, NULL, 0).outcome,
                      TDMF_ORBIT_NO_STRIDE);
 }
@@ -421,12 +397,10 @@ static int64_t most_steps(const tdmf_solver *solver) {
 }
 
 /* A stride of this runner takes more than 40 steps. */
-static void strides_of_a_search_share_their_steps(void **state) {
+TEST(strides_of_a_search_share_their_steps) {
     const scene_at_apex scene = at_gait(&reference_gaits[DEFAULT_GAIT]);
     double section[TDMF_SECTION_COUNT];
-    tdmf_model model;
-    (void)state;
-    assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+    const tdmf_model model = accepted_model(&scene.parameters);
     const tdmf_system system = {&model, &scene.inputs};
     for (int limit = 200; limit <= 800; limit += 200) {
         tdmf_solver settling = tdmf_solver_default(), searching = tdmf_solver_default();
@@ -452,11 +426,10 @@ static void strides_of_a_search_share_their_steps(void **state) {
     assert_int_equal(tdmf_settle(&usual, system, 400, section), 400);
 }
 
-static void linear_systems_are_solved(void **state) {
+TEST(linear_systems_are_solved) {
     /* The first pivot is zero, so that rows have to be exchanged. */
     double a[TDMF_MAP_LIMIT + 1][TDMF_MAP_LIMIT + 1] = {{0.0, 2.0, 1.0}, {1.0, 1.0, 1.0}, {4.0, 0.0, 3.0}};
     double b[3] = {7.0, 6.0, 13.0};
-    (void)state;
     assert_true(tdmf_solve_linear(3, a, b));
     assert_close(b[0], 1.0, 1e-15);
     assert_close(b[1], 2.0, 1e-15);
@@ -466,12 +439,10 @@ static void linear_systems_are_solved(void **state) {
 }
 
 /* On a slope, which the height is taken from. */
-static void a_section_comes_back_from_its_state(void **unused) {
-    (void)unused;
+TEST(a_section_comes_back_from_its_state) {
     const double section[TDMF_SECTION_COUNT] = {1.8, 1.25, 0.97, 0.9, -0.02, 0.3};
     const tdmf_parameters parameters = tdmf_default_parameters();
-    tdmf_model model;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    const tdmf_model model = accepted_model(&parameters);
     tdmf_inputs inputs = tdmf_default_inputs();
     inputs.ground.slope = 0.2;
     inputs.ground.height = -0.3;
@@ -482,26 +453,4 @@ static void a_section_comes_back_from_its_state(void **unused) {
     for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
         assert_close(state[i], section[i], 1e-15);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_section_comes_back_from_its_state),
-        cmocka_unit_test(the_jacobian_is_that_of_the_map),
-        cmocka_unit_test(a_light_foot_on_a_damped_leg_has_the_jacobian_of_the_map),
-        cmocka_unit_test(parameters_and_inputs_are_differentiated),
-        cmocka_unit_test(under_a_push_along_the_ground_the_jacobian_is_that_of_the_map),
-        cmocka_unit_test(a_thrust_of_zero_is_differentiated),
-        cmocka_unit_test(derivatives_are_as_good_as_the_strides),
-        cmocka_unit_test(what_is_too_much_is_refused),
-        cmocka_unit_test(what_did_not_happen_or_was_not_asked_for_is_zero),
-        cmocka_unit_test(only_what_asks_is_measured),
-        cmocka_unit_test(the_lift_off_angle_is_that_of_the_last_lift_off),
-        cmocka_unit_test(gaits_are_found_to_rounding),
-        cmocka_unit_test(what_is_no_gait_is_said_to_be_none),
-        cmocka_unit_test(only_a_fall_is_called_one),
-        cmocka_unit_test(strides_of_a_search_share_their_steps),
-        cmocka_unit_test(linear_systems_are_solved),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

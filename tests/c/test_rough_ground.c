@@ -5,14 +5,14 @@
 #include "random.h"
 #include "reference_gaits.h"
 #include "sample.h"
+#include "simulation.h"
 #include "tdmf_slip/ensemble.h"
 
 #include <math.h>
 #include <string.h>
 
 /* The known answers of Random123, for philox4x32 with ten rounds. */
-static void philox_gives_the_published_words(void **unused) {
-    (void)unused;
+TEST(philox_gives_the_published_words) {
     static const struct {
         uint32_t counter[4], key[2], words[4];
     } known[] = {
@@ -39,8 +39,7 @@ static double step(int i) {
 
 /* By moments up to the sixth: 0, 1, 0, 3, 0, 15, whose estimates have the variances 1, 2, 15, 96, 945, 10170
  * over the number of steps. */
-static void steps_have_the_moments_of_a_normal_distribution(void **unused) {
-    (void)unused;
+TEST(steps_have_the_moments_of_a_normal_distribution) {
     static const double moments[] = {0.0, 1.0, 0.0, 3.0, 0.0, 15.0};
     static const double variances[] = {1.0, 2.0, 15.0, 96.0, 945.0, 10170.0};
     double sums[6] = {0.0};
@@ -58,8 +57,7 @@ static void steps_have_the_moments_of_a_normal_distribution(void **unused) {
 }
 
 /* At borders of whole numbers too, where the sampler puts its parts together, and in the tail. */
-static void steps_have_the_distribution_function_of_a_normal_one(void **unused) {
-    (void)unused;
+TEST(steps_have_the_distribution_function_of_a_normal_one) {
     static const double borders[] = {-4.0, -3.0, -2.0, -1.5,  -1.0, -0.6, -0.01, 0.0,
                                      0.01, 0.3,  0.99, 1.001, 1.7,  2.0,  2.3,   3.5};
     enum { BORDERS = sizeof borders / sizeof borders[0] };
@@ -85,8 +83,7 @@ static double step_of(counted of) {
     return tdmf_ground_step(of.seed, of.runner, of.stride);
 }
 
-static void steps_are_independent_along_strides_runners_and_seeds(void **unused) {
-    (void)unused;
+TEST(steps_are_independent_along_strides_runners_and_seeds) {
     enum { PAIRS = sample_of(100000) };
     static const counted neighbours[] = {
         {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {0, (uint64_t)1 << 32, 0}, {(uint64_t)1 << 32, 0, 0}};
@@ -102,8 +99,7 @@ static void steps_are_independent_along_strides_runners_and_seeds(void **unused)
     }
 }
 
-static void a_step_is_the_same_whatever_was_drawn_before(void **unused) {
-    (void)unused;
+TEST(a_step_is_the_same_whatever_was_drawn_before) {
     const double first = tdmf_ground_step(1, 2, 3);
     (void)tdmf_ground_step(4, 5, 6);
     assert_true(tdmf_ground_step(1, 2, 3) == first);
@@ -127,7 +123,7 @@ typedef struct {
 
 static void gather(population *population) {
     const tdmf_parameters parameters = tdmf_default_parameters();
-    assert_null(tdmf_model_create(&population->model, &parameters).variable);
+    population->model = accepted_model(&parameters);
     const tdmf_ensemble_case its_case = {&population->model,
                                          tdmf_default_inputs(),
                                          {.max_strides = STRIDES, .roughness = roughness, .seed = seed}};
@@ -151,9 +147,8 @@ typedef struct {
 
 /* The native solver with the ground set at each apex. Returns the strides made. */
 static int run_over_steps(const population *population, int number, tdmf_motion *motion, waits *seen) {
-    tdmf_solver solver = tdmf_solver_default();
+    tdmf_solver solver = solver_to(population->ensemble.relative_tolerance);
     tdmf_inputs inputs = population->its_case.inputs;
-    solver.relative_tolerance = population->ensemble.relative_tolerance;
     motion->time = 0.0;
     tdmf_section_state((tdmf_system){&population->model, &inputs}, population->starts[number], motion->state);
     assert_null(tdmf_start((tdmf_system){&population->model, &inputs}, motion).variable);
@@ -189,8 +184,7 @@ static void assert_same_strides(const tdmf_ensemble_end *end, const tdmf_motion 
 }
 
 /* One by one and in all lanes there are; some of them fall. */
-static void runners_meet_the_steps_of_their_numbers(void **unused) {
-    (void)unused;
+TEST(runners_meet_the_steps_of_their_numbers) {
     static population population;
     static tdmf_motion motions[RUNNERS];
     int strides[RUNNERS];
@@ -237,8 +231,7 @@ static void assert_same_last_apex(const tdmf_ensemble_end *end, const tdmf_motio
 }
 
 /* There is no push, one that lightens the runner, or one that weighs it down. */
-static void runners_whose_ground_waits_meet_it_alike_in_all_lanes(void **unused) {
-    (void)unused;
+TEST(runners_whose_ground_waits_meet_it_alike_in_all_lanes) {
     static const double pushes[] = {0.0, 2e-3, -2e-3};
     static population population;
     static tdmf_motion motions[RUNNERS];
@@ -270,8 +263,7 @@ static void runners_whose_ground_waits_meet_it_alike_in_all_lanes(void **unused)
 }
 
 /* Results are compared bit for bit. */
-static void steps_depend_on_neither_threads_nor_neighbours(void **unused) {
-    (void)unused;
+TEST(steps_depend_on_neither_threads_nor_neighbours) {
     enum { FIRST = 113 * RUNNERS / 300, PART = 71 * RUNNERS / 300 };
     static population all, part;
     gather(&all);
@@ -284,8 +276,7 @@ static void steps_depend_on_neither_threads_nor_neighbours(void **unused) {
     assert_memory_equal(part.ends, &all.ends[FIRST], PART * sizeof *part.ends);
 }
 
-static void refuses_a_roughness_that_is_none(void **unused) {
-    (void)unused;
+TEST(refuses_a_roughness_that_is_none) {
     static population population;
     static const double none[] = {-1e-300, NAN, INFINITY};
     gather(&population);
@@ -296,19 +287,4 @@ static void refuses_a_roughness_that_is_none(void **unused) {
     population.its_case.rules.roughness = roughness;
     population.ensemble.map = TDMF_REDUCED_MAP;
     assert_false(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(philox_gives_the_published_words),
-        cmocka_unit_test(steps_have_the_moments_of_a_normal_distribution),
-        cmocka_unit_test(steps_have_the_distribution_function_of_a_normal_one),
-        cmocka_unit_test(steps_are_independent_along_strides_runners_and_seeds),
-        cmocka_unit_test(a_step_is_the_same_whatever_was_drawn_before),
-        cmocka_unit_test(runners_meet_the_steps_of_their_numbers),
-        cmocka_unit_test(runners_whose_ground_waits_meet_it_alike_in_all_lanes),
-        cmocka_unit_test(steps_depend_on_neither_threads_nor_neighbours),
-        cmocka_unit_test(refuses_a_roughness_that_is_none),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,6 +3,7 @@
  * d^2. */
 #include "compare.h"
 #include "scene.h"
+#include "simulation.h"
 
 #include <math.h>
 
@@ -51,7 +52,7 @@ static double factor_of_element(const factors *by, int i) {
 static runner scaled(const runner *original, const factors *by) {
     runner runner = *original;
     const tdmf_parameters parameters = scaled_parameters(runner.model.parameters, by);
-    assert_null(tdmf_model_create(&runner.model, &parameters).variable);
+    runner.model = accepted_model(&parameters);
     runner.inputs.hip.external_torque *= energy_factor(by);
     runner.inputs.ground.height *= by->length;
     runner.motion.mode.ground.height *= by->length;
@@ -68,14 +69,13 @@ static factors to_unity(const tdmf_parameters *p) {
     return factors;
 }
 
-static void scales_of_states_are_in_the_units_of_states(void **unused) {
-    (void)unused;
+TEST(scales_of_states_are_in_the_units_of_states) {
     const factors by = {2.0, 3.0, 5.0};
     const tdmf_parameters original = tdmf_default_parameters(), changed = scaled_parameters(original, &by);
     tdmf_model models[2];
     double scales[2][TDMF_STATE_COUNT];
-    assert_null(tdmf_model_create(&models[0], &original).variable);
-    assert_null(tdmf_model_create(&models[1], &changed).variable);
+    models[0] = accepted_model(&original);
+    models[1] = accepted_model(&changed);
     tdmf_state_scales(&models[0], scales[0]);
     tdmf_state_scales(&models[1], scales[1]);
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
@@ -85,8 +85,7 @@ static void scales_of_states_are_in_the_units_of_states(void **unused) {
 }
 
 /* Guards are pure numbers: they don't know the units. */
-static void guards_are_dimensionless(void **unused) {
-    (void)unused;
+TEST(guards_are_dimensionless) {
     random_source source = {51};
     for (int i = 0; i < 500; ++i) {
         const runner original = scene_random(&source, (tdmf_contact_mode)(TDMF_CONTACT_FLIGHT + i % 5));
@@ -120,8 +119,7 @@ static void assert_same_gait(const tdmf_stride *copy, const tdmf_stride *stride,
                             stride->peak_vertical_force * by->stiffness * by->length, tolerance);
 }
 
-static void gait_is_the_same_in_scaled_units(void **unused) {
-    (void)unused;
+TEST(gait_is_the_same_in_scaled_units) {
     random_source source = {52};
     const double step = 4e-3;
     runner original = runner_default(0.6);
@@ -135,13 +133,4 @@ static void gait_is_the_same_in_scaled_units(void **unused) {
         runner_stride(&copy, step * time_factor(&by));
         assert_same_gait(&copy.motion.record.stride, &unit.motion.record.stride, &by);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(scales_of_states_are_in_the_units_of_states),
-        cmocka_unit_test(guards_are_dimensionless),
-        cmocka_unit_test(gait_is_the_same_in_scaled_units),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -87,10 +87,9 @@ static int settled_at_the_first(const population *population, int coordinates) {
     return settled;
 }
 
-static void a_runner_in_the_ball_has_settled(void **state) {
+TEST(a_runner_in_the_ball_has_settled) {
     static population population;
     int sets = 0;
-    (void)state;
     for (int set = 0; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
         gather(&population);
         population.ensemble.instructions = (tdmf_instructions)set;
@@ -107,9 +106,8 @@ static void a_runner_in_the_ball_has_settled(void **state) {
 }
 
 /* Whose matrix has two rows and columns: what the others say does not count. */
-static void a_ball_of_the_reduced_map_is_of_height_and_speed(void **state) {
+TEST(a_ball_of_the_reduced_map_is_of_height_and_speed) {
     static population population;
-    (void)state;
     gather(&population);
     population.ensemble.map = TDMF_REDUCED_MAP;
     population.ball.matrix[TDMF_SECTION_LEG_ANGLE][TDMF_SECTION_LEG_ANGLE] = 1e9;
@@ -118,11 +116,10 @@ static void a_ball_of_the_reduced_map_is_of_height_and_speed(void **state) {
 }
 
 /* What had not begun has not run; what stands goes on to the same end as if nothing had been. */
-static void a_stopped_run_goes_on_to_the_same_ends(void **state) {
+TEST(a_stopped_run_goes_on_to_the_same_ends) {
     static population population, whole;
     static const int stop = 1;
     tdmf_ensemble_work work;
-    (void)state;
     gather(&whole);
     whole.its_case.rules.gait_count = 0;
     population = whole;
@@ -149,13 +146,4 @@ static void a_stopped_run_goes_on_to_the_same_ends(void **state) {
         assert_int_equal(population.ends[i].fate, whole.ends[i].fate);
         assert_int_equal(population.ends[i].strides, whole.ends[i].strides);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_runner_in_the_ball_has_settled),
-        cmocka_unit_test(a_ball_of_the_reduced_map_is_of_height_and_speed),
-        cmocka_unit_test(a_stopped_run_goes_on_to_the_same_ends),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

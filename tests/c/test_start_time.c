@@ -4,6 +4,7 @@
 #include "instant.h"
 #include "reference_gaits.h"
 #include "scene.h"
+#include "simulation.h"
 #include "tdmf_slip/cvode.h"
 
 #include <float.h>
@@ -12,8 +13,6 @@
 
 static const double start_times[] = {-3.0, 1.7e9, -1e13, 1e15, 1e17};
 enum { START_TIMES = sizeof start_times / sizeof start_times[0] };
-
-typedef tdmf_outcome advance(tdmf_solver *, tdmf_system, const tdmf_inputs *, double, tdmf_motion *);
 
 static tdmf_motion start_at(const runner *runner, double time) {
     tdmf_motion motion;
@@ -47,7 +46,7 @@ static void assert_same_stride(const tdmf_stride *a, const tdmf_stride *b, doubl
 }
 
 /* In calls that end where the clock can tell; the last of them ends after a few strides. */
-static void run_on(advance *advance, const runner *runner, double tolerance, double call, int calls,
+static void run_on(solver_call *advance, const runner *runner, double tolerance, double call, int calls,
                    tdmf_motion *motion) {
     static const tdmf_inputs ramp = {.ground.friction = 1e-4, .hip.external_torque = 1e-5};
     const double start = motion->time;
@@ -65,7 +64,7 @@ static void run_on(advance *advance, const runner *runner, double tolerance, dou
 
 /* The clock's digits decide neither events nor durations. Calls of 16 s end at whole numbers, even at 1e17.
  */
-static void assert_independent(advance *advance, double tolerance, double agreement) {
+static void assert_independent(solver_call *advance, double tolerance, double agreement) {
     int compared = 0;
     for (size_t i = 0; i < REFERENCE_GAITS; i += EVERY_OTHER) {
         const runner runner = runner_at_gait(&reference_gaits[i]);
@@ -86,21 +85,18 @@ static void assert_independent(advance *advance, double tolerance, double agreem
     assert_int_equal(compared, REFERENCE_GAITS / EVERY_OTHER * START_TIMES);
 }
 
-static void strides_of_the_native_solver(void **state) {
-    (void)state;
+TEST(strides_of_the_native_solver) {
     assert_independent(tdmf_native_advance, 1e-11, 1e-12);
 }
 
-static void strides_of_cvode(void **state) {
-    (void)state;
+TEST(strides_of_cvode) {
     if (!tdmf_cvode_is_available()) {
         skip();
     }
     assert_independent(tdmf_cvode_advance, 1e-12, 1e-8);
 }
 
-static void strides_one_by_one(void **state) {
-    (void)state;
+TEST(strides_one_by_one) {
     const runner runner = runner_at_reference_apex(&reference_gaits[DEFAULT_GAIT]);
     for (int k = 0; k < START_TIMES; ++k) {
         tdmf_motion motion = start_at(&runner, start_times[k]);
@@ -114,12 +110,11 @@ static void strides_one_by_one(void **state) {
 }
 
 /* An instant is good to twice the digits of a double, whatever is added in between. */
-static void instants_lose_nothing(void **state) {
+TEST(instants_lose_nothing) {
     enum { PARTS = 100000 };
     const tdmf_instant start = {1.7e9, 0.0};
     const double step = 0x1.23456789abcdep-20;
     tdmf_instant now = start;
-    (void)state;
     for (int i = 0; i < PARTS; ++i) {
         now = tdmf_instant_after(now, step);
         assert_true(now.time + now.rest == now.time);
@@ -130,8 +125,7 @@ static void instants_lose_nothing(void **state) {
 }
 
 /* Where somebody sets the time anew, what rounding left out of the old one is gone with it. */
-static void a_time_set_anew_is_taken_as_it_is(void **state) {
-    (void)state;
+TEST(a_time_set_anew_is_taken_as_it_is) {
     const runner runner = runner_at_reference_apex(&reference_gaits[DEFAULT_GAIT]);
     tdmf_motion motion = start_at(&runner, 1.7e9);
     tdmf_solver solver = tdmf_solver_default();
@@ -148,15 +142,4 @@ static void a_time_set_anew_is_taken_as_it_is(void **state) {
     for (int s = 0; s < TDMF_STATE_COUNT; ++s) {
         assert_close(motion.state[s], moved.state[s], 1e-6);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(strides_of_the_native_solver),
-        cmocka_unit_test(strides_of_cvode),
-        cmocka_unit_test(strides_one_by_one),
-        cmocka_unit_test(instants_lose_nothing),
-        cmocka_unit_test(a_time_set_anew_is_taken_as_it_is),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,6 +3,7 @@
 #include "compare.h"
 #include "reference_gaits.h"
 #include "scene.h"
+#include "simulation.h"
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/ensemble.h"
 
@@ -13,7 +14,7 @@ static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
 
 static runner runner_of(const tdmf_parameters *parameters) {
     runner runner = runner_default(0.6);
-    assert_null(tdmf_model_create(&runner.model, parameters).variable);
+    runner.model = accepted_model(parameters);
     return runner;
 }
 
@@ -46,8 +47,7 @@ static void assert_given_up_at_once(const runner *runner) {
     assert_memory_equal(motion.state, runner->motion.state, sizeof motion.state);
 }
 
-static void coefficients_tell_a_stiff_runner_at_once(void **state) {
-    (void)state;
+TEST(coefficients_tell_a_stiff_runner_at_once) {
     for (int kind = 0; kind < STIFF_KINDS; ++kind) {
         const tdmf_parameters parameters = stiff_parameters(kind);
         runner flying = runner_of(&parameters);
@@ -66,11 +66,10 @@ static void coefficients_tell_a_stiff_runner_at_once(void **state) {
 }
 
 /* The more damping, the more steps, up to the limit and never beyond; what was reached then is sound. */
-static void no_call_makes_more_steps_than_the_limit(void **state) {
+TEST(no_call_makes_more_steps_than_the_limit) {
     enum { RUNS = 60 };
     int arrived = 0, by_counting = 0, at_once = 0;
     random_source source = {20};
-    (void)state;
     for (int i = 0; i < RUNS; ++i) {
         tdmf_parameters parameters = tdmf_default_parameters();
         parameters.hip.kd = random_magnitude(&source, 1.0, 1e6);
@@ -95,9 +94,8 @@ static void no_call_makes_more_steps_than_the_limit(void **state) {
 }
 
 /* A slip may be over before it is too long: the same light foot that is refused in flight may slide. */
-static void in_slip_the_steps_are_counted(void **state) {
+TEST(in_slip_the_steps_are_counted) {
     tdmf_parameters parameters = tdmf_default_parameters();
-    (void)state;
     parameters.foot.mass = 1e-9;
     runner runner = runner_of(&parameters);
     runner.inputs.ground.friction = 0.01;
@@ -117,18 +115,15 @@ static void in_slip_the_steps_are_counted(void **state) {
 }
 
 /* Over many times of sqrt(m/k), as many steps as a call allows. */
-static void long_calls_may_make_more_steps(void **state) {
-    (void)state;
+TEST(long_calls_may_make_more_steps) {
     const runner runner = runner_at_reference_apex(&reference_gaits[DEFAULT_GAIT]);
     tdmf_motion motion = runner.motion;
-    tdmf_solver solver = tdmf_solver_default();
-    solver.relative_tolerance = 1e-14;
+    tdmf_solver solver = solver_to(1e-14);
     assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 3e4, &motion), TDMF_ARRIVED);
     assert_true(solver.steps > 2 * TDMF_STIFFNESS_LIMIT);
 }
 
-static void cvode_takes_stiff_runners(void **state) {
-    (void)state;
+TEST(cvode_takes_stiff_runners) {
     if (!tdmf_cvode_is_available()) {
         skip();
     }
@@ -143,8 +138,7 @@ static void cvode_takes_stiff_runners(void **state) {
     assert_close(energy_missing(&runner, &motion), 0.0, 1e-8);
 }
 
-static void no_gait_is_said_not_to_be_found_for_a_fall(void **state) {
-    (void)state;
+TEST(no_gait_is_said_not_to_be_found_for_a_fall) {
     const tdmf_parameters parameters = stiff_parameters(0);
     const runner runner = runner_of(&parameters);
     tdmf_solver solver = tdmf_solver_default();
@@ -160,7 +154,7 @@ static void no_gait_is_said_not_to_be_found_for_a_fall(void **state) {
 }
 
 /* Stiff ones among others, of which some fall; in every kind of lane. */
-static void runners_of_an_ensemble_end_unsolved(void **state) {
+TEST(runners_of_an_ensemble_end_unsolved) {
     enum { RUNNERS = 40 };
     const tdmf_parameters defaults = tdmf_default_parameters();
     tdmf_model models[STIFF_KINDS + 1];
@@ -168,11 +162,10 @@ static void runners_of_an_ensemble_end_unsolved(void **state) {
     int case_of[RUNNERS];
     double starts[RUNNERS][TDMF_SECTION_COUNT];
     int sets = 0;
-    (void)state;
     for (int kind = 0; kind <= STIFF_KINDS; ++kind) {
         const tdmf_parameters p = kind < STIFF_KINDS ? stiff_parameters(kind) : defaults;
         const tdmf_ensemble_case its_case = {&models[kind], tdmf_default_inputs(), {.max_strides = 3}};
-        assert_null(tdmf_model_create(&models[kind], &p).variable);
+        models[kind] = accepted_model(&p);
         cases[kind] = its_case;
     }
     for (int i = 0; i < RUNNERS; ++i) {
@@ -205,17 +198,4 @@ static void runners_of_an_ensemble_end_unsolved(void **state) {
         assert_true(work.steps < 10000); /* at once */
     }
     assert_true(sets >= 2); /* the best, and one by one */
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coefficients_tell_a_stiff_runner_at_once),
-        cmocka_unit_test(no_call_makes_more_steps_than_the_limit),
-        cmocka_unit_test(in_slip_the_steps_are_counted),
-        cmocka_unit_test(long_calls_may_make_more_steps),
-        cmocka_unit_test(cvode_takes_stiff_runners),
-        cmocka_unit_test(no_gait_is_said_not_to_be_found_for_a_fall),
-        cmocka_unit_test(runners_of_an_ensemble_end_unsolved),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

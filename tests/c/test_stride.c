@@ -99,8 +99,7 @@ static void assert_closed(const runner *runner, const char *word, int code) {
 
 /* ---- words ------------------------------------------------------------------------------------------ */
 
-static void word_has_a_letter_for_every_mode(void **unused) {
-    (void)unused;
+TEST(word_has_a_letter_for_every_mode) {
     runner runner = begin_stride();
     land(&runner, 1.0);
     slip(&runner, 2.0, 1.0);
@@ -117,8 +116,7 @@ static void word_has_a_letter_for_every_mode(void **unused) {
     assert_close(runner.motion.record.stride.duty_factor, 6.0 / 8.0, 1e-15);
 }
 
-static void mode_without_duration_has_no_letter(void **unused) {
-    (void)unused;
+TEST(mode_without_duration_has_no_letter) {
     runner runner = begin_stride();
     land(&runner, 1.0);
     slip(&runner, 1.0, 1.0);
@@ -130,8 +128,7 @@ static void mode_without_duration_has_no_letter(void **unused) {
     assert_close(runner.motion.record.stride.stance_time, 2.0, 1e-15);
 }
 
-static void flight_separates_stances(void **unused) {
-    (void)unused;
+TEST(flight_separates_stances) {
     runner runner = begin_stride();
     land(&runner, 1.0);
     lift_off(&runner, 2.0);
@@ -145,8 +142,7 @@ static void flight_separates_stances(void **unused) {
 }
 
 /* An impact that leaves at once is a touchdown without letters, and no stance to separate. */
-static void stance_without_duration_leaves_no_trace_in_the_word(void **unused) {
-    (void)unused;
+TEST(stance_without_duration_leaves_no_trace_in_the_word) {
     runner runner = begin_stride();
     land(&runner, 1.0);
     lift_off(&runner, 1.0);
@@ -159,8 +155,7 @@ static void stance_without_duration_leaves_no_trace_in_the_word(void **unused) {
     assert_int_equal(runner.motion.record.stride.touchdowns, 3);
 }
 
-static void graze_repeats_no_letter(void **unused) {
-    (void)unused;
+TEST(graze_repeats_no_letter) {
     runner runner = begin_stride();
     land(&runner, 1.0);
     graze(&runner, 2.0);
@@ -174,8 +169,7 @@ static void graze_repeats_no_letter(void **unused) {
     assert_int_equal(runner.motion.record.stride.touchdowns, 1);
 }
 
-static void graze_into_flight_separates_stances_too(void **unused) {
-    (void)unused;
+TEST(graze_into_flight_separates_stances_too) {
     runner runner = begin_stride();
     land(&runner, 1.0);
     graze(&runner, 2.0);
@@ -210,8 +204,7 @@ static int code_of_alternation(int letters) {
     return code;
 }
 
-static void code_holds_fifteen_letters(void **unused) {
-    (void)unused;
+TEST(code_holds_fifteen_letters) {
     runner fits = begin_stride();
     runner too_long = begin_stride();
     alternate(&fits, 15);
@@ -232,8 +225,7 @@ static void assert_long_word(int letters) {
     assert_int_equal(runner.motion.record.stride.word_code, -1);
 }
 
-static void overlong_word_keeps_its_beginning(void **unused) {
-    (void)unused;
+TEST(overlong_word_keeps_its_beginning) {
     assert_long_word(TDMF_WORD_CAPACITY - 2);
     assert_long_word(TDMF_WORD_CAPACITY - 1);
     assert_long_word(TDMF_WORD_CAPACITY);
@@ -242,8 +234,7 @@ static void overlong_word_keeps_its_beginning(void **unused) {
 
 /* ---- quantities ------------------------------------------------------------------------------------- */
 
-static void slip_distance_adds_up_both_ways(void **unused) {
-    (void)unused;
+TEST(slip_distance_adds_up_both_ways) {
     runner runner = begin_stride();
     land(&runner, 1.0);
     slip(&runner, 2.0, 1.0);
@@ -257,8 +248,7 @@ static void slip_distance_adds_up_both_ways(void **unused) {
     assert_close(runner.motion.record.stride.slip_distance, 0.375, 1e-15);
 }
 
-static void stride_begun_elsewhere_is_not_counted(void **unused) {
-    (void)unused;
+TEST(stride_begun_elsewhere_is_not_counted) {
     runner runner = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
     runner_start(&runner);
     land(&runner, 1.0);
@@ -275,8 +265,7 @@ static void stride_begun_elsewhere_is_not_counted(void **unused) {
     assert_close(runner.motion.record.stride.period, 4.0, 1e-15);
 }
 
-static void stride_that_covers_no_ground_has_no_cost(void **unused) {
-    (void)unused;
+TEST(stride_that_covers_no_ground_has_no_cost) {
     runner runner = begin_stride();
     runner.motion.mode.phase = TDMF_PHASE_RETRACT;
     runner.motion.mode.rises = true;
@@ -328,8 +317,7 @@ static sampling sample_stride(runner *runner, double step) {
 }
 
 /* The peak is found, not sampled: it exceeds the samples by what a parabola rises within one step. */
-static void quantities_agree_with_a_dense_sampling(void **unused) {
-    (void)unused;
+TEST(quantities_agree_with_a_dense_sampling) {
     static const double frictions[] = {10.0, 0.6, 0.2};
     const double step = 1e-3;
     for (int i = 0; i < 3; ++i) {
@@ -355,8 +343,7 @@ static void quantities_agree_with_a_dense_sampling(void **unused) {
 
 /* On a slope the vertical force is another than that across the ground, and peaks at another time; where the
  * foot comes to rest it jumps. */
-static void both_peaks_of_the_force_are_found_on_a_slope(void **unused) {
-    (void)unused;
+TEST(both_peaks_of_the_force_are_found_on_a_slope) {
     static const double slopes[] = {-0.14, -0.05, 0.02, 0.05};
     static const double frictions[] = {10.0, 0.6, 0.2};
     const double step = 1e-3;
@@ -390,8 +377,7 @@ static tdmf_outputs outputs_of(const runner *runner) {
     return tdmf_outputs_of(SYSTEM_OF(runner), &runner->motion);
 }
 
-static void outputs_repeat_the_record(void **unused) {
-    (void)unused;
+TEST(outputs_repeat_the_record) {
     runner runner = runner_default(0.6);
     runner_start(&runner);
     runner_stride(&runner, 1e-2);
@@ -410,8 +396,7 @@ static void outputs_repeat_the_record(void **unused) {
 }
 
 /* A still leg at 0.3 rad under 0.101 N, 0.1 N of them from the body. */
-static void outputs_follow_the_motion(void **unused) {
-    (void)unused;
+TEST(outputs_follow_the_motion) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.3, 0.101);
     const tdmf_outputs outputs = outputs_of(&runner);
     const double length = 1.0 - 0.1 / cos(0.3);
@@ -431,8 +416,7 @@ static void outputs_follow_the_motion(void **unused) {
 }
 
 /* Not what the run has done since its start. */
-static void a_second_stride_counts_its_own_work_only(void **unused) {
-    (void)unused;
+TEST(a_second_stride_counts_its_own_work_only) {
     runner runner = runner_default(0.6);
     runner_start(&runner);
     runner_stride(&runner, 0.01);
@@ -446,26 +430,4 @@ static void a_second_stride_counts_its_own_work_only(void **unused) {
     assert_close(stride->positive_work, runner.motion.state[TDMF_HIP_POSITIVE_WORK] - positive, 1e-15);
     assert_close(stride->length, tdmf_center_of_mass(&runner.model, runner.motion.state).x - at, 1e-13);
     assert_true(positive > 0.0);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_second_stride_counts_its_own_work_only),
-        cmocka_unit_test(word_has_a_letter_for_every_mode),
-        cmocka_unit_test(mode_without_duration_has_no_letter),
-        cmocka_unit_test(flight_separates_stances),
-        cmocka_unit_test(stance_without_duration_leaves_no_trace_in_the_word),
-        cmocka_unit_test(graze_repeats_no_letter),
-        cmocka_unit_test(graze_into_flight_separates_stances_too),
-        cmocka_unit_test(code_holds_fifteen_letters),
-        cmocka_unit_test(overlong_word_keeps_its_beginning),
-        cmocka_unit_test(slip_distance_adds_up_both_ways),
-        cmocka_unit_test(stride_begun_elsewhere_is_not_counted),
-        cmocka_unit_test(stride_that_covers_no_ground_has_no_cost),
-        cmocka_unit_test(quantities_agree_with_a_dense_sampling),
-        cmocka_unit_test(both_peaks_of_the_force_are_found_on_a_slope),
-        cmocka_unit_test(outputs_repeat_the_record),
-        cmocka_unit_test(outputs_follow_the_motion),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

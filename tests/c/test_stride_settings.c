@@ -5,6 +5,7 @@
 #include "ranges.h"
 #include "reference_gaits.h"
 #include "sample.h"
+#include "simulation.h"
 #include "tdmf_slip/ensemble.h"
 
 #include <math.h>
@@ -46,7 +47,7 @@ static population *gather(double roughness) {
     random_source source = {3};
     const tdmf_parameters parameters = tdmf_default_parameters();
     assert_non_null(population);
-    assert_null(tdmf_model_create(&population->model, &parameters).variable);
+    population->model = accepted_model(&parameters);
     for (int i = 0; i < SETTINGS; ++i) {
         population->settings[i] = tdmf_setting_of(names[i]);
     }
@@ -132,13 +133,6 @@ static void set_by_hand(const population *population, tdmf_parameters *parameter
     inputs->ground.friction = values[2];
 }
 
-static void read_apex(const tdmf_record *record, double apex[TDMF_SECTION_COUNT]) {
-    const double found[TDMF_SECTION_COUNT] = {record->apex.com_height,      record->apex.com_speed,
-                                              record->apex.leg_length,      record->apex.leg_angle,
-                                              record->apex.leg_length_rate, record->apex.leg_angle_rate};
-    memcpy(apex, found, sizeof found);
-}
-
 static void assert_recorded(const tdmf_ensemble_stride *recorded, const tdmf_motion *motion) {
     double apex[TDMF_SECTION_COUNT];
     const tdmf_stride *stride = &motion->record.stride;
@@ -169,13 +163,12 @@ typedef struct {
 /* By the native solver, with model and inputs set at each apex. */
 static void stride_by_hand(const population *population, int number, strides_by_hand *by_hand) {
     const tdmf_ensemble_rules *rules = &population->its_case.rules;
-    tdmf_solver solver = tdmf_solver_default();
+    tdmf_solver solver = solver_to(population->ensemble.relative_tolerance);
     tdmf_inputs inputs = population->its_case.inputs;
     tdmf_model model = population->model;
     tdmf_parameters parameters = model.parameters;
     tdmf_motion motion = {.time = 0.0};
     double apex[TDMF_SECTION_COUNT];
-    solver.relative_tolerance = population->ensemble.relative_tolerance;
     memcpy(apex, population->starts[number], sizeof apex);
     by_hand->closed = 0;
     for (int stride = 0; stride < rules->max_strides; ++stride) {
@@ -186,7 +179,7 @@ static void stride_by_hand(const population *population, int number, strides_by_
             memcpy(values, population->values[number][stride], sizeof by_hand->values[stride]);
         }
         set_by_hand(population, &parameters, &inputs, values);
-        assert_null(tdmf_model_create(&model, &parameters).variable);
+        model = accepted_model(&parameters);
         if (stride == 0) {
             tdmf_section_state((tdmf_system){&model, &inputs}, apex, motion.state);
             motion.time = 0.0;
@@ -250,24 +243,21 @@ static void run_in_all_lanes(population *population) {
     free(by_hand);
 }
 
-static void given_settings_are_those_of_the_strides(void **unused) {
-    (void)unused;
+TEST(given_settings_are_those_of_the_strides) {
     population *population = gather(0.0);
     population->ensemble.given = &population->given;
     run_in_all_lanes(population);
     free(population);
 }
 
-static void ground_and_leg_change_at_the_apex_itself(void **unused) {
-    (void)unused;
+TEST(ground_and_leg_change_at_the_apex_itself) {
     population *population = gather(0.0);
     give_what_acts_at_once(population);
     run_in_all_lanes(population);
     free(population);
 }
 
-static void a_runner_below_its_ground_for_a_whole_stride_has_fallen(void **unused) {
-    (void)unused;
+TEST(a_runner_below_its_ground_for_a_whole_stride_has_fallen) {
     population *population = gather(0.0);
     give_what_acts_at_once(population);
     for (int i = 0; i < RUNNERS * STRIDES; ++i) {
@@ -285,12 +275,11 @@ static void a_runner_below_its_ground_for_a_whole_stride_has_fallen(void **unuse
 }
 
 /* A leg that is damped as much pushes most when the foot comes down and stays there. */
-static void a_force_that_is_largest_at_touchdown_is_noted(void **unused) {
-    (void)unused;
+TEST(a_force_that_is_largest_at_touchdown_is_noted) {
     population *population = gather(0.0);
     tdmf_parameters parameters = population->model.parameters;
     parameters.leg.damping = 2.0;
-    assert_null(tdmf_model_create(&population->model, &parameters).variable);
+    population->model = accepted_model(&parameters);
     population->ensemble.given = &population->given;
     population->its_case.rules.max_strides = 1;
     for (int i = 0; i < RUNNERS; ++i) {
@@ -300,24 +289,21 @@ static void a_force_that_is_largest_at_touchdown_is_noted(void **unused) {
     free(population);
 }
 
-static void the_law_sets_at_each_apex_by_what_its_sensor_sees(void **unused) {
-    (void)unused;
+TEST(the_law_sets_at_each_apex_by_what_its_sensor_sees) {
     population *population = gather(0.0);
     population->its_case.rules.law = &population->law;
     run_in_all_lanes(population);
     free(population);
 }
 
-static void the_law_sees_the_height_above_the_ground_before_it_steps(void **unused) {
-    (void)unused;
+TEST(the_law_sees_the_height_above_the_ground_before_it_steps) {
     population *population = gather(0.1);
     population->its_case.rules.law = &population->law;
     run_in_all_lanes(population);
     free(population);
 }
 
-static void no_setting_is_beyond_its_limits_and_some_are_at_them(void **unused) {
-    (void)unused;
+TEST(no_setting_is_beyond_its_limits_and_some_are_at_them) {
     population *population = gather(0.1);
     int inside = 0, lowest = 0, highest = 0;
     population->its_case.rules.law = &population->law;
@@ -341,8 +327,7 @@ static void no_setting_is_beyond_its_limits_and_some_are_at_them(void **unused) 
 
 /* ---- bit for bit -------------------------------------------------------------------------------------- */
 
-static void strides_depend_on_neither_threads_nor_neighbours(void **unused) {
-    (void)unused;
+TEST(strides_depend_on_neither_threads_nor_neighbours) {
     enum { FIRST = 7, PART = RUNNERS / 2 + 1 };
     population *all = gather(0.1), *part = gather(0.1);
     all->its_case.rules.law = &all->law;
@@ -382,8 +367,7 @@ static void assert_going_on_is_the_same(population *whole, population *parts) {
     }
 }
 
-static void going_on_stride_by_stride_is_the_same_as_in_one_call(void **unused) {
-    (void)unused;
+TEST(going_on_stride_by_stride_is_the_same_as_in_one_call) {
     population *whole = gather(0.1), *parts = gather(0.1);
     whole->its_case.rules.law = &whole->law;
     parts->its_case.rules.law = &parts->law;
@@ -393,9 +377,8 @@ static void going_on_stride_by_stride_is_the_same_as_in_one_call(void **unused) 
 }
 
 /* Drawn heights that a foot passes, and walls that it trips over. */
-static void on_a_terrain_too(void **unused) {
+TEST(on_a_terrain_too) {
     static const double walls[] = {0.0, 1.0, 1.0, 1.0};
-    (void)unused;
     population *both[2] = {gather(0.1), gather(0.1)};
     for (int trips = 0; trips < 2; ++trips) {
         for (int i = 0; i < 2; ++i) {
@@ -449,8 +432,7 @@ static int stride_by_reduced_map(const population *population, int number) {
     return population->ends[number].strides;
 }
 
-static void strides_of_the_reduced_map_are_those_of_its_settings(void **unused) {
-    (void)unused;
+TEST(strides_of_the_reduced_map_are_those_of_its_settings) {
     for (int acts_at_once = 0; acts_at_once < 2; ++acts_at_once) {
         population *population = gather(0.0);
         int closed = 0;
@@ -471,8 +453,7 @@ static void strides_of_the_reduced_map_are_those_of_its_settings(void **unused) 
 /* ---- noise -------------------------------------------------------------------------------------------- */
 
 /* By itself means that products of neighbours, and of noise and steps of one seed, have the mean 0. */
-static void noise_is_normal_and_drawn_by_itself(void **unused) {
-    (void)unused;
+TEST(noise_is_normal_and_drawn_by_itself) {
     enum { DRAWS = sample_of(100000) };
     double square = 0.0, by_step = 0.0, by_coordinate = 0.0, by_stride = 0.0;
     for (uint32_t i = 0; i < DRAWS; ++i) {
@@ -491,8 +472,7 @@ static void noise_is_normal_and_drawn_by_itself(void **unused) {
 
 /* ---- requests ----------------------------------------------------------------------------------------- */
 
-static void settings_are_what_may_change_at_events(void **unused) {
-    (void)unused;
+TEST(settings_are_what_may_change_at_events) {
     static const char *const fixed[] = {"leg.stiffness", "gravity", "foot.y", "hip.torque", ""};
     static const char *const some[] = {"hip.stance_torque",      "hip.kp",        "leg.thrust",
                                        "ground.friction",        "ground.height", "hip.external_torque",
@@ -528,8 +508,7 @@ static void assert_refused(population *population) {
     assert_false(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
 }
 
-static void refuses_laws_that_are_none(void **unused) {
-    (void)unused;
+TEST(refuses_laws_that_are_none) {
     static const double none[] = {NAN, INFINITY, -INFINITY, 2e100};
     population *population = gather(0.0);
     tdmf_affine_law law = population->law;
@@ -573,8 +552,7 @@ static void refuses_laws_that_are_none(void **unused) {
     free(population);
 }
 
-static void refuses_settings_that_are_none(void **unused) {
-    (void)unused;
+TEST(refuses_settings_that_are_none) {
     population *population = gather(0.0);
     const double angle = population->values[3][2][0];
     population->ensemble.given = &population->given;
@@ -597,8 +575,7 @@ static void refuses_settings_that_are_none(void **unused) {
     free(population);
 }
 
-static void the_reduced_map_measures_height_and_speed_alone(void **unused) {
-    (void)unused;
+TEST(the_reduced_map_measures_height_and_speed_alone) {
     population *population = gather(0.0);
     double gains[SETTINGS][TDMF_SECTION_COUNT] = {{0.0}};
     population->ensemble.map = TDMF_REDUCED_MAP;
@@ -613,26 +590,4 @@ static void the_reduced_map_measures_height_and_speed_alone(void **unused) {
     population->law.noise[5] = 0.1;
     assert_refused(population);
     free(population);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(given_settings_are_those_of_the_strides),
-        cmocka_unit_test(ground_and_leg_change_at_the_apex_itself),
-        cmocka_unit_test(a_runner_below_its_ground_for_a_whole_stride_has_fallen),
-        cmocka_unit_test(a_force_that_is_largest_at_touchdown_is_noted),
-        cmocka_unit_test(the_law_sets_at_each_apex_by_what_its_sensor_sees),
-        cmocka_unit_test(the_law_sees_the_height_above_the_ground_before_it_steps),
-        cmocka_unit_test(no_setting_is_beyond_its_limits_and_some_are_at_them),
-        cmocka_unit_test(strides_depend_on_neither_threads_nor_neighbours),
-        cmocka_unit_test(going_on_stride_by_stride_is_the_same_as_in_one_call),
-        cmocka_unit_test(on_a_terrain_too),
-        cmocka_unit_test(strides_of_the_reduced_map_are_those_of_its_settings),
-        cmocka_unit_test(noise_is_normal_and_drawn_by_itself),
-        cmocka_unit_test(settings_are_what_may_change_at_events),
-        cmocka_unit_test(refuses_laws_that_are_none),
-        cmocka_unit_test(refuses_settings_that_are_none),
-        cmocka_unit_test(the_reduced_map_measures_height_and_speed_alone),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,6 +3,7 @@
 #include "compare.h"
 #include "differentiate.h"
 #include "line.h"
+#include "simulation.h"
 #include "system_of.h"
 
 #include <math.h>
@@ -43,7 +44,7 @@ static runner random_runner(random_source *source, tdmf_contact_mode contact, en
     } else if (kind == SHORTER_THAN_ITS_MINIMUM) {
         runner.motion.state[TDMF_LEG_LENGTH] = (random_chance(source, 0.5) ? 0.3 : 0.7) * p.leg.min_length;
     }
-    assert_null(tdmf_model_create(&runner.model, &p).variable);
+    runner.model = accepted_model(&p);
     return runner;
 }
 
@@ -154,10 +155,9 @@ static void assert_start_varies(const line *line) {
 }
 
 /* Falling and rising, in the air and at the ground, where a falling foot has an impact. */
-static void a_start_varies_as_it_changes(void **state) {
+TEST(a_start_varies_as_it_changes) {
     random_source source = {8000};
     int compared = 0;
-    (void)state;
     for (int i = 0; i < 200; ++i) {
         runner given = random_runner(&source, TDMF_CONTACT_FLIGHT, ORDINARY);
         given.inputs.ground.friction = random_uniform(&source, 0.1, 1.0);
@@ -190,10 +190,9 @@ static bool thrust_at_once(const line *line) {
 
 /* The foot comes down or is on the ground, and the leg lengthens in contact by the parameter, the input, or
  * both. */
-static void a_start_that_thrusts_at_once_varies_with_its_work(void **state) {
+TEST(a_start_that_thrusts_at_once_varies_with_its_work) {
     random_source source = {8100};
     int thrusting = 0;
-    (void)state;
     for (int i = 0; i < 200; ++i) {
         runner given =
             random_runner(&source, TDMF_CONTACT_FLIGHT, i % 4 ? ORDINARY : LIGHT_FOOT_ON_STIFF_LEG);
@@ -215,12 +214,4 @@ static void a_start_that_thrusts_at_once_varies_with_its_work(void **state) {
         }
     }
     assert_true(thrusting > 100);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_start_varies_as_it_changes),
-        cmocka_unit_test(a_start_that_thrusts_at_once_varies_with_its_work),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /* Positive work of the hip of a leg that whirls about the body, a hundred times as long as at rest: as an
  * independent integration has it, at every tolerance, by every solver and in lanes. */
 #include "compare.h"
+#include "simulation.h"
 #include "system_of.h"
 
 #include "tdmf_slip/automaton.h"
@@ -37,7 +38,7 @@ static scene begin(const whirl *whirl) {
                                                 whirl->angle_rate};
     scene scene;
     memset(&scene, 0, sizeof scene);
-    assert_null(tdmf_model_create(&scene.model, &parameters).variable);
+    scene.model = accepted_model(&parameters);
     scene.inputs = tdmf_default_inputs();
     memcpy(scene.section, section, sizeof section);
     tdmf_section_state(SYSTEM_OF(&scene), section, scene.motion.state);
@@ -46,15 +47,13 @@ static scene begin(const whirl *whirl) {
     return scene;
 }
 
-static void the_native_solver_has_it_at_every_tolerance(void **state) {
+TEST(the_native_solver_has_it_at_every_tolerance) {
     static const double tolerances[] = {1e-6, 1e-8, 1e-10, 1e-12, 1e-14};
-    (void)state;
     for (int i = 0; i < 5 * WHIRLS; ++i) {
         const whirl *whirl = &whirls[i / 5];
         const double tolerance = fmax(10.0 * tolerances[i % 5], 1e-12);
         scene scene = begin(whirl);
-        tdmf_solver solver = tdmf_solver_default();
-        solver.relative_tolerance = tolerances[i % 5];
+        tdmf_solver solver = solver_to(tolerances[i % 5]);
         assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&scene), NULL, 100.0, &scene.motion),
                          TDMF_ARRIVED);
         assert_int_equal(scene.motion.mode.contact, TDMF_CONTACT_FLIGHT);
@@ -63,12 +62,10 @@ static void the_native_solver_has_it_at_every_tolerance(void **state) {
     }
 }
 
-static void cvode_has_it(void **state) {
-    (void)state;
+TEST(cvode_has_it) {
     for (int i = 0; i < WHIRLS && tdmf_cvode_is_available(); ++i) {
         scene scene = begin(&whirls[i]);
-        tdmf_solver solver = tdmf_solver_default();
-        solver.relative_tolerance = 1e-12;
+        tdmf_solver solver = solver_to(1e-12);
         assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&scene), NULL, 100.0, &scene.motion),
                          TDMF_ARRIVED);
         assert_relatively_close(scene.motion.state[TDMF_HIP_POSITIVE_WORK], whirls[i].positive_work, 1e-8);
@@ -94,17 +91,15 @@ static double in_lanes(const scene *scene, tdmf_instructions instructions, doubl
 }
 
 /* The whole stride, with its touchdown and its rise. */
-static void lanes_have_it_and_converge(void **state) {
+TEST(lanes_have_it_and_converge) {
     static const whirl strides[] = {{.height = 150.0, .length = 100.0, .angle_rate = 3.3},
                                     {.height = 150.0, .length = 60.0, .angle_rate = 3.3},
                                     {.height = 300.0, .length = 100.0, .angle_rate = -3.3},
                                     {.height = 150.0, .length = 30.0, .angle_rate = 3.4}};
     int compared = 0;
-    (void)state;
     for (size_t i = 0; i < sizeof strides / sizeof strides[0]; ++i) {
         scene scene = begin(&strides[i]);
-        tdmf_solver solver = tdmf_solver_default();
-        solver.relative_tolerance = 1e-14;
+        tdmf_solver solver = solver_to(1e-14);
         assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&scene), 1e4, &scene.motion).closed);
         const double exact = scene.motion.record.stride.positive_work;
         for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
@@ -117,13 +112,4 @@ static void lanes_have_it_and_converge(void **state) {
         }
     }
     assert_true(compared >= 4);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_native_solver_has_it_at_every_tolerance),
-        cmocka_unit_test(cvode_has_it),
-        cmocka_unit_test(lanes_have_it_and_converge),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,6 +4,7 @@
 #include "integrate.h"
 #include "random.h"
 #include "sample.h"
+#include "simulation.h"
 
 #include "tdmf_slip/ensemble.h"
 
@@ -35,9 +36,8 @@ static runner random_runner(random_source *source, double angle) {
 }
 
 /* Without a hip nothing depends on how often the leg has wound. */
-static void without_a_hip_turns_do_not_matter(void **unused) {
+TEST(without_a_hip_turns_do_not_matter) {
     enum { RUNS = sample_of(300) };
-    (void)unused;
     random_source source = {71};
     int events = 0, compared = 0;
     for (int i = 0; i < RUNS; ++i) {
@@ -66,9 +66,8 @@ static void without_a_hip_turns_do_not_matter(void **unused) {
 }
 
 /* They spin, slip, bounce and fall, but nothing is found due for ever. */
-static void wound_legs_run_until_they_fall(void **unused) {
+TEST(wound_legs_run_until_they_fall) {
     enum { RUNS = sample_of(1500) };
-    (void)unused;
     random_source source = {72};
     int fell = 0, arrived = 0;
     for (int i = 0; i < RUNS; ++i) {
@@ -88,16 +87,14 @@ static void wound_legs_run_until_they_fall(void **unused) {
     assert_true(fell > RUNS / 15 && arrived > RUNS / 15);
 }
 
-static void lanes_run_wound_legs_too(void **unused) {
-    (void)unused;
+TEST(lanes_run_wound_legs_too) {
     enum { RUNNERS = sample_of(400) };
     static double starts[RUNNERS][TDMF_SECTION_COUNT];
     static tdmf_ensemble_end ends[RUNNERS];
     tdmf_parameters parameters = tdmf_default_parameters();
-    tdmf_model model;
     random_source source = {73};
     parameters.hip.kp = parameters.hip.kd = 1e-6;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    const tdmf_model model = accepted_model(&parameters);
     for (int i = 0; i < RUNNERS; ++i) {
         const double angle = floor(random_uniform(&source, -158.0, 158.0)) * turn;
         const double start[TDMF_SECTION_COUNT] = {
@@ -126,13 +123,4 @@ static void lanes_run_wound_legs_too(void **unused) {
         }
     }
     assert_true(ran > RUNNERS / 2);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(without_a_hip_turns_do_not_matter),
-        cmocka_unit_test(wound_legs_run_until_they_fall),
-        cmocka_unit_test(lanes_run_wound_legs_too),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

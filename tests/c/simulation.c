@@ -1,0 +1,86 @@
+#include "simulation.h"
+
+#include "compare.h"
+
+#include <float.h>
+#include <string.h>
+
+tdmf_model accepted_model(const tdmf_parameters *parameters) {
+    tdmf_model model;
+    assert_null(tdmf_model_create(&model, parameters).variable);
+    return model;
+}
+
+tdmf_solver solver_to(double relative_tolerance) {
+    tdmf_solver solver = tdmf_solver_default();
+    solver.relative_tolerance = relative_tolerance;
+    return solver;
+}
+
+simulation simulation_from(const tdmf_parameters *parameters, const tdmf_inputs *inputs,
+                           const double section[TDMF_SECTION_COUNT], double relative_tolerance) {
+    simulation simulation;
+    memset(&simulation, 0, sizeof simulation);
+    simulation.model = accepted_model(parameters);
+    simulation.inputs = *inputs;
+    simulation.solver = solver_to(relative_tolerance);
+    tdmf_section_state(SYSTEM_OF(&simulation), section, simulation.motion.state);
+    simulation_start(&simulation);
+    return simulation;
+}
+
+void simulation_start(simulation *simulation) {
+    simulation->motion.time = 0.0;
+    assert_null(tdmf_start(SYSTEM_OF(simulation), &simulation->motion).variable);
+    simulation->start_energy = simulation_energy(simulation) + simulation->motion.record.impact_loss -
+                               simulation->motion.state[TDMF_LEG_WORK];
+}
+
+tdmf_outcome simulation_advance_by(solver_call *advance, simulation *simulation, double until) {
+    simulation->log.count = 0;
+    simulation->solver.log = &simulation->log;
+    const tdmf_outcome outcome =
+        advance(&simulation->solver, SYSTEM_OF(simulation), &simulation->rates, until, &simulation->motion);
+    simulation->solver.log = NULL; /* a copy would note its events here */
+    return outcome;
+}
+
+tdmf_outcome simulation_advance(simulation *simulation, double until) {
+    return simulation_advance_by(tdmf_native_advance, simulation, until);
+}
+
+void simulation_stride(simulation *simulation) {
+    simulation->log.count = 0;
+    simulation->solver.log = &simulation->log;
+    assert_true(
+        tdmf_native_stride(&simulation->solver, SYSTEM_OF(simulation), DBL_MAX, &simulation->motion).closed);
+    simulation->solver.log = NULL;
+}
+
+const tdmf_event *simulation_event(const simulation *simulation, tdmf_guard guard) {
+    for (int i = 0; i < simulation->log.count && i < TDMF_EVENT_CAPACITY; ++i) {
+        if (simulation->log.events[i].guard == (int)guard) {
+            return &simulation->log.events[i];
+        }
+    }
+    return NULL;
+}
+
+double simulation_energy(const simulation *simulation) {
+    const tdmf_motion *motion = &simulation->motion;
+    return tdmf_mechanical_energy(SYSTEM_OF(simulation), &motion->mode, motion->state).total;
+}
+
+double simulation_ledger_error(const simulation *simulation) {
+    const double *state = simulation->motion.state;
+    return simulation_energy(simulation) - simulation->start_energy - state[TDMF_HIP_WORK] -
+           state[TDMF_LEG_WORK] - state[TDMF_ENERGY_EXTERNAL_WORK] + state[TDMF_ENERGY_DAMPER_LOSS] +
+           state[TDMF_ENERGY_FRICTION_LOSS] + simulation->motion.record.impact_loss;
+}
+
+void read_apex(const tdmf_record *record, double section[TDMF_SECTION_COUNT]) {
+    const tdmf_apex *apex = &record->apex;
+    const double values[TDMF_SECTION_COUNT] = {apex->com_height, apex->com_speed,       apex->leg_length,
+                                               apex->leg_angle,  apex->leg_length_rate, apex->leg_angle_rate};
+    memcpy(section, values, sizeof values);
+}

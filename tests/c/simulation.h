@@ -1,0 +1,53 @@
+/* A runner that a solver takes from event to event, with its log and its energy ledger; and what accepts
+ * parameters, tolerances and sections on the way there. */
+#ifndef TDMF_TESTS_SIMULATION_H
+#define TDMF_TESTS_SIMULATION_H
+
+#include "system_of.h"
+#include "tdmf_slip/cvode.h"
+#include "tdmf_slip/tdmf_slip.h"
+
+typedef struct {
+    tdmf_model model;
+    tdmf_inputs inputs, rates;
+    tdmf_motion motion;
+    tdmf_solver solver;
+    tdmf_event_log log; /* of the last call */
+    double start_energy;
+} simulation;
+
+typedef tdmf_outcome solver_call(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
+                                 double until, tdmf_motion *motion);
+
+/* The model of these parameters; asserts that the library accepts them. */
+tdmf_model accepted_model(const tdmf_parameters *parameters);
+
+/* The default solver with this relative tolerance. */
+tdmf_solver solver_to(double relative_tolerance);
+
+/* At time 0 in a section's state; asserts that it may start there. */
+simulation simulation_from(const tdmf_parameters *parameters, const tdmf_inputs *inputs,
+                           const double section[TDMF_SECTION_COUNT], double relative_tolerance);
+
+/* Starts anew at time 0 from the present state; asserts that it may. */
+void simulation_start(simulation *simulation);
+
+/* By the native solver or another. */
+tdmf_outcome simulation_advance(simulation *simulation, double until);
+tdmf_outcome simulation_advance_by(solver_call *advance, simulation *simulation, double until);
+
+/* To the next apex; asserts that there is one. */
+void simulation_stride(simulation *simulation);
+
+/* The first event of a kind in the log, or NULL. */
+const tdmf_event *simulation_event(const simulation *simulation, tdmf_guard guard);
+
+double simulation_energy(const simulation *simulation);
+
+/* Energy that the ledger does not account for since the start. */
+double simulation_ledger_error(const simulation *simulation);
+
+/* The section at the last apex. */
+void read_apex(const tdmf_record *record, double section[TDMF_SECTION_COUNT]);
+
+#endif
