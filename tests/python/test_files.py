@@ -64,9 +64,9 @@ resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
 for folder, options in commands.items():
     os.chdir(folder)
     said = io.StringIO()
-    with contextlib.redirect_stderr(said):
+    with contextlib.redirect_stderr(said), contextlib.redirect_stdout(io.StringIO()):
         status = command.main(options)
-    print(json.dumps([folder, status, said.getvalue()]))
+    print(json.dumps([folder, status, said.getvalue()]), file=sys.__stdout__)
 """
 
 

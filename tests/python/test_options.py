@@ -96,10 +96,7 @@ def test_options_take_ranges_in_degrees(command):
         (("basin", "--axes", "com_height=0:2.5", "--axes", "com_speed=3:x"), "com_speed = 3:x:"),
         (("basin", "--axes", "com_height=1:2", "--axes", "com_speed=nan:3"), "com_speed = nan:3:"),
         (("basin", "--axes", "com_height=1 kg:2 kg", "--axes", "com_speed=1:2"), "com_height = 1 kg:2 kg:"),
-        (
-            ("basin", "--axes", "leg_angle=1:2 deg", "--axes", "com_speed=1:2"),
-            "leg_angle = 1:2 deg: a unit",
-        ),
+        (("basin", "--axes", "leg_angle=1:2 deg", "--axes", "com_speed=1:2"), "leg_angle = 1:2 deg: a unit"),
         (("sweep", "--friction", "0.6"), "--friction 0.6:"),
         (("sweep", "--friction", "0.6:1:2.5"), "--friction 0.6:1:2.5: N = 2.5"),
         (("sweep", "--friction", "1:2:2", "--vary", "leg.damping=1", "--output", "x.nc"), "leg.damping = 1:"),

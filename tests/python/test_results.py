@@ -10,7 +10,7 @@ import pytest
 import tdmf_slip
 import xarray
 from conftest import assert_same
-from tdmf_slip.cli.options import json_text
+from tdmf_slip.cli.command import json_text
 from tdmf_slip.files.netcdf import netcdf_of
 from tdmf_slip.record import runner_in
 from tdmf_slip.variables.table import STATES
@@ -22,10 +22,7 @@ MADE = {
     "basin": lambda gait: tdmf_slip.basin(gait, n=3),
     "falls": lambda gait: tdmf_slip.strides_to_fall(gait, 0.5, runners=20),
     "viability": lambda gait: tdmf_slip.viability(
-        {},
-        axes={"com_height": (1.2, 1.8), "com_speed": (0.5, 1.2)},
-        vary={ANGLE: (0.6, 0.7, 2)},
-        n=4,
+        {}, axes={"com_height": (1.2, 1.8), "com_speed": (0.5, 1.2)}, vary={ANGLE: (0.6, 0.7, 2)}, n=4
     ),
     "runs": lambda gait: tdmf_slip.simulate_many(
         [{"ground.friction": 0.6}, {"ground.friction": 1.2}], strides=2

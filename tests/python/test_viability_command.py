@@ -9,11 +9,7 @@ from tdmf_slip.pictures import basin_map
 
 ANGLE = "hip.touchdown_angle"
 GRID = ("--axes", "com_height=1:2", "--axes", "com_speed=0.5:1.5", "--vary", "hip.touchdown_angle=0.3:1.1:6")
-SETTINGS = {
-    "axes": {"com_height": (1, 2), "com_speed": (0.5, 1.5)},
-    "vary": {ANGLE: (0.3, 1.1, 6)},
-    "n": 6,
-}
+SETTINGS = {"axes": {"com_height": (1, 2), "com_speed": (0.5, 1.5)}, "vary": {ANGLE: (0.3, 1.1, 6)}, "n": 6}
 
 
 def test_the_command_finds_what_the_function_finds(command):

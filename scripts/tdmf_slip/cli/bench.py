@@ -4,10 +4,8 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import click
-
 from ..errors import InputError
-from .options import JSON_OPTION, Command, json_text
+from .command import Answer, command, option
 
 if TYPE_CHECKING:
     from benchmarks.growth import Growth
@@ -24,30 +22,27 @@ def _find_benchmarks() -> None:
     raise InputError(f"{here} is not in a checkout of TDMF-SLIP, whose folder benchmarks holds the benchmark")
 
 
-@click.command("bench", cls=Command)
-@click.option(
-    "--effort",
-    type=float,
-    default=1.0,
-    help="Factor on the time spent measuring.",
+@command(
+    "bench",
+    option("--effort", kind=float, default=1.0),
+    option("--growth", "of_growth", is_flag=True),
+    option("--swing-clamp/--no-swing-clamp", default=None),
+    runner=False,
 )
-@click.option(
-    "--growth",
-    "of_growth",
-    is_flag=True,
-    help="Measure instead how the time of whole tasks grows with their size: basin, ensembles, optimize, "
-    "fit, continue.",
-)
-@click.option(
-    "--swing-clamp/--no-swing-clamp",
-    default=None,
-    help="Value of hip.swing_clamp for the timed runners.  [default: the unit's own]",
-)
-@JSON_OPTION
-def bench_command(effort: float, of_growth: bool, swing_clamp: bool | None, as_json_object: bool) -> None:
+def bench_command(effort: float, of_growth: bool, swing_clamp: bool | None) -> Answer:
     """Time the solvers and the ensemble engine against other programs at equal accuracy.
 
     Before anything is timed, all programs must agree on the strides, with and without the clamp.
+
+    Parameters
+    ----------
+    effort
+        Factor on the time spent measuring.
+    of_growth
+        Measure instead how the time of whole tasks grows with their size: basin, ensembles, optimize,
+        fit, continue.
+    swing_clamp
+        Value of hip.swing_clamp for the timed runners.  [default: the unit's own]
     """
     _find_benchmarks()
     measured: Growth | Bench
@@ -59,4 +54,4 @@ def bench_command(effort: float, of_growth: bool, swing_clamp: bool | None, as_j
         from benchmarks.running import bench
 
         measured = bench(effort=effort, swing_clamp=swing_clamp, progress=True)
-    print(json_text(measured.as_json()) if as_json_object else measured.as_text())
+    return Answer(measured.as_json(), measured.as_text())

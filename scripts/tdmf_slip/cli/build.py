@@ -9,27 +9,20 @@ import click
 from ..building.build import build
 from ..building.compilers import TARGETS
 from ..builds import TABLE
-from .options import JSON_OPTION, Command, json_text
+from .command import Answer, command, option
+
+PATH = click.Path(path_type=Path)
 
 
-@click.command("build", cls=Command)
-@click.argument("page", type=click.Path(path_type=Path))
-@click.option(
-    "--platform",
-    type=click.Choice(list(TARGETS)),
-    help="Another platform, for which Zig compiles; by default this machine's.",
+@command(
+    "build",
+    click.argument("page", type=PATH),
+    option("--platform", of=build, kind=click.Choice(list(TARGETS))),
+    option("--unit/--no-unit", "unit", of=build),
+    option("--output", "folder", of=build, kind=PATH, metavar="FOLDER"),
+    runner=False,
 )
-@click.option("--unit/--no-unit", default=True, help="Make FMI units, too.")
-@click.option(
-    "--output",
-    type=click.Path(path_type=Path),
-    metavar="FOLDER",
-    help="Folder of the result; by default `build` beside the page.",
-)
-@JSON_OPTION
-def build_command(
-    page: Path, platform: str | None, unit: bool, output: Path | None, as_json_object: bool
-) -> None:
+def build_command(page: Path, folder: Path | None, platform: str | None, unit: bool) -> Answer:
     """Make a library and FMI units of a page: of a folder with page.py, or of a file in Python.
 
     Python loads the result by tdmf_slip.load_model.
@@ -37,11 +30,8 @@ def build_command(
     print(
         "tdmf-slip: deriving and compiling, for a page of the runner's size about a minute", file=sys.stderr
     )
-    folder = build(page, output, platform=platform, unit=unit)
-    files = sorted(folder.iterdir())
-    if as_json_object:
-        table = json.loads((folder / TABLE).read_text(encoding="utf-8"))
-        known = {name: table[name] for name in ("name", "version", "id", "libraries")}
-        print(json_text({**known, "files": [str(path) for path in files]}))
-    else:
-        print("\n".join(map(str, files)))
+    folder = build(page, folder, platform=platform, unit=unit)
+    files = [str(path) for path in sorted(folder.iterdir())]
+    table = json.loads((folder / TABLE).read_text(encoding="utf-8"))
+    known = {name: table[name] for name in ("name", "version", "id", "libraries")}
+    return Answer({**known, "files": files}, "\n".join(files))

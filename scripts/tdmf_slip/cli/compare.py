@@ -13,41 +13,33 @@ from ..library.runner import Runner
 from ..record import origin_of
 from ..terminal.text import headed, table
 from ..variables.table import FRICTION, VARIABLES
-from .options import JSON_OPTION, Command, json_text
+from .command import Answer, command, option
+from .options import names_given
 from .runner import MODEL_OPTION, SET_OPTION, Asked, values_given
 
 
-@click.command("compare", cls=Command)
-@click.option(
-    "--friction",
-    "frictions",
-    type=float,
-    multiple=True,
-    metavar="MU",
-    help=f"Friction of the ground of one runner; short for {FRICTION}. Repeatable.",
+@command(
+    "compare",
+    click.option(
+        "--friction",
+        "frictions",
+        type=float,
+        multiple=True,
+        metavar="MU",
+        help=f"Friction of the ground of one runner; short for {FRICTION}. Repeatable.",
+    ),
+    option("--parameters", "files", multiple=True, metavar="FILE"),
+    click.option(
+        "--hold",
+        required=True,
+        metavar="NAMES",
+        help=f"Quantities to match, as in speed,apex_height: {', '.join(QUANTITIES)}.",
+    ),
+    option("--vary", required=True, metavar="NAMES"),
+    SET_OPTION,
+    MODEL_OPTION,
+    runner=False,
 )
-@click.option(
-    "--parameters",
-    "files",
-    multiple=True,
-    metavar="FILE",
-    help="TOML or JSON file, or preset, of one runner. Repeatable; give one, or as many as frictions.",
-)
-@click.option(
-    "--hold",
-    required=True,
-    metavar="NAMES",
-    help=f"Quantities to match, as in speed,apex_height: {', '.join(QUANTITIES)}.",
-)
-@click.option(
-    "--vary",
-    required=True,
-    metavar="NAMES",
-    help="Parameters to adjust, at least as many as quantities, as in hip.stance_torque,hip.touchdown_angle.",
-)
-@SET_OPTION
-@MODEL_OPTION
-@JSON_OPTION
 def compare_command(
     frictions: tuple[float, ...],
     files: tuple[str, ...],
@@ -55,15 +47,22 @@ def compare_command(
     vary: str,
     settings: tuple[str, ...],
     model: str,
-    as_json_object: bool,
-) -> None:
+) -> Answer:
     """Match runners in speed, foot clearance or other quantities, to rule these out as causes.
 
     The first runner is the reference. A quantity that could not be matched is reported; it is not an error.
+
+    Parameters
+    ----------
+    files
+        TOML or JSON file, or preset, of one runner. Repeatable; give one, or as many as frictions.
+    vary
+        Parameters to adjust, at least as many as quantities, as in hip.stance_torque,hip.touchdown_angle.
     """
     runners = _runners(frictions, files, settings, model)
-    found = compare.plain(runners, hold=_names(hold), vary=_names(vary), model=model, progress=True)
-    print(json_text(_plain(found)) if as_json_object else _table(found))
+    names = [name.strip() for name in hold.split(",")]
+    found = compare.plain(runners, hold=names, vary=names_given(vary), model=model, progress=True)
+    return Answer(_plain(found), _table(found))
 
 
 def _plain(found: Comparison) -> dict[str, object]:
@@ -108,18 +107,15 @@ def _table(found: Comparison) -> str:
     rows.append(("stable", *("yes" if gait.stable else "no" for _, gait in columns)))
     for name in known_quantities(runner):
         mark = " *" if name in found.hold else ""
-        values = (quantities_of(gait, [name])[name] for _, gait in columns)
-        rows.append(row(name, unit_of(name), mark, values))
+        rows.append(
+            row(name, unit_of(name), mark, (quantities_of(gait, [name])[name] for _, gait in columns))
+        )
     rows.append(("lambda_max", *(f"{gait.lambda_max:.6g}" for _, gait in columns)))
     missed = [
         f"not held: {of.quantity} of runner {of.runner} is {of.has:.6g}, not {of.wanted:.6g}"
         for of in found.not_held
     ]
     return "\n".join([table(("", *(title for title, _ in columns)), rows), "", "* held", *missed])
-
-
-def _names(text: str) -> list[str]:
-    return [name.strip() for name in text.split(",")]
 
 
 def _runners(
@@ -132,11 +128,9 @@ def _runners(
             f"--friction {len(frictions)} times, --parameters {len(files)} times; allowed: two runners or "
             "more by either, or by as many of both"
         )
-    of_each = [
-        (
-            frictions[number % len(frictions)] if frictions else None,
-            files[number % len(files)] if files else None,
-        )
-        for number in range(count)
-    ]
-    return [Asked(file, values_given(friction, settings), model).runner() for friction, file in of_each]
+    runners = []
+    for number in range(count):
+        friction = frictions[number % len(frictions)] if frictions else None
+        file = files[number % len(files)] if files else None
+        runners.append(Asked(file, values_given(friction, settings), model).runner())
+    return runners

@@ -2,83 +2,45 @@
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import click
 
 from ..checks import number_in
 from ..errors import InputError
-from ..fitting.fitted import MAX_STARTS, STARTS, LeftOut, fit
+from ..fitting.fitted import MAX_STARTS, LeftOut, fit
 from ..fitting.result import Fit
 from ..terminal.text import table
-from .options import JSON_OPTION, Command, NewPicture, Number, json_text, names_given, plot_option
-from .runner import Asked, runner_options
+from .command import Answer, command, option
+from .options import NewPicture, Number, names_given
+from .runner import Asked
 
 
-@click.command("fit", cls=Command)
-@click.argument("file", type=click.Path(path_type=Path))
-@click.option(
-    "--vary",
-    metavar="NAMES",
-    help="Parameters to fit that all rows share, as in leg.stiffness,leg.damping. The search begins at the"
-    " given values.",
+@command(
+    "fit",
+    click.argument("file", type=click.Path(path_type=Path)),
+    option("--vary", metavar="NAMES"),
+    option("--vary-each", metavar="NAMES"),
+    option("--prior", "priors", multiple=True, metavar="NAME=VALUE,ERROR"),
+    option("--robust", of=fit),
+    option("--scale-errors", of=fit),
+    option("--linear", is_flag=True),
+    option("--starts", of=fit, kind=Number(1, MAX_STARTS, whole=True)),
+    option("--without-each", is_flag=True),
+    option("--report", kind=NewPicture("fit_diagram"), metavar="FILE"),
+    plot="data and fit",
 )
-@click.option(
-    "--vary-each",
-    metavar="NAMES",
-    help="Parameters to fit that have a value of their own in each row, as in hip.stance_torque.",
-)
-@click.option(
-    "--prior",
-    "priors",
-    multiple=True,
-    metavar="NAME=VALUE,ERROR",
-    help="Prior knowledge of a parameter: its value and standard error, as in leg.free_length=0.95,0.02. A"
-    " parameter that is not in --vary is then fitted as well. Repeatable.",
-)
-@click.option(
-    "--robust", is_flag=True, help="Use Huber's loss instead of squares, so that outliers have less weight."
-)
-@click.option(
-    "--scale-errors",
-    is_flag=True,
-    help="Treat the errors as relative weights, and estimate their common factor from the residuals.",
-)
-@click.option(
-    "--linear", is_flag=True, help="Linearized intervals instead of the profile likelihood: faster."
-)
-@click.option(
-    "--starts",
-    type=Number(1, MAX_STARTS, whole=True),
-    default=STARTS,
-    help="Maximum number of starts, spread over the ranges of the parameters.",
-)
-@click.option(
-    "--without-each", is_flag=True, help="Also fit the shared parameters without each datum in turn."
-)
-@plot_option("data and fit")
-@click.option(
-    "--report",
-    type=NewPicture("fit_diagram"),
-    metavar="FILE",
-    help="Write a report with tables and picture (.html).",
-)
-@JSON_OPTION
-@runner_options()
 def fit_command(
     asked: Asked,
     file: Path,
     vary: str | None,
     vary_each: str | None,
     priors: tuple[str, ...],
-    robust: bool,
-    scale_errors: bool,
     linear: bool,
-    starts: int,
     without_each: bool,
-    plot: Path | None,
     report: Path | None,
-    as_json_object: bool,
-) -> None:
+    **given: Any,
+) -> Answer:
     """Fit parameters of the runner to measured gaits, with 95 % intervals.
 
     FILE is a CSV table with one row per condition, or a table that comes with the package: human_running or
@@ -87,40 +49,39 @@ def fit_command(
     "slip_distance [m]", "peak_force [N]" or others, such as "foot_clearance [m]". Each has its standard error
     in a second column, as "speed_error [m/s]". Lines that begin with # are skipped. A stride runs from one
     stance of the leg to the next. The exit status is 1 if the search does not converge.
+
+    Parameters
+    ----------
+    vary
+        Parameters to fit that all rows share, as in leg.stiffness,leg.damping. The search begins at the
+        given values.
+    vary_each
+        Parameters to fit that have a value of their own in each row, as in hip.stance_torque.
+    priors
+        Prior knowledge of a parameter: its value and standard error, as in leg.free_length=0.95,0.02. A
+        parameter that is not in --vary is then fitted as well. Repeatable.
+    linear
+        Linearized intervals instead of the profile likelihood: faster.
+    without_each
+        Also fit the shared parameters without each datum in turn.
+    report
+        Write a report with tables and picture (.html).
     """
     names, each = names_given(vary), names_given(vary_each)
     if not names and not each:
         raise InputError("--vary is missing; allowed: --vary or --vary-each, or both")
-    runner = asked.runner()
-    found = fit(
-        runner,
-        file,
-        names,
-        vary_each=each,
-        priors=_priors(priors),
-        robust=robust,
-        scale_errors=scale_errors,
-        profile=not linear,
-        starts=starts,
-        progress=True,
-    )
+    given |= {"vary_each": each, "priors": _priors(priors), "profile": not linear}
+    found = fit(asked.runner(), file, names, progress=True, **given)
     left_out = found.without_each() if without_each else ()
-    if plot is not None:
-        from ..pictures.plot import write_picture  # matplotlib is slow to load
-
-        write_picture(plot, found)
     if report is not None:
         from ..pictures import fit_diagram
 
         fit_diagram.write(report, found)
-    if as_json_object:
-        print(
-            json_text(found.as_json() | ({"without": [_left(one) for one in left_out]} if left_out else {}))
-        )
-    else:
-        print("\n\n".join([found.as_text(), *([_left_text(found, left_out)] if left_out else [])]))
-    if not found.converged:
-        raise SystemExit(1)
+    plain, text = found.as_json(), found.as_text()
+    if left_out:
+        plain |= {"without": [_left(one) for one in left_out]}
+        text += f"\n\n{_left_text(found, left_out)}"
+    return Answer(plain, text, lambda: found, failure=None if found.converged else SystemExit(1))
 
 
 def _priors(given: tuple[str, ...]) -> dict[str, tuple[str, float]]:

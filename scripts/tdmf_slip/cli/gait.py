@@ -3,6 +3,7 @@
 import os
 import sys
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 import click
@@ -14,72 +15,63 @@ from ..library.quantities import MEASURES, quantities_of, quantity_of, unit_of
 from ..terminal.text import columns, quantity
 from ..variables.display_units import DisplayUnits
 from ..variables.variable import Given
-from .options import JSON_OPTION, TARGET_OPTION, Command, NewPicture, json_text, names_given, targets_given
-from .runner import Asked, runner_options
+from .command import Answer, command, option
+from .options import TARGET_OPTION, NewPicture, names_given, targets_given
+from .runner import Asked
 
 PICTURE = "gait.png"
 """Where --plot without a file draws."""
-VARY_OPTION = click.option(
-    "--vary",
-    metavar="NAMES",
-    help="Parameters to adjust, at least as many as targets, as in hip.stance_torque,leg.stiffness. The "
-    "search begins at the given values.",
-)
 
 
-@click.command("gait", cls=Command)
-@TARGET_OPTION
-@VARY_OPTION
-@click.option(
-    "--plot",
-    type=NewPicture(),
-    is_flag=False,
-    flag_value=PICTURE,
-    metavar="[FILE]",
-    help="Draw the stance: .png, .svg or .pdf, and open the picture where there is a display.  "
-    f"[without FILE: {PICTURE}]",
+@command(
+    "gait",
+    TARGET_OPTION,
+    option("--vary", metavar="NAMES"),
+    click.option(
+        "--plot",
+        type=NewPicture(),
+        is_flag=False,
+        flag_value=PICTURE,
+        metavar="[FILE]",
+        help="Draw the stance: .png, .svg or .pdf, and open the picture where there is a display.  "
+        f"[without FILE: {PICTURE}]",
+    ),
 )
-@JSON_OPTION
-@runner_options()
-def gait_command(
-    asked: Asked,
-    targets: tuple[str, ...],
-    vary: str | None,
-    plot: Path | None,
-    as_json_object: bool,
-) -> None:
+def gait_command(asked: Asked, targets: tuple[str, ...], vary: str | None, plot: Path | None) -> Answer:
     """Find the periodic gait, stable or not, and the eigenvalues of its return map.
 
     With --target, find the gait that meets the targets by changing the parameters in --vary. If none is
     found, the JSON holds the nearest gait and the parameters that would help, and the exit status is 1.
+
+    Parameters
+    ----------
+    vary
+        Parameters to adjust, at least as many as targets, as in hip.stance_torque,leg.stiffness. The
+        search begins at the given values.
     """
     target = targets_given(targets)
-    names = _names(vary, target)
-    runner = asked.runner()
+    if vary is not None and not target:
+        raise InputError(f"--vary {vary}: nothing is prescribed; allowed: with --target QUANTITY=VALUE")
+    if vary is None and target:
+        raise InputError("--vary is missing; allowed: with --target, at least as many names as prescribed")
+    runner, names = asked.runner(), names_given(vary)
     given = {name: value for name, (_, value) in asked.given.items()}
-    if not target:
-        gait = find_gait(runner)
-        print(json_text(gait.as_json()) if as_json_object else _gait_text(gait, given))
-        _draw(gait, plot)
-        return
-    try:
-        gait = find_gait(runner, target=target, vary=names, progress=True)
-    except TargetNotMetError as problem:
-        if as_json_object:
+    if target:
+        try:
+            gait = find_gait(runner, target=target, vary=names, progress=True)
+        except TargetNotMetError as problem:
             nearest = _target_json(problem.nearest, target, names)
-            print(json_text({"nearest": nearest, "helps": list(problem.helps)}))
-        raise
-    if as_json_object:
-        print(json_text(_target_json(gait, target, names)))
+            return Answer({"nearest": nearest, "helps": list(problem.helps)}, "", failure=problem)
+        plain = _target_json(gait, target, names)
     else:
-        print(_gait_text(gait, given, list(target), names))
-    _draw(gait, plot)
+        gait = find_gait(runner)
+        plain = gait.as_json()
+    then = None if plot is None else partial(_draw, gait, plot)
+    return Answer(plain, _text(gait, given, list(target), names), then=then)
 
 
-def _draw(gait: Gait, path: Path | None) -> None:
+def _draw(gait: Gait, path: Path) -> str:
     """Draw the stance into a file, say where it is, and open it where there is a display."""
-    if path is None:
-        return
     from ..pictures.plot import write_picture  # matplotlib is slow to load
 
     write_picture(path, gait)
@@ -87,39 +79,22 @@ def _draw(gait: Gait, path: Path | None) -> None:
     has_display = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
     if sys.stderr.isatty() and (has_display or sys.platform in ("darwin", "win32")):
         click.launch(str(path))
-
-
-def _names(vary: str | None, target: Mapping[str, float]) -> list[str]:
-    """Names of --vary, which has a meaning with a target only."""
-    if vary is not None and not target:
-        raise InputError(f"--vary {vary}: nothing is prescribed; allowed: with --target QUANTITY=VALUE")
-    if vary is None and target:
-        raise InputError("--vary is missing; allowed: with --target, at least as many names as prescribed")
-    return names_given(vary)
+    return ""
 
 
 def _target_json(gait: Gait, target: Mapping[str, float], vary: list[str]) -> dict[str, object]:
     """JSON of a gait, with the values of varied parameters and of prescribed quantities."""
-    return {
-        **gait.as_json(),
-        "free": {name: gait.runner[name] for name in vary},
-        "ordered": quantities_of(gait, list(target)),
-    }
+    free = {name: gait.runner[name] for name in vary}
+    return {**gait.as_json(), "free": free, "ordered": quantities_of(gait, list(target))}
 
 
-def _gait_text(
-    gait: Gait,
-    given: Mapping[str, Given],
-    target: Sequence[str] = (),
-    vary: Sequence[str] = (),
-) -> str:
+def _text(gait: Gait, given: Mapping[str, Given], target: Sequence[str], vary: Sequence[str]) -> str:
     units = DisplayUnits(given, gait.runner)
 
     def of(name: str, value: float) -> str:
         return quantity(units.value(name, value), units.unit(name), 12)
 
     basic = [name for name in target if name in gait.stride and name not in MEASURES]
-    reported = dict.fromkeys([*REPORTED, *basic])
     measured = {
         name: quantity(quantity_of(name, gait.stride), units.label(unit_of(name)), 12)
         for name in (*MEASURES, "frequency")
@@ -129,17 +104,16 @@ def _gait_text(
     rows = {
         "word": gait.word,
         "friction": of("ground.friction", gait.friction),
-        **{name: of(f"stride.{name}", gait.stride[name]) for name in reported},
+        **{name: of(f"stride.{name}", gait.stride[name]) for name in dict.fromkeys([*REPORTED, *basic])},
         **measured,
         **{name: of(name, gait.runner[name]) for name in vary},
         "liftoff_angle": of("hip.liftoff_angle", gait.liftoff_angle),
         **{f"apex.{n}": of(f"apex.{n}", v) for n, v in apex.items()},
-        "eigenvalues": ", ".join(_complex(value) for value in gait.eigenvalues),
+        "eigenvalues": ", ".join(_complex(complex(value)) for value in gait.eigenvalues),
         "stable": "yes" if gait.stable else "no",
     }
     return columns(rows)
 
 
 def _complex(value: complex) -> str:
-    value = complex(value)
     return f"{value.real:.9g}" if value.imag == 0.0 else f"{value.real:.9g}{value.imag:+.9g}i"

@@ -5,23 +5,19 @@ from pathlib import Path
 import click
 
 from ..building.new import STARTS, new
-from .options import Command
+from .command import Answer, command, option
 
 
-@click.command("new", cls=Command)
-@click.argument("folder", type=click.Path(path_type=Path))
-@click.option(
-    "--from",
-    "start",
-    type=click.Choice(STARTS),
-    default="runner",
-    help="runner: override one law of the runner. scratch: a bouncing ball.",
+@command(
+    "new",
+    click.argument("folder", type=click.Path(path_type=Path)),
+    option("--from", "start", of=new, kind=click.Choice(STARTS)),
+    runner=False,
+    as_json=False,
 )
-def new_command(folder: Path, start: str) -> None:
+def new_command(folder: Path, start: str) -> Answer:
     """Begin a page of your own: a folder with a page, parameters, a test and a README.
 
     The folder's name is that of the model, as in my_runner.
     """
-    made = new(folder, start=start)
-    for path in sorted(made.iterdir()):
-        print(path)
+    return Answer({}, "\n".join(map(str, sorted(new(folder, start=start).iterdir()))))

@@ -1,10 +1,8 @@
 """The command `prove`: a gait, proved by interval arithmetic."""
 
 import hashlib
-import sys
-from concurrent.futures import Executor
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -13,9 +11,10 @@ from ..library.runner import Runner
 from ..terminal.text import columns, table
 from ..variables.parameters import read_parameters
 from ..variables.table import FRICTION, VARIABLES
-from .options import JSON_OPTION, Command, ends_of, json_text
+from .command import Answer, command, option
+from .options import ends_of
 from .runner import PARAMETERS_OPTION, SET_OPTION, Asked, refuse_given, values_given
-from .workers import executor_of, workers_options
+from .workers import Workers
 
 if TYPE_CHECKING:
     from ..proof.proof import Proof
@@ -23,42 +22,24 @@ if TYPE_CHECKING:
 SHOWN = ("period", "length", "speed", "cost_of_transport", "slip_distance", "liftoff_angle")
 
 
-@click.command("prove", cls=Command)
-@click.option("--friction", metavar="MU", help=f"Friction coefficient of the ground; short for {FRICTION}.")
-@SET_OPTION
-@PARAMETERS_OPTION
-@click.option(
-    "--box",
-    metavar="RADIUS",
-    help="Radius of the box of apices in which exactly one gait is proved, in units of the coordinates' "
-    "scales, as in 1e-10.  [default: the largest of several that can be proved]",
+@command(
+    "prove",
+    click.option(
+        "--friction", metavar="MU", help=f"Friction coefficient of the ground; short for {FRICTION}."
+    ),
+    SET_OPTION,
+    PARAMETERS_OPTION,
+    option("--box", metavar="RADIUS"),
+    option("--digits", kind=int, default=20, metavar="N"),
+    option("--border", metavar="A:B"),
+    option("--vary", metavar="NAME=A:B"),
+    option("--output", kind=click.Path(path_type=Path), metavar="FILE"),
+    option("--compare", is_flag=True),
+    runner=False,
+    workers=True,
 )
-@click.option("--digits", type=int, default=20, metavar="N", help="Digits of the enclosures.")
-@click.option(
-    "--border",
-    metavar="A:B",
-    help="Prove the borders between gait words in a range of friction, and a gait on each side of each "
-    "border.",
-)
-@click.option(
-    "--vary",
-    metavar="NAME=A:B",
-    help="Prove all gaits over a range of a parameter, by subdivision, as in ground.friction=0.5999:0.6001.",
-)
-@click.option(
-    "--output",
-    type=click.Path(path_type=Path),
-    metavar="FILE",
-    help="With --vary: write JSON lines, one per subinterval. An existing file is resumed.",
-)
-@workers_options
-@click.option(
-    "--compare",
-    is_flag=True,
-    help="Also bound how far the stride of each solver is from the proved gait.",
-)
-@JSON_OPTION
 def prove_command(
+    workers: Workers,
     friction: str | None,
     settings: tuple[str, ...],
     parameters: str | None,
@@ -67,16 +48,30 @@ def prove_command(
     border: str | None,
     vary: str | None,
     output: Path | None,
-    workers: int | None,
-    scheduler: str | None,
     compare: bool,
-    as_json_object: bool,
-) -> None:
+) -> Answer:
     """Prove that exactly one gait lies in a box, with its word, stability and enclosures.
 
     All numbers are exact: 0.6 is 3/5, '40 deg' is 2 pi/9, also in files. If the enclosures are too wide, the
     answer is "undecided", with the guard and the time, and the exit status is 1. The answer is never "no
     gait". Requires python-flint, the extra `proof`.
+
+    Parameters
+    ----------
+    box
+        Radius of the box of apices in which exactly one gait is proved, in units of the coordinates'
+        scales, as in 1e-10.  [default: the largest of several that can be proved]
+    digits
+        Digits of the enclosures.
+    border
+        Prove the borders between gait words in a range of friction, and a gait on each side of each
+        border.
+    vary
+        Prove all gaits over a range of a parameter, by subdivision, as in ground.friction=0.5999:0.6001.
+    output
+        With --vary: write JSON lines, one per subinterval. An existing file is resumed.
+    compare
+        Also bound how far the stride of each solver is from the proved gait.
     """
     given = values_given(None, settings)
     if friction is not None:
@@ -88,49 +83,45 @@ def prove_command(
         if vary is not None:
             raise InputError("--border, --vary: are two ways of asking; allowed: one of them")
     runner = Asked(parameters, given).runner()
-    reported = (
-        {} if parameters is None else {n: _as_written(v) for n, v in read_parameters(parameters).items()}
-    )
-    reported |= {name: value for name, (_, value) in given.items()}
+    values = {} if parameters is None else {n: _as_written(v) for n, v in read_parameters(parameters).items()}
+    values |= {name: value for name, (_, value) in given.items()}
     if compare and (border is not None or vary is not None):
         raise InputError("--compare: is of one gait; allowed: without --border and --vary")
-    if vary is None and any(option is not None for option in (output, workers, scheduler)):
+    if vary is None and (output is not None or workers.are_given):
         raise InputError("--output, --workers and --scheduler are for a range only; allowed: with --vary")
     if border is not None:
-        _prove_borders(runner, reported, border, digits, as_json_object)
-        return
-    if vary is not None:
-        if box is not None:
-            raise InputError(f"--box {box}: with --vary it is chosen by itself; allowed: without --vary")
-        with executor_of(workers, scheduler, processes=True) as executor:
-            _prove_range(reported, vary, output, executor, as_json_object)
-        return
+        return _borders(runner, values, border, digits)
     from ..proof.prove import prove  # FLINT is slow to load
 
-    proof = prove(reported, box=box, digits=digits)
-    errors = _errors(proof) if compare and proof.proved else {}
-    if as_json_object:
-        print(json_text({**proof.as_json(), **({"solvers": errors} if errors else {})}))
-    else:
-        print(_text(proof) + (f"\n\n{_error_text(errors)}" if errors else ""))
-    _end(proof.proved)
+    if vary is None:
+        proof = prove(values, box=box, digits=digits)
+        plain, text = proof.as_json(), _text(proof)
+        if compare and proof.proved:
+            from ..proof.accuracy import solver_errors
+
+            errors = solver_errors(proof)
+            plain, text = {**plain, "solvers": errors}, f"{text}\n\n{_error_text(errors)}"
+        return _answer(plain, text, proof.proved)
+    if box is not None:
+        raise InputError(f"--box {box}: with --vary it is chosen by itself; allowed: without --vary")
+    name, equals, span = (part.strip() for part in vary.partition("="))
+    begin, colon, end = (part.strip() for part in span.partition(":"))
+    if not (equals and colon):
+        raise InputError(f"--vary {vary}: allowed: NAME=A:B")
+    with workers.executor(processes=True) as executor:
+        over = prove(values, vary={name: (begin, end)}, output=output, executor=executor, progress=True)
+    digest = None if output is None else hashlib.sha256(output.read_bytes()).hexdigest()
+    text = over.sentence if digest is None else f"{over.sentence}\nSHA-256 of {output}: {digest}"
+    return _answer({**over.as_json(), "sha256": digest}, text, over.proved)
 
 
-def _errors(proof: "Proof") -> dict[str, dict[str, float]]:
-    from ..proof.accuracy import solver_errors
-
-    return solver_errors(proof)
-
-
-def _error_text(errors: dict[str, dict[str, float]]) -> str:
-    names = next(iter(errors.values()))
-    rows = [[solver, *(f"{of[name]:.1e}" for name in names)] for solver, of in errors.items()]
-    return f"Errors of the solvers at the most:\n{table(['solver', *names], rows)}"
+def _answer(plain: dict[str, Any], text: str, proved: bool) -> Answer:
+    """The answer, which ends with exit status 1 where something is undecided."""
+    return Answer(plain, text, failure=None if proved else RunError("undecided"))
 
 
-def _prove_borders(
-    runner: Runner, reported: dict[str, object], border: str, digits: int, as_json_object: bool
-) -> None:
+def _borders(runner: Runner, values: dict[str, object], border: str, digits: int) -> Answer:
+    """Proofs of all borders in a range of friction."""
     from ..analysis.sweeps import sweep_row
     from ..proof.prove_border import prove_border
 
@@ -138,40 +129,10 @@ def _prove_borders(
     borders = sweep_row(runner, FRICTION, list(ends)).borders
     if not borders:
         raise RunError(f"--border {border}: the gaits at both ends have the same word")
-    proofs = [prove_border(one, reported, digits=digits) for one in borders]
-    if as_json_object:
-        print(json_text({"borders": [proof.as_json() for proof in proofs]}))
-    else:
-        print("\n\n".join(proof.sentence for proof in proofs))
-    _end(all(proof.proved for proof in proofs))
-
-
-def _prove_range(
-    reported: dict[str, object],
-    vary: str,
-    output: Path | None,
-    executor: Executor | None,
-    as_json_object: bool,
-) -> None:
-    from ..proof.prove import prove
-
-    name, equals, span = (part.strip() for part in vary.partition("="))
-    begin, colon, end = (part.strip() for part in span.partition(":"))
-    if not (equals and colon):
-        raise InputError(f"--vary {vary}: allowed: NAME=A:B")
-    proof = prove(reported, vary={name: (begin, end)}, output=output, executor=executor, progress=True)
-    digest = None if output is None else hashlib.sha256(output.read_bytes()).hexdigest()
-    if as_json_object:
-        print(json_text({**proof.as_json(), "sha256": digest}))
-    else:
-        print(proof.sentence if digest is None else f"{proof.sentence}\nSHA-256 of {output}: {digest}")
-    _end(proof.proved)
-
-
-def _end(proved: bool) -> None:
-    if not proved:
-        sys.stdout.flush()
-        raise RunError("undecided")
+    proofs = [prove_border(one, values, digits=digits) for one in borders]
+    text = "\n\n".join(proof.sentence for proof in proofs)
+    plain = {"borders": [proof.as_json() for proof in proofs]}
+    return _answer(plain, text, all(proof.proved for proof in proofs))
 
 
 def _as_written(value: object) -> object:
@@ -179,21 +140,25 @@ def _as_written(value: object) -> object:
     return repr(value) if isinstance(value, float) else value
 
 
+def _error_text(errors: dict[str, dict[str, float]]) -> str:
+    names = list(next(iter(errors.values())))
+    rows = [[solver, *(f"{of[name]:.1e}" for name in names)] for solver, of in errors.items()]
+    return f"Errors of the solvers at the most:\n{table(['solver', *names], rows)}"
+
+
 def _text(proof: "Proof") -> str:
     if not proof.proved:
         return proof.sentence
-    reported = proof.as_json()
-    apex = zip(proof.coordinates, reported["apex"], strict=True)  # type: ignore[call-overload] # texts
+    reported: dict[str, Any] = proof.as_json()
     rows = {
         "word": proof.word or "empty",
         "stable": {True: "yes", False: "no", None: "undecided"}[proof.stable],
         **{name: str(reported[name]) for name in SHOWN if reported[name] is not None},
-        **{f"apex.{name}": value for name, value in apex},
-        "eigenvalues": ", ".join(_complex(value) for value in reported["eigenvalues"]),  # type: ignore[attr-defined]
+        **{f"apex.{name}": of for name, of in zip(proof.coordinates, reported["apex"], strict=True)},
+        "eigenvalues": ", ".join(
+            value if isinstance(value, str) else f"{value[0]} + {value[1]} i"
+            for value in reported["eigenvalues"]
+        ),
     }
     assumed = "\n".join(f"- {sentence}" for sentence in proof.assumptions)
     return f"{proof.sentence}\n\n{columns(rows)}\n\nAssumed:\n{assumed}"
-
-
-def _complex(value: str | list[str]) -> str:
-    return value if isinstance(value, str) else f"{value[0]} + {value[1]} i"

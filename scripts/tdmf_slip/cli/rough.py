@@ -1,6 +1,7 @@
 """The command `rough`: how long a runner stays up on rough ground."""
 
 import math
+from typing import Any
 
 import click
 
@@ -8,143 +9,86 @@ from ..analysis.attraction import CONFIDENCE
 from ..analysis.first_passage import MAX_RUNNERS, MAX_STRIDES, FirstPassage, strides_to_fall
 from ..analysis.rare_falls import RareFalls, rare_falls
 from ..errors import InputError
-from ..library.ground import (
-    LARGEST,
-    LARGEST_SPREAD,
-    LAST_SEED,
-    RoughGround,
-    correlated_weights,
-    read_heights,
-)
+from ..library.ground import LARGEST, LARGEST_SPREAD, LAST_SEED, RoughGround, correlated_weights, read_heights
 from ..library.runner import Runner
 from ..record import without_record
 from ..terminal.text import columns, quantity
-from .options import JSON_OPTION, Command, Number, json_text
-from .runner import Asked, runner_options
-from .workers import executor_of, workers_options
+from .command import Answer, command, option
+from .options import Number
+from .runner import Asked
+from .workers import Workers
 
 
-@click.command("rough", cls=Command)
-@click.option(
-    "--roughness",
-    type=Number(0.0, LARGEST),
-    metavar="S",
-    help="Standard deviation, in m, of the ground's step at each apex; with --segment-length, of the "
-    "segments' heights.",
+@command(
+    "rough",
+    option("--roughness", kind=Number(0.0, LARGEST), metavar="S"),
+    option("--runners", of=strides_to_fall, kind=Number(1, MAX_RUNNERS, whole=True), metavar="N"),
+    option("--seed", of=strides_to_fall, kind=Number(0, LAST_SEED, whole=True), metavar="K"),
+    option("--max-strides", of=strides_to_fall, kind=Number(1, MAX_STRIDES, whole=True), metavar="M"),
+    option("--correlation", kind=Number(-0.99, 0.99), default=0.0, metavar="C"),
+    option("--trips", is_flag=True),
+    option("--friction-spread", kind=Number(0.0, LARGEST_SPREAD), default=0.0, metavar="S"),
+    option("--segment-length", kind=Number(0.0, LARGEST), default=0.0, metavar="L"),
+    option("--heights", metavar="FILE"),
+    option("--rare", is_flag=True),
+    model=False,
+    workers=True,
 )
-@click.option(
-    "--runners",
-    type=Number(1, MAX_RUNNERS, whole=True),
-    default=1000,
-    metavar="N",
-    help="Number of runners, each on its own random ground.",
-)
-@click.option(
-    "--seed",
-    type=Number(0, LAST_SEED, whole=True),
-    default=0,
-    metavar="K",
-    help="Seed of the random ground.",
-)
-@click.option(
-    "--max-strides",
-    type=Number(1, MAX_STRIDES, whole=True),
-    default=10_000,
-    metavar="M",
-    help="Number of strides after which a runner is censored.",
-)
-@click.option(
-    "--correlation",
-    type=Number(-0.99, 0.99),
-    default=0.0,
-    metavar="C",
-    help="Correlation of each step with the one before.",
-)
-@click.option(
-    "--trips",
-    is_flag=True,
-    help="Count a foot that hits the face of a step as a fall. By default it passes through on its way up.",
-)
-@click.option(
-    "--friction-spread",
-    type=Number(0.0, LARGEST_SPREAD),
-    default=0.0,
-    metavar="S",
-    help="Standard deviation of the logarithm of the friction, drawn for each stride or segment.",
-)
-@click.option(
-    "--segment-length",
-    type=Number(0.0, LARGEST),
-    default=0.0,
-    metavar="L",
-    help="Length, in m, of level segments at fixed places, each with its own height and friction.",
-)
-@click.option(
-    "--heights",
-    metavar="FILE",
-    help="File with the heights of the segments, in m, in place of --roughness. They repeat after the last"
-    " one.",
-)
-@click.option(
-    "--rare",
-    is_flag=True,
-    help="Use multilevel splitting, for rare falls. Not with --runners or --max-strides.",
-)
-@workers_options
-@JSON_OPTION
-@runner_options(model=False)
 def rough_command(
     asked: Asked,
+    workers: Workers,
     roughness: float | None,
     runners: int,
     seed: int,
     max_strides: int,
     correlation: float,
-    trips: bool,
-    friction_spread: float,
-    segment_length: float,
     heights: str | None,
     rare: bool,
-    workers: int | None,
-    scheduler: str | None,
-    as_json_object: bool,
-) -> None:
+    **given: Any,
+) -> Answer:
     """Estimate the mean number of strides until a runner falls on rough ground, with its confidence interval.
 
     Runners start from the gait on level ground. Runners that are still up at the end are censored: their
     strides count, but they add no fall.
+
+    Parameters
+    ----------
+    roughness
+        Standard deviation, in m, of the ground's step at each apex; with --segment-length, of the
+        segments' heights.
+    correlation
+        Correlation of each step with the one before.
+    trips
+        Count a foot that hits the face of a step as a fall. By default it passes through on its way up.
+    friction_spread
+        Standard deviation of the logarithm of the friction, drawn for each stride or segment.
+    segment_length
+        Length, in m, of level segments at fixed places, each with its own height and friction.
+    heights
+        File with the heights of the segments, in m, in place of --roughness. They repeat after the last
+        one.
+    rare
+        Use multilevel splitting, for rare falls. Not with --runners or --max-strides.
     """
     runner = asked.runner()
     if (roughness is None) == (heights is None):
-        given = "neither is given" if heights is None else "both are given"
-        raise InputError(f"--roughness, --heights: {given}; allowed: one of them")
-    ground = RoughGround(
-        0.0 if roughness is None else roughness,
-        seed,
-        step_weights=correlated_weights(correlation),
-        trips=trips,
-        friction_spread=friction_spread,
-        segment_length=segment_length,
-        heights=() if heights is None else read_heights(heights),
-    )
+        which = "neither is given" if heights is None else "both are given"
+        raise InputError(f"--roughness, --heights: {which}; allowed: one of them")
+    given |= {"step_weights": correlated_weights(correlation)}
+    given |= {"heights": () if heights is None else read_heights(heights)}
+    ground = RoughGround(roughness or 0.0, seed, **given)
     found: FirstPassage | RareFalls
     if rare:
-        _check_alone("runners", "max_strides", "workers", "scheduler")
+        context, source = click.get_current_context(), click.core.ParameterSource.COMMANDLINE
+        for name in ("runners", "max_strides", "workers", "scheduler"):
+            if context.get_parameter_source(name) is source:
+                raise InputError(f"--{name.replace('_', '-')} with --rare; allowed: one of the two")
         found = rare_falls(runner, ground, seed=seed, progress=True)
     else:
-        with executor_of(workers, scheduler) as executor:
-            found = strides_to_fall(
-                runner, ground, runners, seed, max_strides, executor=executor, progress=True
-            )
-    print(json_text(found.as_json()) if as_json_object else _text(found, runner))
-
-
-def _check_alone(*names: str) -> None:
-    """Refuse options that --rare has no use for."""
-    context = click.get_current_context()
-    for name in names:
-        if context.get_parameter_source(name) is click.core.ParameterSource.COMMANDLINE:
-            raise InputError(f"--{name.replace('_', '-')} with --rare; allowed: one of the two")
+        with workers.executor() as executor:
+            counts = runners, seed, max_strides
+            found = strides_to_fall(runner, ground, *counts, executor=executor, progress=True)
+    return Answer(found.as_json(), _text(found, runner))
 
 
 def _text(found: FirstPassage | RareFalls, runner: Runner) -> str:

@@ -1,6 +1,5 @@
 """Options that describe a runner, and the runner that they describe."""
 
-import functools
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -14,7 +13,7 @@ from ..library.settings import OF_FLIGHT
 from ..variables.parameters import preset_names, read_parameters
 from ..variables.table import FRICTION, MODELS, NAMES, VARIABLES, Variables
 from ..variables.variable import Given, Value
-from .options import Function, pairs_given
+from .options import pairs_given
 
 FRICTION_OPTION = click.option(
     "--friction", type=float, metavar="MU", help=f"Friction coefficient of the ground; short for {FRICTION}."
@@ -70,23 +69,9 @@ class Asked:
         return runner
 
 
-def runner_options(*, model: bool = True) -> Callable[[Function], Callable[..., None]]:
-    """Give a command --friction, --set, --parameters and, on request, --model; it is passed an `Asked`."""
-
-    def decorate(function: Function) -> Callable[..., None]:
-        @functools.wraps(function)
-        def command(
-            friction: float | None, settings: Sequence[str], parameters: str | None, **others: Any
-        ) -> None:
-            of_model = (others.pop("model"),) if model else ()
-            function(Asked(parameters, values_given(friction, settings), *of_model), **others)
-
-        options = [FRICTION_OPTION, SET_OPTION, PARAMETERS_OPTION, *([MODEL_OPTION] if model else [])]
-        for option in reversed(options):
-            option(command)
-        return command
-
-    return decorate
+def runner_options(model: bool) -> list[Callable[[Any], Any]]:
+    """Options that describe a runner: --friction, --set, --parameters and, on request, --model."""
+    return [FRICTION_OPTION, SET_OPTION, PARAMETERS_OPTION, *([MODEL_OPTION] if model else [])]
 
 
 def values_given(friction: float | None, settings: Sequence[str]) -> dict[str, tuple[str, Given]]:

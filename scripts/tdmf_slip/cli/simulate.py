@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -21,70 +22,64 @@ from ..fmu.simulation import (
 )
 from ..terminal.text import columns, quantity
 from ..variables.variable import Value
-from .options import JSON_OPTION, Command, NewFile, Number, json_text, plot_option, read_gait
-from .runner import Asked, file_values, refuse_given, runner_options, start_values
+from .command import Answer, command, option
+from .options import NewFile, Number, read_gait
+from .runner import Asked, file_values, refuse_given, start_values
 
 SOLVER_TOLERANCE = "solver.relative_tolerance"
 
 
-@click.command("simulate", cls=Command)
-@click.option(
-    "--interface",
-    type=click.Choice(list(INTERFACES)),
-    default="me",
-    help="FMI interface: Model Exchange or Co-Simulation.",
+@command(
+    "simulate",
+    option("--interface", kind=click.Choice(list(INTERFACES)), default="me"),
+    option("--stop-time", kind=Number(*TIMES), metavar="SECONDS"),
+    click.option(
+        "--strides",
+        type=Number(1, MAX_STRIDES, whole=True),
+        metavar="N",
+        help=f"Stop after N strides.  [default: {DEFAULT_STRIDES}, without --stop-time]",
+    ),
+    option("--from-gait", metavar="FILE"),
+    option("--inputs", kind=click.Path(path_type=Path), metavar="FILE"),
+    click.option(
+        "--tolerance",
+        type=Number(*TOLERANCES),
+        help="Relative tolerance of CVODE in Model Exchange. In Co-Simulation, the smaller of it and "
+        f"solver.relative_tolerance.  [default: {DEFAULT_TOLERANCE:g}]",
+    ),
+    option("--output-interval", kind=Number(*INTERVALS), metavar="SECONDS"),
+    option("--output", kind=NewFile(*WRITERS), metavar="FILE"),
+    model=False,
+    plot="the run",
 )
-@click.option("--stop-time", type=Number(*TIMES), metavar="SECONDS", help="Time at which to stop.")
-@click.option(
-    "--strides",
-    type=Number(1, MAX_STRIDES, whole=True),
-    metavar="N",
-    help=f"Stop after N strides.  [default: {DEFAULT_STRIDES}, without --stop-time]",
-)
-@click.option(
-    "--from-gait",
-    metavar="FILE",
-    help="Start on the gait in a file that `tdmf-slip gait --json` wrote, with its parameters; - reads "
-    "stdin.",
-)
-@click.option(
-    "--inputs",
-    type=click.Path(path_type=Path),
-    metavar="FILE",
-    help="Inputs over time: CSV with the header time,<input>,...",
-)
-@click.option(
-    "--tolerance",
-    type=Number(*TOLERANCES),
-    help="Relative tolerance of CVODE in Model Exchange. In Co-Simulation, the smaller of it and "
-    f"solver.relative_tolerance.  [default: {DEFAULT_TOLERANCE:g}]",
-)
-@click.option(
-    "--output-interval",
-    type=Number(*INTERVALS),
-    metavar="SECONDS",
-    help="Time between recorded rows.  [default: a tenth of sqrt(m/k)]",
-)
-@click.option("--output", type=NewFile(WRITERS), metavar="FILE", help="Write the rows: .csv or .nc.")
-@plot_option("the run")
-@JSON_OPTION
-@runner_options(model=False)
 def simulate_command(
     asked: Asked,
     interface: str,
-    stop_time: float | None,
-    strides: int | None,
     from_gait: str | None,
     inputs: Path | None,
     tolerance: float | None,
-    output_interval: float | None,
     output: Path | None,
-    plot: Path | None,
-    as_json_object: bool,
-) -> None:
+    **given: Any,
+) -> Answer:
     """Simulate one run of the FMI unit through FMPy.
 
     A fall ends the run. It is a result, not an error.
+
+    Parameters
+    ----------
+    interface
+        FMI interface: Model Exchange or Co-Simulation.
+    stop_time
+        Time at which to stop.
+    from_gait
+        Start on the gait in a file that `tdmf-slip gait --json` wrote, with its parameters; - reads
+        stdin.
+    inputs
+        Inputs over time: CSV with the header time,<input>,...
+    output_interval
+        Time between recorded rows.  [default: a tenth of sqrt(m/k)]
+    output
+        Write the rows: .csv or .nc.
     """
     if output is not None:
         for what, file in (("inputs", inputs), ("gait", from_gait and Path(from_gait))):
@@ -102,29 +97,18 @@ def simulate_command(
         base = fmu.variables.start_values(read_gait(from_gait), f"--from-gait {from_gait}")
     starts = start_values(base, asked.given, fmu.variables)
     _refuse_other_interface(interface, asked.given)
-    if interface == "cs" and tolerance is not None:
+    if tolerance is None:
+        tolerance = DEFAULT_TOLERANCE
+    elif interface == "cs":
         _refuse_loose(fmu, starts, tolerance)
     tables = read_tables(inputs, fmu) if inputs is not None else {}
     for name in tables:
         refuse_given(asked.given, name, "--inputs")
-    run = run_unit(
-        starts,
-        stop_time=stop_time,
-        strides=strides,
-        tolerance=DEFAULT_TOLERANCE if tolerance is None else tolerance,
-        output_interval=output_interval,
-        inputs=tables,
-        interface=interface,
-        progress=True,
-        fmu=fmu,
-    )
+    given |= {"tolerance": tolerance, "inputs": tables, "interface": interface}
+    run = run_unit(starts, progress=True, fmu=fmu, **given)
     if output is not None:
         write_table(output, run)
-    if plot is not None:
-        from ..pictures.plot import write_picture  # matplotlib is slow to load
-
-        write_picture(plot, dataset_of(run))
-    print(json_text(_run_object(run)) if as_json_object else _run_text(run))
+    return Answer(_run_object(run), _run_text(run), lambda: dataset_of(run))
 
 
 def _refuse_other_interface(interface: str, given: Mapping[str, object]) -> None:

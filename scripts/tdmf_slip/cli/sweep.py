@@ -1,7 +1,6 @@
 """The command `sweep`: gaits over a range of a parameter, or over two."""
 
 from collections.abc import Mapping
-from concurrent.futures import Executor
 from pathlib import Path
 
 import click
@@ -16,72 +15,64 @@ from ..library.runner import Runner
 from ..terminal.text import table
 from ..variables.display_units import DisplayUnits
 from ..variables.table import FRICTION, VARIABLES
-from .options import JSON_OPTION, SPACINGS, Command, json_text, pairs_given, plot_option, values_of
+from .command import Answer, command, json_text, option
+from .options import SPACINGS, pairs_given, values_of
 from .runner import MODEL_OPTION, PARAMETERS_OPTION, SET_OPTION, Asked, refuse_given, values_given
-from .workers import executor_of, workers_options
+from .workers import Workers
 
 NETCDF, CSV = ".nc", ".csv"
 FORMATS = (NETCDF, ".json", CSV)
 """Formats of --output."""
 STDOUT = Path("-")
-SPACING_OPTION = click.option(
-    "--spacing",
-    type=click.Choice(list(SPACINGS)),
-    default="linear",
-    help="Spacing of the values in a range.",
-)
 
 
-@click.command("sweep", cls=Command)
-@click.option(
-    "--friction",
-    metavar="A:B:N",
-    help="N values from A to B. With --vary, one value MU for all gaits is allowed too.",
+@command(
+    "sweep",
+    option("--friction", metavar="A:B:N"),
+    option("--vary", multiple=True, metavar="NAME=A:B:N"),
+    option("--spacing", kind=click.Choice(list(SPACINGS)), default="linear"),
+    option("--output", kind=click.Path(path_type=Path), metavar="FILE"),
+    SET_OPTION,
+    PARAMETERS_OPTION,
+    MODEL_OPTION,
+    runner=False,
+    workers=True,
+    plot="the gaits",
 )
-@click.option(
-    "--vary",
-    multiple=True,
-    metavar="NAME=A:B:N",
-    help="Parameter or input to vary, as in leg.damping=0.1:0.3:20 or hip.touchdown_angle='35 deg:45 "
-    "deg:11'. Given twice, or with a range of friction, it gives a grid of gaits, written to --output"
-    " row by row. An existing file is resumed.",
-)
-@SPACING_OPTION
-@click.option(
-    "--output",
-    type=click.Path(path_type=Path),
-    metavar="FILE",
-    help="Write the gaits as NetCDF (.nc), JSON (.json) or CSV (.csv); - writes JSON to stdout, as "
-    "--json does.",
-)
-@plot_option("the gaits")
-@workers_options
-@SET_OPTION
-@PARAMETERS_OPTION
-@MODEL_OPTION
-@JSON_OPTION
 def sweep_command(
+    workers: Workers,
     friction: str | None,
     vary: tuple[str, ...],
     spacing: str,
     output: Path | None,
-    plot: Path | None,
-    workers: int | None,
-    scheduler: str | None,
     settings: tuple[str, ...],
     parameters: str | None,
     model: str,
-    as_json_object: bool,
-) -> None:
+) -> Answer:
     """Find gaits over a range of one or two parameters, and the borders between gait words.
 
     If there is no gait at the first value, the sweep begins at the first value that has one, and goes both
     ways. Where a fold ends a branch, the sweep continues on another one and says so. If gaits are missing,
     those that were found are printed and written, and the exit status is 1. The rows of a grid are computed
     in parallel.
+
+    Parameters
+    ----------
+    friction
+        N values from A to B. With --vary, one value MU for all gaits is allowed too.
+    vary
+        Parameter or input to vary, as in leg.damping=0.1:0.3:20 or hip.touchdown_angle='35 deg:45
+        deg:11'. Given twice, or with a range of friction, it gives a grid of gaits, written to --output
+        row by row. An existing file is resumed.
+    spacing
+        Spacing of the values in a range.
+    output
+        Write the gaits as NetCDF (.nc), JSON (.json) or CSV (.csv); - writes JSON to stdout, as --json
+        does.
     """
-    if output == STDOUT:
-        output, as_json_object = None, True
+    to_stdout = output == STDOUT
+    if to_stdout:
+        output = None
     if output is not None:
         check_destination(output, FORMATS, "--output")
     given = values_given(None, settings)
@@ -90,71 +81,46 @@ def sweep_command(
         raise InputError("neither --friction nor --vary: allowed: one of the two, or both")
     for name in texts:
         refuse_given(given, name, "--vary")
-    options = dict.fromkeys(texts, "--vary")
     if friction is not None:
         refuse_given(given, FRICTION, "--friction")
         if FRICTION in texts:
             raise InputError(f"--vary {FRICTION}: --friction gives it, too; allowed: one of the two")
         if texts and ":" not in friction:
             given = {**given, FRICTION: ("--friction", friction)}
+            friction = None
         else:
-            texts, options = {FRICTION: friction, **texts}, {FRICTION: "--friction", **options}
+            texts = {FRICTION: friction, **texts}
     if len(texts) > 2:
         raise InputError(f"--vary: {', '.join(texts)} are varied; allowed: one of them, or two for a grid")
     runner = Asked(parameters, given, model).runner()
-    values = {name: _values(name, text, spacing, options[name]) for name, text in texts.items()}
+    values = {}
+    for name, text in texts.items():
+        check_varied(name, "--vary")
+        where = "--friction" if name == FRICTION and friction is not None else f"--vary {name} ="
+        values[name] = values_of(text, spacing, VARIABLES[name], where)
     if len(values) == 2:
-        if plot is not None:
-            raise InputError("--plot: a grid of gaits has no picture; allowed: with one range")
-        with executor_of(workers, scheduler) as executor:
-            _grid(runner, values, output, executor, as_json_object)
-        return
-    if scheduler is not None or workers is not None:
+        return _grid(runner, values, output, workers)
+    if workers.are_given:
         raise InputError(
             "--workers, --scheduler: along one range each gait is found from the one before, nor are they "
             "of use for a single friction; allowed: with two ranges, of --vary or --friction"
         )
-    _row(
-        runner,
-        *next(iter(values.items())),
-        output,
-        plot,
-        as_json_object,
-        DisplayUnits(texts, runner),
-    )
-
-
-def _values(name: str, span: str, spacing: str, option: str) -> NDArray[np.float64]:
-    """The values of a parameter that A:B:N stands for."""
-    check_varied(name, "--vary")
-    where = option if option == "--friction" else f"--vary {name} ="
-    return values_of(span, spacing, VARIABLES[name], where)
-
-
-def _row(
-    runner: Runner,
-    name: str,
-    values: NDArray[np.float64],
-    output: Path | None,
-    plot: Path | None,
-    as_json_object: bool,
-    display: DisplayUnits,
-) -> None:
     if output is not None and output.suffix.lower() == NETCDF:
-        from ..files.resume import refuse_resumable
+        from ..files.resume import refuse_resumable  # xarray is slow to load
 
         refuse_resumable(output)
-    check_values(runner, name, values)
-    found = sweep_row(runner, name, values, progress=True)
+    ((name, along),) = values.items()
+    check_values(runner, name, along)
+    found = sweep_row(runner, name, along, progress=True)
     if output is not None:
         _write(output, runner, found)
-    if plot is not None:
-        from ..pictures.plot import write_picture  # matplotlib is slow to load
-
-        write_picture(plot, sweep_of_row(runner, found), display=display)
-    print(json_text(found.as_json()) if as_json_object else _sweep_text(found, display))
+    display, plain = DisplayUnits(texts, runner), found.as_json()
+    failure = None
     if found.problem is not None:
-        raise RunError(f"{found.problem}; {len(found.gaits)} of {len(values)} gaits were found")
+        failure = RunError(f"{found.problem}; {len(found.gaits)} of {len(along)} gaits were found")
+    text = json_text(plain) if to_stdout else _text(found, display)
+    look = {"display": display}
+    return Answer(plain, text, lambda: sweep_of_row(runner, found), look, failure=failure)
 
 
 def _write(path: Path, runner: Runner, found: Row) -> None:
@@ -175,61 +141,42 @@ def _write(path: Path, runner: Runner, found: Row) -> None:
 
 
 def _grid(
-    runner: Runner,
-    vary: Mapping[str, NDArray[np.float64]],
-    output: Path | None,
-    executor: Executor | None,
-    as_json_object: bool,
-) -> None:
+    runner: Runner, vary: Mapping[str, NDArray[np.float64]], output: Path | None, workers: Workers
+) -> Answer:
+    if click.get_current_context().params.get("picture") is not None:
+        raise InputError("--plot: a grid of gaits has no picture; allowed: with one range")
     if output is None or output.suffix.lower() != NETCDF:
         raise InputError("--vary: a grid of gaits goes to a file; allowed: with --output FILE.nc")
-    found = sweep(runner, vary, path=output, executor=executor, progress=True).gaits
+    with workers.executor() as executor:
+        found = sweep(runner, vary, path=output, executor=executor, progress=True).gaits
     words = found["word"].values.ravel()
     points, gaits = words.size, int(np.count_nonzero(words != ""))
     different = sorted({word for word in words if word})
-    result = {
-        **runner.record(*vary),
-        "file": str(output),
-        "points": points,
-        "gaits": gaits,
-        "words": different,
-    }
+    plain = {"file": str(output), "points": points, "gaits": gaits, "words": different}
     text = f"{output}: {gaits} gaits at {points} points, words {', '.join(different)}"
-    print(json_text(result) if as_json_object else text)
     problems = [problem for problem in found["problem"].values if problem]
-    if problems:
-        raise RunError(f"{problems[0]}; {gaits} of {points} gaits were found")
+    failure = RunError(f"{problems[0]}; {gaits} of {points} gaits were found") if problems else None
+    return Answer(runner.record(*vary) | plain, text, failure=failure)
 
 
-def _headed(name: str, measure: str) -> str:
-    return short(name) if measure in ("", "1") else f"{name} ({measure})"
-
-
-def _sweep_text(found: Row, display: DisplayUnits) -> str:
+def _text(found: Row, display: DisplayUnits) -> str:
     rows = [
         (
             f"{display.value(found.name, value):.6g}",
             gait.word,
-            f"{gait.stride['period']:.8g}",
-            f"{gait.stride['speed']:.8g}",
-            f"{gait.stride['cost_of_transport']:.8g}",
+            *(f"{gait.stride[name]:.8g}" for name in ("period", "speed", "cost_of_transport")),
             f"{gait.lambda_max:.8f}",
             "yes" if gait.stable else "no",
         )
         for value, gait in zip(found.values, found.by_value, strict=True)
         if gait is not None
     ]
-    with_units = [
+    unit = display.unit(found.name)
+    varied = short(found.name) if unit in ("", "1") else f"{found.name} ({unit})"
+    period, speed = (
         f"{name} ({display.label(VARIABLES[f'stride.{name}'].unit)})" for name in ("period", "speed")
-    ]
-    header = (
-        _headed(found.name, display.unit(found.name)),
-        "word",
-        *with_units,
-        "cost of transport",
-        "lambda_max",
-        "stable",
     )
+    header = (varied, "word", period, speed, "cost of transport", "lambda_max", "stable")
     borders = [
         f"{border.before} to {border.after} at {display.value(found.name, border.value):.10g}"
         for border in found.borders

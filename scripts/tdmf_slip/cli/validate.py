@@ -1,5 +1,6 @@
 """The command `validate`: what the paper says, beside what is computed for both readings of its swing law."""
 
+from functools import partial
 from pathlib import Path
 from textwrap import fill, indent
 
@@ -9,63 +10,52 @@ from ..errors import InputError
 from ..files.whole import check_folder
 from ..fmu.simulation import TOLERANCES
 from ..paper.results_page import LAST_SEED
-from ..paper.settling import DEFAULT_TOLERANCE
 from ..paper.validation import validate
-from .options import JSON_OPTION, Command, Number, json_text, program
+from .command import Answer, command, option
+from .options import Number, program
 
 
-@click.command("validate", cls=Command)
-@click.option(
-    "--tolerance",
-    type=Number(*TOLERANCES),
-    default=DEFAULT_TOLERANCE,
-    help="Relative tolerance of CVODE.",
+@command(
+    "validate",
+    option("--tolerance", of=validate, kind=Number(*TOLERANCES)),
+    option("--pictures", kind=click.Path(path_type=Path), metavar="FOLDER"),
+    option("--gaits", "only_gaits", of=validate),
+    option("--long", "own", of=validate),
+    option("--seed", of=validate, kind=Number(0, LAST_SEED, whole=True), metavar="K"),
+    runner=False,
 )
-@click.option(
-    "--pictures",
-    type=click.Path(path_type=Path),
-    metavar="FOLDER",
-    help="Also draw figures 5 to 9 of the paper, one stride, and the model.",
-)
-@click.option(
-    "--gaits",
-    "only_gaits",
-    is_flag=True,
-    help="Compute only the five gaits of both readings, without the statements.",
-)
-@click.option(
-    "--long", "own", is_flag=True, help="Also compute this project's own claims, which takes some minutes."
-)
-@click.option(
-    "--seed",
-    type=Number(0, LAST_SEED, whole=True),
-    default=1,
-    metavar="K",
-    help="Seed of the random numbers of --long.",
-)
-@JSON_OPTION
 def validate_command(
-    tolerance: float, pictures: Path | None, only_gaits: bool, own: bool, seed: int, as_json_object: bool
-) -> None:
+    tolerance: float, pictures: Path | None, only_gaits: bool, own: bool, seed: int
+) -> Answer:
     """Compare the paper's gaits and statements with both readings of (12); with --long also our own claims.
 
     The exit status is 1 if a computed value is too far from its recorded reference, or if a claim does not
     hold.
+
+    Parameters
+    ----------
+    pictures
+        Also draw figures 5 to 9 of the paper, one stride, and the model.
     """
     if only_gaits and own:
         raise InputError("--gaits and --long: allowed: one of the two")
     if pictures is not None:
-        from ..paper.figures import catalogue  # matplotlib is slow to load
-        from ..pictures import style
+        from ..pictures import style  # matplotlib is slow to load
 
         check_folder(pictures, "--pictures")
         style.check_drawing("--pictures")
     validation = validate(tolerance=tolerance, only_gaits=only_gaits, own=own, seed=seed, progress=True)
-    print(json_text(validation.as_json()) if as_json_object else validation.as_text(program()))
-    if pictures is not None:
-        written = catalogue.draw_gallery(pictures, progress=True)
-        if not as_json_object:
-            names = fill(", ".join(path.name for path in written), 96)
-            print(f"\nPictures in {pictures.resolve()}:\n{indent(names, '  ')}")
-    if not validation.passed:
-        raise SystemExit(1)
+    return Answer(
+        validation.as_json(),
+        validation.as_text(program()),
+        then=None if pictures is None else partial(_draw, pictures),
+        failure=None if validation.passed else SystemExit(1),
+    )
+
+
+def _draw(folder: Path) -> str:
+    """Draw the pictures, and list them."""
+    from ..paper.figures import catalogue
+
+    names = ", ".join(path.name for path in catalogue.draw_gallery(folder, progress=True))
+    return f"\nPictures in {folder.resolve()}:\n{indent(fill(names, 96), '  ')}"

@@ -2,28 +2,21 @@
 
 import math
 
-import click
-
 from ..terminal.text import table
 from ..variables.table import SHORT_NAMES, VARIABLES
 from ..variables.variable import Variable
-from .options import JSON_OPTION, Command, json_text
+from .command import Answer, command
+
+HEADER = ("name", "short name", "unit", "range", "default", "kind", "meaning")
 
 
-@click.command("variables", cls=Command)
-@JSON_OPTION
-def variables_command(as_json_object: bool) -> None:
+@command("variables", runner=False)
+def variables_command() -> Answer:
     """List every variable of the unit with its short name, unit, range, default and meaning."""
-    variables = VARIABLES.values()
-    if as_json_object:
-        print(json_text({"variables": [_object(variable) for variable in variables]}))
-    else:
-        print(
-            table(
-                ("name", "short name", "unit", "range", "default", "kind", "meaning"),
-                list(map(row, variables)),
-            )
-        )
+    variables = list(VARIABLES.values())
+    return Answer(
+        {"variables": [_object(one) for one in variables]}, table(HEADER, list(map(row, variables)))
+    )
 
 
 def _object(variable: Variable) -> dict[str, object]:

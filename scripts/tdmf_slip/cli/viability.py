@@ -20,121 +20,78 @@ from ..record import runner_in
 from ..terminal.text import columns
 from ..variables.table import MODELS, VARIABLES
 from ..viable_sets.grid import MAX_CELLS, VALUES
-from ..viable_sets.viability import FACTOR, LARGEST_FACTOR, ViableController, viability
-from .options import JSON_OPTION, Command, NewFile, Number, ends_of, json_text, pairs_given, plot_option
-from .runner import Asked, runner_options
-from .workers import executor_of, workers_options
+from ..viable_sets.viability import LARGEST_FACTOR, ViableController, viability
+from .command import Answer, command, option
+from .options import NewFile, Number, ends_of, pairs_given
+from .runner import Asked
+from .workers import Workers
 
 if TYPE_CHECKING:
     import xarray
 
 
-@click.command("viability", cls=Command)
-@click.option(
-    "--axes",
-    multiple=True,
-    required=True,
-    metavar="NAME=A:B",
-    help="Range of com_height or com_speed at the apex, as in com_height=0.5:3. Given twice.",
+@command(
+    "viability",
+    option("--axes", multiple=True, required=True, metavar="NAME=A:B"),
+    click.option(
+        "--vary",
+        multiple=True,
+        required=True,
+        metavar="NAME=A:B[:N]",
+        help="Setting to choose at each apex, its range, and the number of values, as in "
+        f"'hip.touchdown_angle=20 deg:60 deg:32'. Repeatable.  [default: N = {VALUES}]",
+    ),
+    option("--n", of=viability, kind=Number(2, MAX_CELLS, whole=True), metavar="N"),
+    option("--factor", of=viability, kind=Number(1.0, LARGEST_FACTOR), metavar="F"),
+    option("--model", kind=click.Choice(list(MODELS)), default="reduced"),
+    option("--output", kind=NewFile(".nc"), metavar="FILE"),
+    option("--gait", "of_gait", is_flag=True),
+    option("--controller", kind=NewFile(".csv"), metavar="FILE"),
+    model=False,
+    workers=True,
+    plot="the sets",
 )
-@click.option(
-    "--vary",
-    multiple=True,
-    required=True,
-    metavar="NAME=A:B[:N]",
-    help="Setting to choose at each apex, its range, and the number of values, as in "
-    f"'hip.touchdown_angle=20 deg:60 deg:32'. Repeatable.  [default: N = {VALUES}]",
-)
-@click.option(
-    "--n",
-    "count",
-    type=Number(2, MAX_CELLS, whole=True),
-    default=64,
-    metavar="N",
-    help="Cells along each axis.",
-)
-@click.option(
-    "--factor",
-    type=Number(1.0, LARGEST_FACTOR),
-    default=FACTOR,
-    metavar="F",
-    help="Safety factor: derivatives within a cell are assumed to be at most this many times the largest "
-    "at its corners.",
-)
-@click.option(
-    "--model",
-    type=click.Choice(list(MODELS)),
-    default="reduced",
-    help="reduced: height and speed describe an apex. full: each stride starts with the leg at rest where "
-    "the last placement left it.",
-)
-@click.option(
-    "--output",
-    type=NewFile([".nc"]),
-    metavar="FILE",
-    help="Write strides and sets as NetCDF (.nc), block by block. An existing file is resumed.",
-)
-@plot_option("the sets")
-@click.option(
-    "--gait",
-    "of_gait",
-    is_flag=True,
-    help="Also find the cells from which some choice leads to the runner's gait, and the largest drop of "
-    "the ground at the gait's apex that leaves a viable state.",
-)
-@click.option(
-    "--controller",
-    type=NewFile([".csv"]),
-    metavar="FILE",
-    help="Write the viable action nearest to the runner's settings for each cell, as CSV.",
-)
-@workers_options
-@JSON_OPTION
-@runner_options(model=False)
 def viability_command(
     asked: Asked,
+    workers: Workers,
     axes: tuple[str, ...],
     vary: tuple[str, ...],
-    count: int,
-    factor: float,
     model: str,
     output: Path | None,
-    plot: Path | None,
     of_gait: bool,
     controller: Path | None,
-    workers: int | None,
-    scheduler: str | None,
-    as_json_object: bool,
-) -> None:
+    **given: Any,
+) -> Answer:
     """Compute the viable set: the apices from which some choice of actions avoids a fall for ever.
 
     Two sets bracket it on a grid of heights and speeds, one from inside and one from outside. Both are
     estimates. A cell that is only in the outer set is undecided.
+
+    Parameters
+    ----------
+    axes
+        Range of com_height or com_speed at the apex, as in com_height=0.5:3. Given twice.
+    model
+        reduced: height and speed describe an apex. full: each stride starts with the leg at rest where
+        the last placement left it.
+    output
+        Write strides and sets as NetCDF (.nc), block by block. An existing file is resumed.
+    of_gait
+        Also find the cells from which some choice leads to the runner's gait, and the largest drop of the
+        ground at the gait's apex that leaves a viable state.
+    controller
+        Write the viable action nearest to the runner's settings for each cell, as CSV.
     """
     runner = replace(asked, model=model).runner()
-    gait = find_gait(runner) if of_gait else None
-    with executor_of(workers, scheduler) as executor:
-        found = viability(
-            runner,
-            axes=_axes_given(axes),
-            vary=_vary_given(vary),
-            n=count,
-            model=model,
-            factor=factor,
-            gait=gait,
-            path=output,
-            executor=executor,
-            progress=True,
-        )
-    if plot is not None:
-        from ..pictures.plot import write_picture  # matplotlib is slow to load
-
-        write_picture(plot, found)
+    given |= {"model": model, "gait": find_gait(runner) if of_gait else None, "path": output}
+    given |= {"axes": _axes_given(axes), "vary": _vary_given(vary)}
+    with workers.executor() as executor:
+        found = viability(runner, executor=executor, progress=True, **given)
     if controller is not None:
         with whole(controller) as path, path.open("w", encoding="utf-8", newline="") as file:
             csv.writer(file).writerows(ViableController(found).as_table())
-    result = _plain(found)
-    print(json_text(result) if as_json_object else _text(result))
+    plain = _plain(found)
+    return Answer(plain, _text(plain), lambda: found)
 
 
 def _plain(found: "xarray.Dataset") -> dict[str, Any]:

@@ -9,7 +9,8 @@ import signal
 import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
-from typing import TYPE_CHECKING, Any, TypeVar
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -19,8 +20,6 @@ from ..errors import InputError, RunError
 if TYPE_CHECKING:
     from distributed import Client
 
-Function = TypeVar("Function", bound=Callable[..., Any])
-
 CONNECTING = 10.0
 """Seconds within which a scheduler has to answer."""
 CANCELLING = 0.2
@@ -29,40 +28,51 @@ SILENCE = logging.CRITICAL + 1
 """Level of Dask's log: errors are raised as exceptions, and the rest is about closing the connection."""
 
 
-def workers_options(function: Function) -> Function:
-    """Give a command the options --workers and --scheduler, whose values `executor_of` takes."""
-    workers = click.option(
+WORKERS_OPTIONS = (
+    click.option(
         "--workers",
         type=click.IntRange(min=1),
         metavar="N",
         help="Blocks of the work that this machine runs at a time.  [default: one for each processor]",
-    )
-    scheduler = click.option(
+    ),
+    click.option(
         "--scheduler",
         metavar="ADDRESS",
         help="Run the work on the Dask cluster of this scheduler, tcp://host:8786, instead of this machine.",
-    )
-    return workers(scheduler(function))
+    ),
+)
 
 
-@contextlib.contextmanager
-def executor_of(
-    workers: int | None, scheduler: str | None, *, processes: bool = False
-) -> Iterator[Executor | None]:
-    """Executor for the two options; None for threads of this machine, one for each processor."""
-    if scheduler is not None:
-        if workers is not None:
-            raise InputError("--workers and --scheduler are both given; allowed: one of them")
-        with _cluster(scheduler) as executor:
-            yield executor
-    elif processes:
-        with _processes(workers or os.cpu_count() or 1) as executor:
-            yield executor
-    elif workers is not None:
-        with ThreadPoolExecutor(workers) as executor:
-            yield executor
-    else:
-        yield None
+@dataclass(frozen=True)
+class Workers:
+    """The options --workers and --scheduler."""
+
+    count: int | None
+    """Blocks that this machine runs at a time."""
+    scheduler: str | None
+    """Address of a Dask scheduler."""
+
+    @property
+    def are_given(self) -> bool:
+        """Whether one of the options is given."""
+        return self.count is not None or self.scheduler is not None
+
+    @contextlib.contextmanager
+    def executor(self, *, processes: bool = False) -> Iterator[Executor | None]:
+        """Executor for the options; None for threads of this machine, one for each processor."""
+        if self.scheduler is not None:
+            if self.count is not None:
+                raise InputError("--workers and --scheduler are both given; allowed: one of them")
+            with _cluster(self.scheduler) as executor:
+                yield executor
+        elif processes:
+            with _processes(self.count or os.cpu_count() or 1) as executor:
+                yield executor
+        elif self.count is not None:
+            with ThreadPoolExecutor(self.count) as executor:
+                yield executor
+        else:
+            yield None
 
 
 class _DeafProcesses(ProcessPoolExecutor):

@@ -283,11 +283,7 @@ def of_viable_set(found: xarray.Dataset) -> Figure:
     figure.colorbar(mesh, ax=axes, label="share of actions that lead to a viable state (inner set)", pad=0.01)
     handles = [
         Patch(color=OPEN, label="undecided on this grid"),
-        Patch(
-            facecolor=NOT_VIABLE,
-            edgecolor=style.FAINT,
-            label="no action on the grid avoids a fall",
-        ),
+        Patch(facecolor=NOT_VIABLE, edgecolor=style.FAINT, label="no action on the grid avoids a fall"),
     ]
     figure.legend(handles=handles, loc="outside lower center", ncols=2)
     begin = _at_friction(Runner(runner_in(found), model=found.model)).replace(", ", ": ")

@@ -95,9 +95,7 @@ def of_optimum(found: Optimum) -> Figure:
     rows = len(before) + len(given)
     with style.styled():
         figure, (upper, lower) = style.subplots(
-            *(2, 1),
-            figsize=(7.6, HEIGHT + BAR * rows),
-            height_ratios=[len(before), max(2, len(given))],
+            *(2, 1), figsize=(7.6, HEIGHT + BAR * rows), height_ratios=[len(before), max(2, len(given))]
         )
         _changes(upper, before, {"optimum": after}, bold=(found.objective,))
         _changes(lower, given, {"optimum": found.parameters})

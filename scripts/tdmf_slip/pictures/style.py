@@ -56,15 +56,7 @@ MODE_NAMES: Mapping[str, str] = {
     "graze": "graze",
 }
 
-PRINTED: Mapping[str, str] = {
-    "l0": "l₀",
-    " sqrt": "√",
-    "sqrt": "√",
-    "^2": "²",
-    "^4": "⁴",
-    ".": "·",
-    "2": "²",
-}
+PRINTED: Mapping[str, str] = {"l0": "l₀", " sqrt": "√", "sqrt": "√", "^2": "²", "^4": "⁴", ".": "·", "2": "²"}
 """How parts of a unit are printed, replaced in this order."""
 
 LETTERS: Mapping[str, str] = {"stick": "0", "slip_positive": "+", "slip_negative": "−"}
@@ -275,14 +267,7 @@ def printed(unit: str) -> str:
     return unit
 
 
-def stable_curve(
-    axes: Axes,
-    x: Any,
-    y: Any,
-    stable: Any,
-    colour: str,
-    **look: Any,
-) -> None:
+def stable_curve(axes: Axes, x: Any, y: Any, stable: Any, colour: str, **look: Any) -> None:
     """Draw a curve of gaits, solid where they are stable, else thin and dashed."""
     axes.plot(x, y, color=colour, linewidth=1.0, linestyle=SLIP_DASHES)
     axes.plot(x, np.where(stable, y, np.nan), color=colour, **look)
@@ -336,13 +321,7 @@ class CurveLabel(Annotation):
             tuple(points[0]),
             xytext=(0.0, 0.0),
             textcoords="offset points",
-            arrowprops={
-                "arrowstyle": "-",
-                "color": FAINT,
-                "linewidth": 0.8,
-                "shrinkA": 0,
-                "shrinkB": 0,
-            },
+            arrowprops={"arrowstyle": "-", "color": FAINT, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0},
             path_effects=[withStroke(linewidth=2.0, foreground="white")],
             zorder=7,
             **look,

@@ -114,10 +114,7 @@ def draw(
     chosen = {name: figure for name, figure in known.items() if name.startswith(tuple(only))}
     folder.mkdir(exist_ok=True)
     written = []
-    with (
-        style.appearing(appearance),
-        progress_bar("figures", len(chosen), "figures", progress) as bar,
-    ):
+    with style.appearing(appearance), progress_bar("figures", len(chosen), "figures", progress) as bar:
         for name, figure in chosen.items():
             for suffix in formats:
                 figure.draw(folder / f"{name}.{suffix}")

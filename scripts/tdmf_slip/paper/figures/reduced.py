@@ -56,10 +56,7 @@ def region_table(maps: dict[str, "xarray.Dataset"]) -> Columns:
 
 def draw_regions(path: Path, maps: dict[str, "xarray.Dataset"]) -> None:
     """Draw the full model's slice and the reduced map's plane, one beside the other."""
-    titles = {
-        "full": "(a) full model",
-        "reduced": "(b) reduced map",
-    }
+    titles = {"full": "(a) full model", "reduced": "(b) reduced map"}
     with style.styled():
         figure, panels = style.subplots(1, 2, figsize=(8.6, 4.9), sharey=True)
         handles: dict[object, Artist] = {}

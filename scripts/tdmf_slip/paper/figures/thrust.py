@@ -30,12 +30,7 @@ COSTS = (0.2, 1.2)
 
 HIP_ALONE, BOTH, LEG_ALONE = "hip torque alone", "thrust added to a hip torque of 0.2 k l₀²", "thrust alone"
 MATCHED = "thrust of 0.1 l₀ at equal apex height"
-COLOURS: Mapping[str, str] = {
-    HIP_ALONE: "#e07b00",
-    BOTH: "#0b7a75",
-    LEG_ALONE: "#22303c",
-    MATCHED: "#b3216f",
-}
+COLOURS: Mapping[str, str] = {HIP_ALONE: "#e07b00", BOTH: "#0b7a75", LEG_ALONE: "#22303c", MATCHED: "#b3216f"}
 HELPED, SPEEDS = 0.1, np.linspace(0.8, 1.5, 8)
 """Thrust and speeds of the matched runners."""
 
