@@ -10,7 +10,7 @@ from tdmf_slip.cli.main import commands
 from tdmf_slip.errors import RunError
 from tdmf_slip.paper import results_page
 from tdmf_slip.paper.results_page import LAST_SEED, OwnClaims, Recomputed, own_claims
-from tdmf_slip.paper.statements.claim import DEFAULT, REGIMES, Estimate, OwnClaim, Row, solved
+from tdmf_slip.paper.statements.claim import DEFAULT, REGIMES, Check, Estimate, OwnClaim, Row, Rows, solved
 from tdmf_slip.paper.statements.table import SECTIONS
 from tdmf_slip.variables.parameters import preset_names
 
@@ -78,7 +78,7 @@ def check(row, stored):
 
 
 def one_claim(measure, holds=lambda rows: rows["default"].number == 2.0):
-    return OwnClaim("name", "two", measure, None, "tdmf-slip gait --seed {seed}", holds)
+    return OwnClaim("name", "two", "tdmf-slip gait --seed {seed}", Check(measure, None, holds))
 
 
 def test_a_claim_that_needs_a_missing_number_does_not_hold():
@@ -89,7 +89,7 @@ def test_a_claim_that_needs_a_missing_number_does_not_hold():
         claim = one_claim(solved(measure))
         row = claim.row(DEFAULT, 1)
         assert str(row) == cell
-        found = OwnClaims(7, [Recomputed(claim, {regime.name: row for regime in REGIMES})])
+        found = OwnClaims(7, [Recomputed(claim, Rows((regime.name, row) for regime in REGIMES))])
         assert found.passed is holds
         text = found.as_text(".venv/bin/tdmf-slip")
         assert ("DOES NOT HOLD" in text) is not holds and ".venv/bin/tdmf-slip gait --seed 7" in text

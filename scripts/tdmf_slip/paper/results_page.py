@@ -14,7 +14,7 @@ from typing import Any
 from ..errors import RunError
 from ..terminal.progress import progress_bar
 from ..terminal.text import table
-from .statements.claim import CLAMPED, DEFAULT, HEAVY, HUMAN, REGIMES, Cell, Estimate, OwnClaim, Row
+from .statements.claim import CLAMPED, DEFAULT, HEAVY, HUMAN, REGIMES, Cell, Estimate, OwnClaim, Row, Rows
 from .statements.table import SECTIONS
 
 LAST_SEED = 2**62 - 1
@@ -27,14 +27,14 @@ class Recomputed:
 
     claim: OwnClaim
     """The claim."""
-    rows: Mapping[str, Row]
+    rows: Rows
     """Values and controls by name of the regime."""
 
     @property
     def holds(self) -> bool:
         """Whether the claim is true; false if it needs a number that does not exist."""
         try:
-            return self.claim.holds(self.rows)
+            return self.claim.check.holds(self.rows)
         except RunError:
             return False
 
@@ -54,13 +54,9 @@ class Recomputed:
     @classmethod
     def of_json(cls, claim: OwnClaim, stored: Mapping[str, Any]) -> "Recomputed":
         """The claim with stored numbers."""
-        return cls(
-            claim,
-            {
-                name: Row(_read(cells["value"]), _read(cells["control"]))
-                for name, cells in stored["regimes"].items()
-            },
-        )
+        regimes = stored["regimes"].items()
+        rows = {name: Row(_read(cells["value"]), _read(cells["control"])) for name, cells in regimes}
+        return cls(claim, Rows(rows))
 
 
 def _plain(cell: Cell | None) -> object:
@@ -112,7 +108,8 @@ def own_claims(
     found = []
     with progress_bar("claims", len(chosen), "claims", progress) as bar:
         for claim in chosen:
-            found.append(Recomputed(claim, {regime.name: claim.row(regime, seed) for regime in REGIMES}))
+            rows = Rows({regime.name: claim.row(regime, seed) for regime in REGIMES})
+            found.append(Recomputed(claim, rows))
             bar.update()
     return OwnClaims(seed, found)
 

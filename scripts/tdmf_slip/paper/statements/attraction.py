@@ -13,9 +13,9 @@ from .claim import (
     SLIPS,
     STICKS,
     TABLE_1,
+    Check,
     Estimate,
     Measure,
-    OwnClaim,
     Regime,
     equal_to,
     gait,
@@ -27,7 +27,6 @@ SAMPLES = 4000
 """Starts for each share, drawn from a box in all six coordinates."""
 LIGHT = 0.005
 """Gravity of a runner of half the weight of Table 1."""
-BASIN = "tdmf-slip basin --friction 10 --n 8 --ball none"
 Design = Callable[[Regime, float], AffineLaw]
 """Designs a law for the gait of a regime at a friction."""
 
@@ -87,54 +86,24 @@ def largest(
     return measure
 
 
-CLAIMS = (
-    OwnClaim(
-        "attraction",
-        "A slipping runner settles from more starts. Share of a box of apex states, in all six coordinates,"
-        " that settles on the gait. Value: friction 10. Control: the matched runner on friction 0.2. The "
-        "box is the same for all runners. The human preset settles from about a hundredth of it at most.",
+CHECKS = {
+    "attraction": Check(
         share(STICKS),
         share(SLIPS, STICKS),
-        f"{BASIN} --samples {SAMPLES}",
-        lambda rows: (
-            all(rows[name].below for name in TABLE_1)
-            and rows[HEAVY.name].ratio < 0.5
-            and not rows[HUMAN.name].below
-        ),
+        lambda rows: rows.below(*TABLE_1) and rows[HEAVY.name].ratio < 0.5 and not rows.below(HUMAN.name),
     ),
-    OwnClaim(
-        "attraction-light",
-        "The lighter the runner, the smaller this difference. The number is the share in row 1 for half the"
-        " weight of Table 1: here the difference is below a tenth. At twice the weight (column of weight"
-        " 0.022 in row 1) slipping more than doubles the share.",
-        _light_share,
-        _light_control,
-        f"{BASIN} --samples {SAMPLES} --set gravity={LIGHT}",
-        lambda rows: all(0.9 < rows[name].ratio < 1.0 for name in TABLE_1),
+    "attraction-light": Check(
+        _light_share, _light_control, lambda rows: all(0.9 < rows[name].ratio < 1.0 for name in TABLE_1)
     ),
-    OwnClaim(
-        "push-forward",
-        "Largest push forward at the apex that the runner survives, l₀√(k/m). Value: friction 10. Control: "
-        "the matched runner on friction 0.2. The largest push tried is 5.",
+    "push-forward": Check(
         largest("push_forward", STICKS),
         largest("push_forward", SLIPS, STICKS),
-        f"{BASIN} --samples 0",
-        lambda rows: all(rows[name].below for name in TABLE_1),
+        lambda rows: rows.below(*TABLE_1),
     ),
-    OwnClaim(
-        "step-up",
-        "Largest step up that the runner survives, l₀. Value and control as in row 3.",
-        largest("step_up", STICKS),
-        largest("step_up", SLIPS, STICKS),
-        f"{BASIN} --samples 0",
-        lambda rows: all(rows[name].below for name in TABLE_1),
+    "step-up": Check(
+        largest("step_up", STICKS), largest("step_up", SLIPS, STICKS), lambda rows: rows.below(*TABLE_1)
     ),
-    OwnClaim(
-        "step-down",
-        "Largest step down that the runner survives, l₀. Value and control as in row 3.",
-        largest("step_down", STICKS),
-        largest("step_down", SLIPS, STICKS),
-        f"{BASIN} --samples 0",
-        lambda rows: all(rows[name].below for name in TABLE_1),
+    "step-down": Check(
+        largest("step_down", STICKS), largest("step_down", SLIPS, STICKS), lambda rows: rows.below(*TABLE_1)
     ),
-)
+}

@@ -132,29 +132,47 @@ def _number(cell: Cell | None) -> Estimate:
     return cell
 
 
+class Rows(dict[str, Row]):
+    """Rows by the name of their regime."""
+
+    def above(self, *names: str) -> bool:
+        """Whether the value's interval lies above that of the control in all of these regimes."""
+        return all(self[name].above for name in names)
+
+    def below(self, *names: str) -> bool:
+        """Whether the value's interval lies below that of the control in all of these regimes."""
+        return all(self[name].below for name in names)
+
+
+@dataclass(frozen=True)
+class Check:
+    """How a claim is recomputed and judged."""
+
+    measure: Measure
+    """Computes the value for a regime and a seed."""
+    control: Measure | None
+    """Computes the same quantity of the control; None if the claim compares nothing."""
+    holds: Callable[[Rows], bool]
+    """Whether the rows bear the claim out."""
+
+
 @dataclass(frozen=True)
 class OwnClaim:
-    """A claim of this project, and how it is recomputed."""
+    """A claim of this project, and how it is checked."""
 
     name: str
     """Anchor of the claim on the page of results."""
     what: str
     """The claim in words, with units; it says which signs differ between the readings."""
-    measure: Measure
-    """Computes the value for a regime and a seed."""
-    control: Measure | None
-    """Computes the same quantity of the control; None if the claim compares nothing."""
     command: str
     """Command that recomputes the value for Table 1, or the first part of the value."""
-    holds: Callable[[Mapping[str, Row]], bool]
-    """Whether the rows, by name of the regime, bear the claim out."""
+    check: Check
+    """Computes and judges the claim."""
 
     def row(self, regime: Regime, seed: int) -> Row:
         """Compute value and control."""
-        return Row(
-            _cell(self.measure, regime, seed),
-            None if self.control is None else _cell(self.control, regime, seed),
-        )
+        value, control = self.check.measure, self.check.control
+        return Row(_cell(value, regime, seed), control and _cell(control, regime, seed))
 
 
 def _cell(measure: Measure, regime: Regime, seed: int) -> Cell:

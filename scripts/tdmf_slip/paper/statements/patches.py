@@ -10,7 +10,7 @@ from ...analysis.first_passage import strides_to_fall
 from ...analysis.targeted import find_gait
 from ...errors import RunError
 from ...library.gait import Gait
-from .claim import ANGLE, STICKS, TABLE_1, TORQUE, Estimate, Measure, OwnClaim, Regime, gait
+from .claim import ANGLE, STICKS, TABLE_1, TORQUE, Check, Estimate, Measure, Regime, gait
 
 SLOPE = -4.0
 """Degrees."""
@@ -56,41 +56,13 @@ def falls(of: Callable[[Regime], Gait]) -> Measure:
 
 grippy_downhill = falls(lambda regime: on_slope(regime, GRIPPY, SLOPE))
 slippery_downhill = falls(lambda regime: on_slope(regime, SLIPPERY, SLOPE))
-COMMAND = "tdmf-slip figures --only slippery_patch --measure"
-"""Command that counts falls downhill over the patch's length and friction."""
 
-CLAIMS = (
-    OwnClaim(
-        "patch-level",
-        "On level ground no runner of Table 1 falls on a patch of friction 0.02 that is 300 l₀ long. Share "
-        "of runners that fall, with friction 10 around the patch. Value: level ground. Control: 4° "
-        "downhill. At weight 0.022 and at human size all runners fall.",
+CHECKS = {
+    "patch-level": Check(
         falls(lambda regime: on_slope(regime, GRIPPY, 0.0)),
         grippy_downhill,
-        COMMAND,
-        lambda rows: (
-            all(rows[name].below for name in TABLE_1)
-            and all(rows[name].number == 1.0 for name in ("heavy", "human"))
-        ),
+        lambda rows: rows.below(*TABLE_1) and all(rows[name].number == 1.0 for name in ("heavy", "human")),
     ),
-    OwnClaim(
-        "patch-downhill",
-        "4° downhill, runners fall on that patch if the ground around it has friction 10, but not if it has"
-        " friction 0.6. Share that falls. Value: friction 10. Control: friction 0.6. At weight 0.022 all "
-        "fall on both.",
-        grippy_downhill,
-        slippery_downhill,
-        COMMAND,
-        lambda rows: all(rows[name].above for name in TABLE_1),
-    ),
-    OwnClaim(
-        "patch-matched",
-        "Speed and apex height are not the only reason. Share that falls 4° downhill. Value: friction 10 "
-        "around the patch, matched in speed and apex height. Control: the runner with friction 0.6 around "
-        "the patch.",
-        falls(as_fast),
-        slippery_downhill,
-        COMMAND,
-        lambda rows: all(rows[name].above for name in TABLE_1),
-    ),
-)
+    "patch-downhill": Check(grippy_downhill, slippery_downhill, lambda rows: rows.above(*TABLE_1)),
+    "patch-matched": Check(falls(as_fast), slippery_downhill, lambda rows: rows.above(*TABLE_1)),
+}

@@ -13,19 +13,14 @@ from ...library.engine import SETTLED
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...variables.table import FRICTION
-from .claim import STICKS, TABLE_1, Measure, OwnClaim, Regime, solved
+from .claim import STICKS, TABLE_1, Check, Measure, Regime, solved
 from .over_friction import swept
-from .retraction import RATE, RETRACTS, faster
+from .retraction import RATE, faster
 
 CELLS = 64
 PLANE = {"com_height": (0.6, 4.0), "com_speed": (-1.0, 2.5)}
 PLANES = {"human": {"com_height": (0.85, 1.3), "com_speed": (0.5, 5.0)}}
 """Ranges of height in m and speed in m/s of the starts, and by regime where they differ from these."""
-SWEEP = "tdmf-slip sweep --friction 10:0.1:200 --spacing log --model reduced"
-BASIN = (
-    f"tdmf-slip basin --friction 0.6 --axes com_height=0.6:4 --axes com_speed=-1:2.5 --n {CELLS} --samples 0 "
-    "--model reduced"
-)
 
 
 @cache
@@ -82,71 +77,35 @@ def _retracted(model: str) -> Measure:
     return solved(growth)
 
 
-CLAIMS = (
-    OwnClaim(
-        "reduced-words",
-        "Share of 200 frictions from 10 to 0.1 at which the reduced map and the full model have the same "
-        "gait word.",
-        solved(_same_words),
-        None,
-        SWEEP,
-        lambda rows: all(rows[name].number > 0.99 for name in TABLE_1),
+CHECKS = {
+    "reduced-words": Check(
+        solved(_same_words), None, lambda rows: all(rows[name].number > 0.99 for name in TABLE_1)
     ),
-    OwnClaim(
-        "reduced-speed",
-        "Largest difference in speed, per cent. At the lowest frictions the reduced map of the human preset"
-        " has a different gait.",
+    "reduced-speed": Check(
         _percent_of("speed"),
         None,
-        SWEEP,
         lambda rows: all(rows[name].number < 0.1 for name in TABLE_1) and rows["heavy"].number < 3.0,
     ),
-    OwnClaim(
-        "reduced-period",
-        "Largest difference in period, per cent.",
-        _percent_of("period"),
-        None,
-        SWEEP,
-        lambda rows: all(rows[name].number < 1.1 for name in TABLE_1),
+    "reduced-period": Check(
+        _percent_of("period"), None, lambda rows: all(rows[name].number < 1.1 for name in TABLE_1)
     ),
-    OwnClaim(
-        "reduced-largest",
-        "Largest difference between the first eigenvalues, which describe deviations in speed.",
-        _eigenvalue(0),
-        None,
-        SWEEP,
-        lambda rows: all(rows[name].number < 2e-3 for name in TABLE_1),
+    "reduced-largest": Check(
+        _eigenvalue(0), None, lambda rows: all(rows[name].number < 2e-3 for name in TABLE_1)
     ),
-    OwnClaim(
-        "reduced-second",
-        "Largest difference between the second eigenvalues, which describe deviations in height. The "
-        "reason: in the full model the leg has not come to rest at touchdown. It is farther from rest by "
-        "default than with the clamp.",
-        _eigenvalue(1),
-        None,
-        SWEEP,
-        lambda rows: rows["clamp"].number < 0.07 < rows["default"].number < 0.13,
+    "reduced-second": Check(
+        _eigenvalue(1), None, lambda rows: rows["clamp"].number < 0.07 < rows["default"].number < 0.13
     ),
-    OwnClaim(
-        "reduced-retraction",
-        "Change of the second eigenvalue's modulus on friction 10 when the leg retracts at 0.008 √(k/m). "
-        "Value: full model. Control: reduced map. By default the two changes have opposite signs.",
+    "reduced-retraction": Check(
         _retracted("full"),
         _retracted("reduced"),
-        f"tdmf-slip gait --friction 10 --set {RATE}={RETRACTS} --model reduced",
         lambda rows: rows["default"].ratio < 0.0 < rows["clamp"].ratio,
     ),
-    OwnClaim(
-        "reduced-falls",
-        "Far from the gait the models differ. Share of starts on friction 0.6, over height and speed, that "
-        "settle in one model only. Value: in the full model only. Control: in the reduced map only. The "
-        "reduced map is too pessimistic for Table 1 and too optimistic for the other two runners.",
+    "reduced-falls": Check(
         _only("full", "reduced"),
         _only("reduced", "full"),
-        BASIN,
         lambda rows: (
             all(rows[name].ratio > 1.0 for name in TABLE_1)
             and all(rows[name].ratio < 1.0 for name in ("heavy", "human"))
         ),
     ),
-)
+}

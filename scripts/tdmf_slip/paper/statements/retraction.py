@@ -10,12 +10,11 @@ from ...library.ground import RoughGround
 from ...library.runner import Runner
 from .claim import (
     ALL_BUT_HUMAN,
-    ANGLE,
     SLIPS,
     STICKS,
+    Check,
     Estimate,
     Measure,
-    OwnClaim,
     Regime,
     changed_to,
     equal_to,
@@ -32,11 +31,6 @@ RETRACTS, STEPS = 0.008, 4
 RUNNERS, MAX_STRIDES = 400, 400
 FLAT = "45 deg"
 """Touchdown angle that lays the leg flatter than the 40 degrees of Table 1."""
-GAIT = f"tdmf-slip gait --friction {{}} --set {RATE}={RETRACTS} --json"
-ROUGH = (
-    f"tdmf-slip rough --friction {SLIPS} --set {RATE}={RETRACTS} --roughness {LOW} "
-    f"--runners {RUNNERS} --max-strides {MAX_STRIDES} --seed {{seed}}"
-)
 
 
 def plain(regime: Regime, friction: float, angle: str | None) -> Gait:
@@ -89,84 +83,38 @@ def strides(which: Which) -> Measure:
     return measure
 
 
-CLAIMS = (
-    OwnClaim(
-        "retraction-height",
-        "At friction 10, retraction at 0.008 √(k/m) brings the second eigenvalue nearer to 0, except with "
-        "the clamp. Real part of the second eigenvalue. Value: with retraction. Control: without.",
+CHECKS = {
+    "retraction-height": Check(
         height(retracting, STICKS),
         height(plain, STICKS),
-        GAIT.format(STICKS),
-        lambda rows: rows["default"].above and rows["clamp"].below,
+        lambda rows: rows.above("default") and rows.below("clamp"),
     ),
-    OwnClaim(
-        "retraction-height-slips",
-        "At friction 0.2 retraction drives the second eigenvalue towards −1 in both readings. Value and "
-        "control as in row 1.",
-        height(retracting, SLIPS),
-        height(plain, SLIPS),
-        GAIT.format(SLIPS),
-        lambda rows: rows["default"].below and rows["clamp"].below,
+    "retraction-height-slips": Check(
+        height(retracting, SLIPS), height(plain, SLIPS), lambda rows: rows.below("default", "clamp")
     ),
-    OwnClaim(
-        "retraction-height-flat",
-        "At friction 10 and a touchdown angle of 45° retraction drives it towards −1 in both readings, too."
-        " Value and control as in row 1.",
+    "retraction-height-flat": Check(
         height(retracting, STICKS, FLAT),
         height(plain, STICKS, FLAT),
-        f"{GAIT.format(STICKS)} --set {ANGLE}=45deg",
-        lambda rows: rows["default"].below and rows["clamp"].below,
+        lambda rows: rows.below("default", "clamp"),
     ),
-    OwnClaim(
-        "retraction-height-matched",
-        "In runners matched to the one without retraction, retraction drives the second eigenvalue towards "
-        "−1 in both readings: friction 10. Value: with retraction, matched. Control: without.",
-        height(equal, STICKS),
-        height(plain, STICKS),
-        GAIT.format(STICKS),
-        lambda rows: rows["default"].below and rows["clamp"].below,
+    "retraction-height-matched": Check(
+        height(equal, STICKS), height(plain, STICKS), lambda rows: rows.below("default", "clamp")
     ),
-    OwnClaim(
-        "retraction-height-matched-0.6",
-        "As in row 4, at friction 0.6.",
-        height(equal, 0.6),
-        height(plain, 0.6),
-        GAIT.format(0.6),
-        lambda rows: rows["default"].below and rows["clamp"].below,
+    "retraction-height-matched-0.6": Check(
+        height(equal, 0.6), height(plain, 0.6), lambda rows: rows.below("default", "clamp")
     ),
-    OwnClaim(
-        "retraction-height-matched-0.2",
-        "As in row 4, at friction 0.2.",
-        height(equal, SLIPS),
-        height(plain, SLIPS),
-        GAIT.format(SLIPS),
-        lambda rows: rows["default"].below and rows["clamp"].below,
+    "retraction-height-matched-0.2": Check(
+        height(equal, SLIPS), height(plain, SLIPS), lambda rows: rows.below("default", "clamp")
     ),
-    OwnClaim(
-        "retraction-steps",
-        "Retraction shortens runs on steps of 0.3 l₀ on friction 0.2. Strides until the fall. Value: with "
-        "retraction at 0.008 √(k/m). Control: without.",
-        strides(retracting),
-        strides(plain),
-        ROUGH,
-        lambda rows: rows["default"].below and rows["clamp"].below,
+    "retraction-steps": Check(
+        strides(retracting), strides(plain), lambda rows: rows.below("default", "clamp")
     ),
-    OwnClaim(
-        "retraction-steps-matched",
-        "Retraction also shortens the runs of matched runners, which carry the foot equally high, except at"
-        " weight 0.022 and 45°. Value: with retraction, matched. Control: without.",
+    "retraction-steps-matched": Check(
         strides(equal),
         strides(plain),
-        ROUGH,
-        lambda rows: rows["default"].below and rows["clamp"].below and not rows["heavy"].below,
+        lambda rows: rows.below("default", "clamp") and not rows.below("heavy"),
     ),
-    OwnClaim(
-        "retraction-slip-matched",
-        "On friction 0.2 matched runners with retraction slip less per stride, l₀. Value: with retraction, "
-        "matched. Control: without.",
-        slip(equal),
-        slip(plain),
-        GAIT.format(SLIPS),
-        lambda rows: all(rows[name].ratio < 1.0 for name in ALL_BUT_HUMAN),
+    "retraction-slip-matched": Check(
+        slip(equal), slip(plain), lambda rows: all(rows[name].ratio < 1.0 for name in ALL_BUT_HUMAN)
     ),
-)
+}

@@ -6,7 +6,7 @@ from ...analysis.first_passage import FirstPassage, strides_to_fall
 from ...analysis.rare_falls import rare_falls
 from ...library.gait import Gait
 from ...library.ground import RoughGround, correlated_weights
-from .claim import SLIPS, STICKS, Estimate, Measure, OwnClaim, Regime, matched, over_length, stable_gait
+from .claim import SLIPS, STICKS, Check, Estimate, Measure, Regime, matched, over_length, stable_gait
 
 RUNNERS, MAX_STRIDES = 256, 300
 """200 falls give a mean to 15 %, with a confidence of 95 %; a runner still up at the end is censored."""
@@ -18,16 +18,6 @@ CORRELATION = 0.7
 """Correlation of each step with the step before: such ground goes on rising or falling."""
 SEGMENT = 5.0
 """Length of a level segment, l0."""
-MATCH = (
-    "tdmf-slip compare --friction {} --friction {} --hold speed,apex_height,apex_leg_angle "
-    "--vary hip.stance_torque,hip.touchdown_angle,hip.liftoff_angle_factor"
-)
-"""Command that finds the equal runner of a control, whose strides `strides` counts."""
-ROUGH = (
-    "tdmf-slip rough --friction {} --roughness {} --runners "
-    f"{RUNNERS} --max-strides {MAX_STRIDES} --seed {{{{seed}}}}"
-)
-ROUGH_RARE = f"tdmf-slip rough --friction {SLIPS} --roughness {LOWER} --rare --seed {{seed}}"
 
 
 def runner_on(regime: Regime, friction: float, reference: float | None) -> Gait:
@@ -78,101 +68,52 @@ def foot(quantity: str, friction: float, reference: float | None = None) -> Meas
     return over_length(lambda regime: runner_on(regime, friction, reference), quantity)
 
 
-CLAIMS = (
-    OwnClaim(
-        "steps-as-they-come",
-        "On steps of 0.3 l₀ the runner on friction 0.2 makes more strides until it falls than the one on "
-        "friction 10. Value: friction 0.2. Control: friction 10, unmatched.",
-        strides(SLIPS, LOW),
-        strides(STICKS, LOW),
-        ROUGH.format(SLIPS, LOW),
-        lambda rows: all(row.above for row in rows.values()),
+CHECKS = {
+    "steps-as-they-come": Check(strides(SLIPS, LOW), strides(STICKS, LOW), lambda rows: rows.above(*rows)),
+    "clearance": Check(
+        foot("foot_clearance", SLIPS), foot("foot_clearance", STICKS), lambda rows: rows.above(*rows)
     ),
-    OwnClaim(
-        "clearance",
-        "The runner on friction 0.2 also carries its foot higher. Foot clearance at the apex, l₀. Value: "
-        "friction 0.2. Control: friction 10, unmatched.",
-        foot("foot_clearance", SLIPS),
-        foot("foot_clearance", STICKS),
-        f"tdmf-slip gait --friction {SLIPS} --json",
-        lambda rows: all(row.above for row in rows.values()),
-    ),
-    OwnClaim(
-        "steps-matched",
-        "Matched runners differ, too, except with the clamp. Strides until the fall on steps of 0.3 l₀. "
-        "Value: friction 0.2. Control: the runner on friction 10, matched to it.",
+    "steps-matched": Check(
         strides(SLIPS, LOW),
         strides(STICKS, LOW, SLIPS),
-        MATCH.format(SLIPS, STICKS),
         lambda rows: (
-            rows["default"].above
+            rows.above("default")
             and rows["default"].ratio > 5.0
-            and rows["heavy"].above
-            and not rows["clamp"].above
+            and rows.above("heavy")
+            and not rows.above("clamp")
         ),
     ),
-    OwnClaim(
-        "steps-matched-0.6",
-        "As in row 3. Value: friction 0.6. Control: the runner on friction 10, matched to it.",
-        strides(0.6, LOW),
-        strides(STICKS, LOW, 0.6),
-        MATCH.format(0.6, STICKS),
-        lambda rows: rows["default"].above and rows["heavy"].above,
+    "steps-matched-0.6": Check(
+        strides(0.6, LOW), strides(STICKS, LOW, 0.6), lambda rows: rows.above("default", "heavy")
     ),
-    OwnClaim(
-        "steps-matched-to-sticking",
-        "As in row 3, but matched to the runner that sticks. Value: the runner on friction 0.2, matched to "
-        "the one on friction 10. Control: friction 10. With the clamp the difference is small.",
+    "steps-matched-to-sticking": Check(
         strides(SLIPS, LOW, STICKS),
         strides(STICKS, LOW),
-        MATCH.format(STICKS, SLIPS),
-        lambda rows: rows["default"].above and rows["heavy"].above and not rows["clamp"].above,
+        lambda rows: rows.above("default", "heavy") and not rows.above("clamp"),
     ),
-    OwnClaim(
-        "steps-foot-height",
-        "The greatest height of the foot in a stride does not explain the longer runs: it is no greater on "
-        "friction 0.2. Height, l₀. Value: friction 0.2. Control: the runner on friction 10, matched to it.",
+    "steps-foot-height": Check(
         foot("greatest_foot_height", SLIPS),
         foot("greatest_foot_height", STICKS, SLIPS),
-        MATCH.format(SLIPS, STICKS),
-        lambda rows: rows["default"].below and rows["heavy"].below,
+        lambda rows: rows.below("default", "heavy"),
     ),
-    OwnClaim(
-        "steps-that-trip",
-        "Most of the difference arises where a step rises above the swinging foot. If such a step already "
-        "counts as a fall, the runner on friction 0.2 makes less than twice as many strides. Value and "
-        "control as in row 3.",
+    "steps-that-trip": Check(
         strides(SLIPS, LOW, trips=True),
         strides(STICKS, LOW, SLIPS, trips=True),
-        ROUGH.format(SLIPS, LOW) + " --trips",
         lambda rows: rows["default"].ratio < 2.0 and rows["heavy"].ratio < 2.0,
     ),
-    OwnClaim(
-        "steps-rare",
-        "On steps of 0.2 l₀ the difference exceeds a factor of ten. Value and control as in row 3. The "
-        "value is computed by multilevel splitting, because falls on friction 0.2 are too rare to count.",
+    "steps-rare": Check(
         rarely,
         strides(STICKS, LOWER, SLIPS),
-        ROUGH_RARE,
-        lambda rows: rows["default"].above and rows["default"].ratio > 10.0,
+        lambda rows: rows.above("default") and rows["default"].ratio > 10.0,
     ),
-    OwnClaim(
-        "steps-correlated",
-        "With a correlation of 0.7 between successive steps, slipping lengthens runs, too, except with the "
-        "clamp. Value and control as in row 3.",
+    "steps-correlated": Check(
         strides(SLIPS, LOW, correlation=CORRELATION),
         strides(STICKS, LOW, SLIPS, correlation=CORRELATION),
-        ROUGH.format(SLIPS, LOW) + f" --correlation {CORRELATION}",
-        lambda rows: rows["default"].above and rows["heavy"].above and not rows["clamp"].above,
+        lambda rows: rows.above("default", "heavy") and not rows.above("clamp"),
     ),
-    OwnClaim(
-        "segments",
-        "On level segments of length 5 l₀, whose heights have a standard deviation of 0.3 l₀, slipping "
-        "lengthens runs, too. Value and control as in row 3. Where on a segment the foot lands is not "
-        "matched.",
+    "segments": Check(
         strides(SLIPS, LOW, segment=SEGMENT),
         strides(STICKS, LOW, SLIPS, segment=SEGMENT),
-        ROUGH.format(SLIPS, LOW) + f" --segment-length {SEGMENT:g}",
-        lambda rows: rows["default"].above and rows["heavy"].above,
+        lambda rows: rows.above("default", "heavy"),
     ),
-)
+}

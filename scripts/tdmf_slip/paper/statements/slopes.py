@@ -9,12 +9,11 @@ from ...library.fixed_point import gait_near
 from ...library.gait import Gait
 from .claim import (
     ALL_BUT_HUMAN,
-    ANGLE,
     SLIPS,
     STICKS,
+    Check,
     Estimate,
     Measure,
-    OwnClaim,
     Regime,
     changed_to,
     gait,
@@ -23,7 +22,6 @@ from .claim import (
     solved,
     stride_quantity,
 )
-from .rough import MATCH
 
 SLOPE = "ground.slope"
 FIRST, SHORTEST = 0.005, 1e-5
@@ -103,77 +101,30 @@ def slowed(friction: float, reference: float | None = None) -> Measure:
     return solved(over)
 
 
-def _command(friction: float, angle: float | None = None) -> str:
-    setting = "" if angle is None else f" --set {ANGLE}={angle}"
-    return f"tdmf-slip continue --vary ground.slope=0:0.33 --friction {friction:g}{setting} --no-switch"
-
-
-CLAIMS = (
-    OwnClaim(
-        "slope-speed",
-        "Uphill, slip slows the runner. Speed 1.5° uphill relative to the speed on level ground. Value: "
-        "friction 0.2. Control: the runner on friction 10, matched to it on level ground. The human preset "
-        "is faster uphill in both cases.",
+CHECKS = {
+    "slope-speed": Check(
         slowed(SLIPS),
         slowed(STICKS, SLIPS),
-        MATCH.format(SLIPS, STICKS),
-        lambda rows: all(rows[name].below for name in ALL_BUT_HUMAN) and rows["human"].number > 1.0,
+        lambda rows: rows.below(*ALL_BUT_HUMAN) and rows["human"].number > 1.0,
     ),
-    OwnClaim(
-        "slope-steepest",
-        "At the touchdown angle of each column (40° for Table 1) the runner on friction 0.2 climbs steeper "
-        "slopes. Steepest slope that has a gait, degrees. Value: friction 0.2. Control: friction 10. No "
-        "gait on friction 0.2 is possible beyond arctan 0.2 = 11.3°.",
-        steepest(SLIPS),
-        steepest(STICKS),
-        _command(SLIPS),
-        lambda rows: all(row.above for row in rows.values()),
-    ),
-    OwnClaim(
-        "slope-top-speed",
-        "On that slope the runner on friction 0.2 hardly advances. Speed. Value: on the steepest slope. "
-        "Control: on level ground.",
+    "slope-steepest": Check(steepest(SLIPS), steepest(STICKS), lambda rows: rows.above(*rows)),
+    "slope-top-speed": Check(
         at_the_top("speed", SLIPS),
         stride_quantity(lambda regime: gait(regime, SLIPS), "speed"),
-        _command(SLIPS),
         lambda rows: rows["default"].ratio < 0.05 and rows["clamp"].ratio < 0.25,
     ),
-    OwnClaim(
-        "slope-stable",
-        "The runner on friction 0.2 stays stable up to a steeper slope, except with the clamp. Slope at "
-        "which the gait loses stability, degrees. Value: friction 0.2. Control: friction 10.",
-        stable_to(SLIPS),
-        stable_to(STICKS),
-        _command(SLIPS),
-        lambda rows: rows["default"].above and rows["clamp"].below,
+    "slope-stable": Check(
+        stable_to(SLIPS), stable_to(STICKS), lambda rows: rows.above("default") and rows.below("clamp")
     ),
-    OwnClaim(
-        "slope-stable-matched",
-        "Most of that difference is due to speed, apex height and leg angle. Value: friction 0.2. Control: "
-        "the runner on friction 10, matched to it on level ground.",
-        stable_to(SLIPS),
-        stable_to(STICKS, None, SLIPS),
-        MATCH.format(SLIPS, STICKS),
-        lambda rows: 1.0 < rows["default"].ratio < 1.4,
+    "slope-stable-matched": Check(
+        stable_to(SLIPS), stable_to(STICKS, None, SLIPS), lambda rows: 1.0 < rows["default"].ratio < 1.4
     ),
-    OwnClaim(
-        "slope-flat",
-        "With touchdown at 0.85 rad the gaits on friction 0.2 are stable up to 11.3°. Those on friction 10 "
-        "are not. Slope at which the gait loses stability, degrees. Value: friction 0.2. Control: friction "
-        "10.",
+    "slope-flat": Check(
         stable_to(SLIPS, FLAT),
         stable_to(STICKS, FLAT),
-        _command(SLIPS, FLAT),
-        lambda rows: all(rows[name].above and rows[name].number > 11.2 for name in ALL_BUT_HUMAN),
+        lambda rows: all(rows.above(name) and rows[name].number > 11.2 for name in ALL_BUT_HUMAN),
     ),
-    OwnClaim(
-        "slope-flat-0.6",
-        "With touchdown at 0.85 rad the runner on friction 0.6 climbs less steep slopes than the one on "
-        "friction 0.2, except with the clamp. Steepest slope that has a gait, degrees. Value: friction 0.6."
-        " Control: friction 0.2.",
-        steepest(0.6, FLAT),
-        steepest(SLIPS, FLAT),
-        _command(0.6, FLAT),
-        lambda rows: rows["default"].below and rows["clamp"].above,
+    "slope-flat-0.6": Check(
+        steepest(0.6, FLAT), steepest(SLIPS, FLAT), lambda rows: rows.below("default") and rows.above("clamp")
     ),
-)
+}

@@ -1,34 +1,22 @@
-"""All claims by section of the page of results, in the order of the page."""
+"""All claims by section of the page of results, in the order of the page.
 
+`claims.toml` has what each claim says; the module of its section computes and compares.
+"""
+
+import importlib
+import importlib.resources
+import tomllib
 from collections.abc import Mapping
 
-from . import (
-    attraction,
-    falling,
-    feedback,
-    optima,
-    over_friction,
-    patches,
-    reduced,
-    retraction,
-    rough,
-    slopes,
-    thrust,
-    viable,
-)
 from .claim import OwnClaim
 
-SECTIONS: Mapping[str, tuple[OwnClaim, ...]] = {
-    "over_friction": over_friction.CLAIMS,
-    "falling": falling.CLAIMS,
-    "attraction": attraction.CLAIMS,
-    "viable": viable.CLAIMS,
-    "reduced": reduced.CLAIMS,
-    "rough": rough.CLAIMS,
-    "patches": patches.CLAIMS,
-    "retraction": retraction.CLAIMS,
-    "slopes": slopes.CLAIMS,
-    "thrust": thrust.CLAIMS,
-    "feedback": feedback.CLAIMS,
-    "optima": optima.CLAIMS,
-}
+
+def _section(name: str, texts: Mapping[str, Mapping[str, str]]) -> tuple[OwnClaim, ...]:
+    checks = importlib.import_module(f".{name}", __package__).CHECKS
+    if list(checks) != list(texts):
+        raise ValueError(f"claims.toml and {name}.py have different claims")
+    return tuple(OwnClaim(of, text["claim"], text["command"], checks[of]) for of, text in texts.items())
+
+
+TEXTS = tomllib.loads(importlib.resources.files(__package__).joinpath("claims.toml").read_text("utf-8"))
+SECTIONS = {name: _section(name, texts) for name, texts in TEXTS.items()}

@@ -12,8 +12,8 @@ from .claim import (
     TABLE_1,
     THRUST,
     TORQUE,
+    Check,
     Measure,
-    OwnClaim,
     Regime,
     changed_to,
     gait,
@@ -28,10 +28,6 @@ FASTER = 1.3
 """Speed over the speed of the gait on friction 0.2 as it comes."""
 HELPED = 0.1
 """Thrust, over the leg's length."""
-TARGET = "--target speed=1.085"
-"""Target speed in Table 1: `FASTER` times the speed of its gait on friction 0.2."""
-BY_TORQUE = f"tdmf-slip gait --friction {SLIPS} {TARGET} --vary {TORQUE} --json"
-BY_THRUST = f"tdmf-slip gait --friction {SLIPS} --set {THRUST}={HELPED} {TARGET} --vary {THRUST} --json"
 
 
 @remembered
@@ -68,57 +64,29 @@ def _by_way(of: Callable[[Regime], Gait]) -> Measure:
     return solved(lambda regime: of(regime).stride["slip_distance"] / of(regime).stride["length"])
 
 
-CLAIMS = (
-    OwnClaim(
-        "thrust-slip",
-        "On friction 0.2 a runner with more thrust slips less per distance than one with more hip torque. "
-        "Slip distance per stride length, at 1.3 times the speed of the unchanged gait. Value: thrust "
-        "added. Control: hip torque raised.",
-        _by_way(by_thrust),
-        _by_way(by_torque),
-        BY_THRUST,
-        lambda rows: all(rows[name].below for name in TABLE_1),
-    ),
-    OwnClaim(
-        "thrust-slip-stride",
-        "Per stride the runner with thrust slips more, l₀. Value and control as in row 1.",
+CHECKS = {
+    "thrust-slip": Check(_by_way(by_thrust), _by_way(by_torque), lambda rows: rows.below(*TABLE_1)),
+    "thrust-slip-stride": Check(
         over_length(by_thrust, "slip_distance"),
         over_length(by_torque, "slip_distance"),
-        BY_THRUST,
-        lambda rows: all(rows[name].above for name in TABLE_1),
+        lambda rows: rows.above(*TABLE_1),
     ),
-    OwnClaim(
-        "thrust-height",
-        "The reason: the runner with thrust hops higher. Height of the apex, l₀. Value and control as in "
-        "row 1.",
+    "thrust-height": Check(
         over_length(by_thrust, "apex_height"),
         over_length(by_torque, "apex_height"),
-        BY_TORQUE,
-        lambda rows: all(rows[name].above for name in TABLE_1),
+        lambda rows: rows.above(*TABLE_1),
     ),
-    OwnClaim(
-        "thrust-slip-matched",
-        "At equal speed and apex height the runner with thrust slips more per distance, too. Slip distance "
-        "per stride length. Value: thrust of 0.1 l₀. Control: hip torque alone.",
-        _by_way(as_high),
-        _by_way(by_torque),
-        BY_TORQUE,
-        lambda rows: all(rows[name].above for name in (*TABLE_1, "heavy")),
+    "thrust-slip-matched": Check(
+        _by_way(as_high), _by_way(by_torque), lambda rows: rows.above(*TABLE_1, "heavy")
     ),
-    OwnClaim(
-        "thrust-cost-matched",
-        "The net cost of transport of that runner is lower. Value and control as in row 4.",
+    "thrust-cost-matched": Check(
         stride_quantity(as_high, "cost_of_transport"),
         stride_quantity(by_torque, "cost_of_transport"),
-        BY_TORQUE,
-        lambda rows: all(rows[name].below for name in (*TABLE_1, "heavy")),
+        lambda rows: rows.below(*TABLE_1, "heavy"),
     ),
-    OwnClaim(
-        "thrust-positive-cost-matched",
-        "Its positive cost of transport is lower, too. Value and control as in row 4.",
+    "thrust-positive-cost-matched": Check(
         stride_quantity(as_high, "positive_cost_of_transport"),
         stride_quantity(by_torque, "positive_cost_of_transport"),
-        BY_TORQUE,
-        lambda rows: all(rows[name].below for name in (*TABLE_1, "heavy")),
+        lambda rows: rows.below(*TABLE_1, "heavy"),
     ),
-)
+}

@@ -14,9 +14,9 @@ from .claim import (
     STICKS,
     TABLE_1,
     TORQUE,
+    Check,
     Estimate,
     Measure,
-    OwnClaim,
     Regime,
     made_equal,
     remembered,
@@ -31,10 +31,6 @@ PLANE: Mapping[str, Range] = {"com_height": (0.3, 4.0), "com_speed": (0.0, 4.0)}
 PLANES: Mapping[str, Mapping[str, Range]] = {"human": {"com_height": (0.6, 1.4), "com_speed": (0.0, 6.0)}}
 """Ranges of height in m and speed in m/s, and by regime where they differ from these."""
 CHOSEN = {ANGLE: (0.1, 1.3, 24)}
-VIABILITY = (
-    f"tdmf-slip viability --friction {{}} --axes com_height=0.3:4 --axes com_speed=0:4 "
-    f"--vary {ANGLE}=0.1:1.3:24 --n {CELLS}"
-)
 
 
 @remembered
@@ -67,33 +63,10 @@ _robustness = _enclosed(
     lambda found: float(found["outer_robustness"].mean()),
 )
 
-CLAIMS = (
-    OwnClaim(
-        "viable",
-        "More states are viable on friction 0.2 than on 10. Share of a plane of apex heights and speeds "
-        "that is viable if the touchdown angle may be chosen at each apex. Value: friction 0.2. Control: "
-        "the runner on friction 10, matched in speed and apex height.",
-        _share(SLIPS),
-        _share(STICKS, SLIPS),
-        VIABILITY.format(SLIPS),
-        lambda rows: all(rows[name].above for name in ALL_BUT_HUMAN),
+CHECKS = {
+    "viable": Check(_share(SLIPS), _share(STICKS, SLIPS), lambda rows: rows.above(*ALL_BUT_HUMAN)),
+    "viable-angles": Check(_robustness(SLIPS), _robustness(STICKS, SLIPS), lambda rows: rows.below(*TABLE_1)),
+    "viable-angles-between": Check(
+        _robustness(1.2, SLIPS), _robustness(SLIPS), lambda rows: rows.above(*TABLE_1)
     ),
-    OwnClaim(
-        "viable-angles",
-        "But the angle must be chosen more precisely. Share of the touchdown angles that are viable, "
-        "averaged over the plane. Value: friction 0.2. Control: as in row 1.",
-        _robustness(SLIPS),
-        _robustness(STICKS, SLIPS),
-        VIABILITY.format(SLIPS),
-        lambda rows: all(rows[name].below for name in TABLE_1),
-    ),
-    OwnClaim(
-        "viable-angles-between",
-        "This share is larger on friction 1.2 than on 0.2. Value: friction 1.2, matched in speed and apex "
-        "height. Control: friction 0.2.",
-        _robustness(1.2, SLIPS),
-        _robustness(SLIPS),
-        VIABILITY.format(1.2),
-        lambda rows: all(rows[name].above for name in TABLE_1),
-    ),
-)
+}
