@@ -5,13 +5,26 @@ import shutil
 import tempfile
 from pathlib import Path
 
+import pytest
 import tdmf_slip
 from conftest import ROOT, locked
+from page_runs import compiler
 from tdmf_slip.building.build import derived
+from tdmf_slip.building.compilers import Compiler
 from tdmf_slip.building.sources import page_in
 from tdmf_slip.builds import TABLE
 
 BUILT = ROOT / "build" / "own_pages"
+TWO_LANES = {2: ("TDMF_HAS_TWO_LANES", ())}
+"""Lanes of these builds. Those of four and eight compile much longer; test_page_batch has them."""
+
+
+def build_quickly(page, folder, unit):
+    """Build a page, without what takes a compiler long."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("CC", " ".join(compiler()))
+        patch.setattr(Compiler, "lanes", TWO_LANES)
+        tdmf_slip.build(page, folder, unit=unit)
 
 
 def loaded(path, unit=False, cache={}):  # noqa: B006
@@ -25,7 +38,7 @@ def loaded(path, unit=False, cache={}):  # noqa: B006
                 for old in BUILT.glob(f"{table['c_name']}-*"):
                     if old != folder:
                         shutil.rmtree(old)
-                tdmf_slip.build(page, folder, unit=unit)
+                build_quickly(page, folder, unit)
         cache[path, unit] = tdmf_slip.load_model(folder)
     return cache[path, unit]
 

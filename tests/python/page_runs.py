@@ -1,14 +1,18 @@
 """Pages of equations, derived, compiled and run by the plain driver."""
 
+import ast
 import ctypes
+import functools
 import hashlib
 import importlib
 import os
 import platform
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import types
 from ctypes import (
     CFUNCTYPE,
     POINTER,
@@ -32,6 +36,8 @@ from conftest import locked
 ROOT = Path(__file__).resolve().parents[2]
 if str(ROOT) not in sys.path:
     sys.path.append(str(ROOT))  # the folder c_core is imported from the tree
+
+from c_core.hybrid.limits import MARGINS  # noqa: E402
 
 COMPILER = shutil.which("cc")
 FLAGS = ["-std=c99", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-Wall", "-Wextra", "-Werror"]
@@ -152,72 +158,130 @@ def compiler():
     return ["ccache", "cc"] if has_cache else ["cc"]
 
 
-def library_of(files, name, level, folders, in_lanes):
-    """Compile derived C, once for equal texts."""
-    sources = {**files, **{f.name: f.read_text() for folder in folders for f in sorted(folder.iterdir())}}
-    key = repr((level, folders, in_lanes, sorted(sources.items())))
-    key = hashlib.sha256(key.encode()).hexdigest()[:16]
-    pages = ROOT / "build" / "pages"  # all workers of pytest, and the next run, find it there
+def built_once(name, texts, fill):
+    """A folder in `build/pages` that all workers share; the first that asks for these texts has it filled."""
+    key = hashlib.sha256(repr(texts).encode()).hexdigest()[:16]
+    pages = ROOT / "build" / "pages"
     pages.mkdir(parents=True, exist_ok=True)
     folder = pages / f"{name}-{key}"
-    with locked(f"pages/{folder.name}"):  # else several workers would compile it at once
+    with locked(f"pages/{folder.name}"):
         if not folder.exists():
-            compile_into(folder, files, name, level, folders, in_lanes)
-    return ctypes.CDLL(str(folder / "page.so"))
+            with tempfile.TemporaryDirectory(dir=pages) as temporary:
+                made = Path(temporary, "made")
+                made.mkdir()
+                fill(made)
+                made.rename(folder)
+    return folder
 
 
-def compile_into(folder, files, name, level, folders, in_lanes):
-    """Compile derived C: `page.so` in a folder that exists when it is complete."""
-    with tempfile.TemporaryDirectory(dir=folder.parent) as temporary:
-        own = Path(temporary, "page")
-        own.mkdir()
+def compile_all(sources, folder, includes):
+    """Compile C files, each with flags of its own, side by side: objects in a folder."""
+    command = [*compiler(), *FLAGS, *(f"-I{path}" for path in includes)]
+    running = [
+        subprocess.Popen([*command, *flags.split(), "-c", source, "-o", folder / f"{i}.o"])
+        for i, (source, flags) in enumerate(sources)
+    ]
+    assert sum(job.wait() for job in running) == 0, "the C does not compile"
+
+
+def in_each_width(source, level):
+    """A source with the flags of each number of lanes."""
+    return [(source, f"{level} -DTDMF_LANES={n} -Wno-psabi {flags}") for n, (_, flags) in LANES.items()]
+
+
+@functools.cache
+def kernel(folders, in_lanes, macros):
+    """Objects of the driver, which are those of every page."""
+    files = [file for folder in folders for file in sorted(folder.iterdir())]
+    has = [macro for macro, _ in LANES.values()] + ["TDMF_HAS_SEED_LANES"]
+    flags = " ".join(["-O1", macros, *(f"-D{macro}" for macro in has if in_lanes)])
+    lanes = folders[0] / "batch_lanes.c"
+    sources = [(file, flags) for file in files if file.suffix == ".c" and file != lanes]
+    sources += in_each_width(lanes, flags) if in_lanes else []
+    texts = [(file.name, file.read_text(encoding="utf-8")) for file in files]
+    made = built_once("kernel", [flags, texts], lambda folder: compile_all(sources, folder, folders))
+    return flags, sorted(made.glob("*.o"))
+
+
+def library_of(files, name, level, folders, in_lanes, macros):
+    """Compile derived C, once for equal texts, and link it with the driver."""
+    flags, objects = kernel(folders, in_lanes, macros)
+
+    def fill(folder):
         for file, text in files.items():
-            (own / file).write_text(text)
-        motions, lanes = own / f"{name}_motions.c", folders[0] / "batch_lanes.c"
-        macros = [macro for macro, _ in LANES.values()] + ["TDMF_HAS_SEED_LANES"]
-        has = " ".join(f"-D{macro}" for macro in macros) if in_lanes else ""
-        kernel = [file for folder in folders for file in sorted(folder.glob("*.c")) if file != lanes]
-        jobs = [(source, f"{level} {has}") for source in kernel]
-        jobs += [(motions, level), (own / f"{name}.c", f"-O1 {has}")]
+            (folder / file).write_text(text, encoding="utf-8")
+        motions = folder / f"{name}_motions.c"
+        sources = [(motions, f"{flags} {level}"), (folder / f"{name}.c", f"{flags} {level}")]
         if in_lanes:
-            jobs.append((own / f"{name}_seeds.c", level))
-        for width, (_, flags) in LANES.items() if in_lanes else ():
-            wide = f"{level} -DTDMF_LANES={width} -Wno-psabi {flags}"
-            jobs += [(motions, wide), (lanes, wide)]
-        running = [
-            subprocess.Popen(
-                [
-                    *compiler(),
-                    *flags.split(),
-                    *FLAGS,
-                    f"-I{own}",
-                    *(f"-I{folder}" for folder in folders),
-                    "-c",
-                    source,
-                    "-o",
-                    own / f"{i}.o",
-                ]
-            )
-            for i, (source, flags) in enumerate(jobs)
-        ]
-        failed = [job.wait() for job in running]
-        assert not any(failed), "the derived C does not compile"
-        objects = [own / f"{i}.o" for i in range(len(jobs))]
-        subprocess.run([COMPILER, "-shared", *objects, "-pthread", "-o", own / "page.so", "-lm"], check=True)
-        own.rename(folder)
+            sources += [(folder / f"{name}_seeds.c", f"{flags} {level}"), *in_each_width(motions, level)]
+        compile_all(sources, folder, (folder, *folders))
+        own = [folder / f"{i}.o" for i in range(len(sources))]
+        subprocess.run(
+            [COMPILER, "-shared", *own, *objects, "-pthread", "-o", folder / "page.so", "-lm"], check=True
+        )
+
+    texts = [level, macros, [str(path) for path in objects], sorted(files.items())]
+    return ctypes.CDLL(str(built_once(name, texts, fill) / "page.so"))
+
+
+@functools.cache
+def digest():
+    """Digest of the generator, the runner's page, and the C that all pages and units share."""
+    folders = *(ROOT / "c_core" / name for name in ("hybrid", "kernel", "pages")), ROOT / "fmu_src"
+    files = sorted(file for folder in folders for file in folder.rglob("*.[pch]*") if file.suffix != ".pyc")
+    return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
+
+
+def texts_of(model):
+    """What decides the C that is derived from a model of a module."""
+    file = Path(sys.modules[model.__module__].__file__)
+    return [model.__qualname__, file.read_text(encoding="utf-8"), digest(), sorted(MARGINS.items())]
+
+
+def derived(model):
+    """Keys of a page's modes, and its C by file. What is derived from a model of a module is kept."""
+    language = next(c.__module__ for c in model.__mro__ if c.__name__ == "Model").removesuffix("model")
+
+    def derive():
+        page = importlib.import_module(f"{language}page").Page(model)
+        writes = importlib.import_module(f"{language}generate")
+        return page.keys, writes.generate(page) | writes.seeds_of(page)
+
+    if "<locals>" in model.__qualname__:
+        return derive()
+    made = built_once(
+        f"derived-{model.__name__}",
+        [language, *texts_of(model)],
+        lambda folder: (folder / "page").write_text(repr(derive()), encoding="utf-8"),
+    )
+    return ast.literal_eval((made / "page").read_text(encoding="utf-8"))
+
+
+GUIDE = ROOT / "documentation" / "development" / "pages.md"
+
+
+def code_of_guide():
+    """The code of the guide of the language."""
+    return "\n".join(re.findall(r"```python\n(.*?)```", GUIDE.read_text(encoding="utf-8"), re.S))
+
+
+@functools.cache
+def guide():
+    """The examples of the guide of the language, as a module."""
+    module = sys.modules["guide_of_pages"] = types.ModuleType("guide_of_pages")
+    module.__file__ = str(GUIDE)
+    exec(compile(code_of_guide(), GUIDE, "exec"), vars(module))
+    return module
 
 
 class CompiledPage:
     """A page in C."""
 
-    def __init__(self, model, level="-O2", folders=KERNEL, in_lanes=False):
+    def __init__(self, model, level="-O0", folders=KERNEL, in_lanes=False, macros=""):
         self.model = model
-        language = next(c.__module__ for c in model.__mro__ if c.__name__ == "Model").removesuffix("model")
-        page = importlib.import_module(f"{language}page").Page(model)
-        writes = importlib.import_module(f"{language}generate")
-        self.keys, self.files = page.keys, writes.generate(page) | writes.seeds_of(page)
+        self.keys, self.files = derived(model)
         self.name = next(iter(self.files)).removesuffix(".h")
-        self.library = library_of(self.files, self.name, level, folders, in_lanes)
+        self.library = library_of(self.files, self.name, level, folders, in_lanes, macros)
         self.struct = ModelStruct.in_dll(self.library, f"tdmf_{self.name}_model")
         self.modes, self.events, self.states, self.parameters, self.outputs, self.tables, self.sections = (
             [

@@ -5,21 +5,18 @@ import pickle
 import re
 import shutil
 import warnings
-import zipfile
 
-import fmpy
 import numpy as np
 import own_pages
 import pytest
 import tdmf_slip
 from conftest import ROOT
-from fmpy.validation import validate_fmu
 from page_runs import COMPILER
 from scipy_strides import Stride, torque_of_gains
 from tdmf_slip import Batch, InputError, Runner, find_gait, load_model, stride_map
 from tdmf_slip.building.build import derived, new_folder
 from tdmf_slip.building.sources import page_in
-from tdmf_slip.builds import TABLE, host
+from tdmf_slip.builds import TABLE
 from tdmf_slip.errors import Note
 from tdmf_slip.library.engine import FATES
 
@@ -201,26 +198,6 @@ def test_a_failing_or_missing_compiler_leaves_nothing_and_says_what_to_install(t
     with pytest.raises(InputError, match="platform 'mars-linux' is not allowed; allowed: x86_64-linux"):
         tdmf_slip.build(folder, platform="mars-linux")
     assert sorted(path.name for path in folder.iterdir()) == before
-
-
-def test_units_and_libraries_for_other_platforms_are_those_that_there_are_too(tmp_path):
-    pytest.importorskip("ziglang", reason="NOT TESTED: builds for other platforms; the extra build has Zig")
-    folder = tdmf_slip.new(tmp_path / "my_ball", start="scratch")
-    for platform in (None, "aarch64-linux", "x86_64-windows"):
-        built = tdmf_slip.build(folder, platform=platform)
-    table = json.loads((built / TABLE).read_text(encoding="utf-8"))
-    platforms = {host(), "aarch64-linux", "x86_64-windows"}
-    assert set(table["libraries"]) == platforms
-    assert all((built / name).is_file() for name in table["libraries"].values())
-    found = {}
-    for unit in ("MyBall.fmu", "MyBall_FMI3.fmu"):
-        assert validate_fmu(str(built / unit)) == []
-        with zipfile.ZipFile(built / unit) as packed:
-            found[unit] = {n.split("/")[1] for n in packed.namelist() if n.startswith("binaries/")}
-            assert all(n.endswith((".so", ".dll", ".dylib")) for n in packed.namelist() if "binaries/" in n)
-    assert found["MyBall_FMI3.fmu"] == platforms and {"linux64", "win64"} <= found["MyBall.fmu"] | {"linux64"}
-    model = load_model(folder)
-    assert fmpy.simulate_fmu(str(model.unit), stop_time=0.2)["height"][-1] < 1
 
 
 @pytest.mark.parametrize(

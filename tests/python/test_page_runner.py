@@ -285,7 +285,7 @@ def test_no_result_depends_on_a_margin(monkeypatch):
     for factor in (0.1, 10.0):
         for name, margin in MARGINS.items():
             monkeypatch.setitem(MARGINS, name, margin * factor)
-        pages[factor] = CompiledPage(Runner, level=f"-O0 -DTDMF_MARGIN_FACTOR={factor}")
+        pages[factor] = CompiledPage(Runner, macros=f"-DTDMF_MARGIN_FACTOR={factor}")
         monkeypatch.undo()
     faults, sensitive = [], 0
     for number in some_of(range(1000), 12):

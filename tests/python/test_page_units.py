@@ -137,7 +137,6 @@ def test_a_run_may_start_in_coordinates_that_the_unit_does_not_show(interface):
 
 def test_interfaces_agree_where_the_string_is_slack_at_once():
     exchange, simulation = (UnitRun(units_of(Yoyo)[2], interface).to(1.5) for interface in ("me", "cs"))
-    assert simulation["swings"] == exchange["swings"] > 0
     for name in ("x", "y", "vx", "vy"):
         assert exchange[name] == pytest.approx(simulation[name], abs=1e-8)
 

@@ -4,6 +4,7 @@ Windows runs under wine, Arm Linux under qemu, by a small importer in C (tests/p
 Linux sees; the files for macOS and Arm Windows are read.
 """
 
+import json
 import pathlib
 import re
 import subprocess
@@ -11,9 +12,11 @@ import zipfile
 
 import fmpy
 import pytest
+import tdmf_slip
 from conftest import HANGS, QUANTITIES, ROOT, unit_reference
 from emulators import arm_linux, windows
 from fmpy.validation import validate_fmu
+from tdmf_slip.builds import TABLE, host
 
 lief = pytest.importorskip("lief", reason="NOT TESTED: units for every platform, lief is not installed")
 
@@ -183,3 +186,22 @@ def test_arm_linux_sees_what_linux_sees(libraries, linux):
     emulator, environment = arm_linux()
     there = seen(libraries, 3, "aarch64-linux/TDMF_SLIP.so", "aarch64-linux", emulator, "", environment)
     assert_same(there, linux[3])
+
+
+def test_a_page_of_one_s_own_is_built_for_other_platforms_beside_this_one(tmp_path):
+    folder = tdmf_slip.new(tmp_path / "my_ball", start="scratch")
+    for platform in (None, "aarch64-linux", "x86_64-windows"):
+        built = tdmf_slip.build(folder, platform=platform)
+    table = json.loads((built / TABLE).read_text(encoding="utf-8"))
+    platforms = {host(), "aarch64-linux", "x86_64-windows"}
+    assert set(table["libraries"]) == platforms
+    assert all((built / name).is_file() for name in table["libraries"].values())
+    found = {}
+    for unit in ("MyBall.fmu", "MyBall_FMI3.fmu"):
+        assert validate_fmu(str(built / unit)) == []
+        with zipfile.ZipFile(built / unit) as packed:
+            found[unit] = {n.split("/")[1] for n in packed.namelist() if n.startswith("binaries/")}
+            assert all(n.endswith((".so", ".dll", ".dylib")) for n in packed.namelist() if "binaries/" in n)
+    assert found["MyBall_FMI3.fmu"] == platforms and {"linux64", "win64"} <= found["MyBall.fmu"] | {"linux64"}
+    model = tdmf_slip.load_model(folder)
+    assert fmpy.simulate_fmu(str(model.unit), stop_time=0.2)["height"][-1] < 1

@@ -1,18 +1,14 @@
-"""Pages that the tests of units build: a ball, and a hopper that has everything a page can have."""
+"""Pages that the tests of units build: two of the guide, and a hopper that has everything a page can have."""
 
 import functools
-import tempfile
-from pathlib import Path
 
 import numpy as np
-from page_runs import compiler  # puts the folder of c_core on the path, too
+from page_runs import built_once, compiler, guide, texts_of  # puts the folder of c_core on the path, too
 
 from c_core.hybrid import (
     Model,
-    atan2,
     clock,
     coordinates,
-    cos,
     event,
     input,
     letters,
@@ -24,49 +20,12 @@ from c_core.hybrid import (
     require,
     select,
     setting,
-    sin,
-    sqrt,
     state,
 )
 from c_core.hybrid.unit_files import build_units
 
+Ball, Yoyo = guide().Ball, guide().Yoyo
 STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
-
-
-class Ball(Model):
-    """A ball that loses speed at every bounce."""
-
-    start = "flight", {}
-    scales = {"m": lambda b: b.drop, "m/s": lambda b: sqrt(b.gravity * b.drop)}  # noqa: RUF012
-    gravity = parameter(9.81, "m/s2", "Acceleration of gravity", above=0)
-    drop = parameter(1, "m", "Typical height", above=0)
-    restitution = parameter(0.8, "1", "Coefficient of restitution", tunable=True, least=0, most=1)
-    height = state(1, "m", "Height of the ball", least=0)
-    speed = state(0, "m/s", "Vertical velocity of the ball")
-    bounces = state(0, "1", "Number of bounces", name="bounce.count", values=int)
-
-    @require("height", "on the ground or above it")
-    def starts_above_ground(b):
-        return b.height
-
-    @mode()
-    def flight(b):
-        return {"height": b.speed, "speed": -b.gravity}
-
-    @event("flight", when=lambda b: b.height, unit="m")
-    def bounce(b):
-        """The ground reverses the velocity."""
-        return b.replace(speed=-b.restitution * b.speed, bounces=b.bounces + 1)
-
-    @output("m2/s2")
-    def energy(b):
-        """Mechanical energy per mass."""
-        return b.gravity * b.height + b.speed**2 / 2
-
-    @output(kind=bool)
-    def rises(b):
-        """Whether the ball moves up."""
-        return b.speed > 0
 
 
 class Hopper(Model):
@@ -222,48 +181,6 @@ class Cart(Model):
         return c.mass * c.v**2 / 2 + c.stiffness * (c.hand - c.x) ** 2 / 2
 
 
-class Yoyo(Model):
-    """A mass that swings on a string until the string is slack, and flies free from there."""
-
-    start = "swing", {}
-    gravity, length = parameter(9.81, "m/s2", above=0), parameter(1, "m", above=0)
-    angle, turn = state(2.5, "rad", "Angle from below", of="polar"), state(0, "rad/s", of="polar")
-    x, y = state(0, "m", of="world"), state(0, "m", of="world")
-    vx, vy = state(0, "m/s", of="world"), state(0, "m/s", of="world")
-    swings = state(0, "1", "Number of times that the string was tight", values=int)
-
-    @coordinates("world")
-    def place(m):
-        if m.seen_in == "world":
-            return {"x": m.x, "y": m.y, "vx": m.vx, "vy": m.vy}
-        sine, cosine, speed = sin(m.angle), cos(m.angle), m.length * m.turn
-        return {"x": m.length * sine, "y": -m.length * cosine, "vx": speed * cosine, "vy": speed * sine}
-
-    @coordinates("polar")
-    def on_string(m):
-        if m.seen_in == "polar":
-            return {"angle": m.angle, "turn": m.turn}
-        return {"angle": atan2(m.x, -m.y), "turn": (m.x * m.vy - m.y * m.vx) / (m.length * m.length)}
-
-    @mode(of="polar")
-    def swing(m):
-        return {"angle": m.turn, "turn": -m.gravity / m.length * sin(m.angle)}
-
-    @mode(of="world")
-    def fly(m):
-        return {"x": m.vx, "y": m.vy, "vy": -m.gravity}
-
-    @event("swing", when=lambda m: m.length * m.turn**2 + m.gravity * cos(m.angle), unit="m/s2")
-    def slack(m):
-        """The string pulls no more."""
-        return m.to("fly")
-
-    @event("fly", when=lambda m: m.length**2 - m.x**2 - m.y**2, unit="m2")
-    def tight(m):
-        """The string takes the velocity along it."""
-        return m.to("swing", swings=m.swings + 1)
-
-
 def ball_at(time, restitution=0.8, height=1.0, gravity=9.81):
     """Height and bounces of a ball that was dropped."""
     speed, left, bounces = np.sqrt(2 * gravity * height), time - np.sqrt(2 * height / gravity), 1
@@ -276,7 +193,10 @@ def ball_at(time, restitution=0.8, height=1.0, gravity=9.81):
 @functools.cache
 def units_of(model):
     """The units of a page by the version of FMI. The hopper, which has everything, is optimised."""
-    folder = Path(tempfile.mkdtemp(prefix=f"{model.__name__}-"))
     flags = STRICT if model is Hopper else [*STRICT, "-O0"]
-    two, three = build_units(model, folder, compiler=compiler(), flags=flags)
-    return {2: str(two), 3: str(three)}
+    folder = built_once(
+        f"units-{model.__name__}",
+        texts_of(model),
+        lambda folder: build_units(model, folder, compiler=compiler(), flags=flags),
+    )
+    return {2: str(folder / f"{model.__name__}.fmu"), 3: str(folder / f"{model.__name__}_FMI3.fmu")}
