@@ -1,5 +1,5 @@
 /* Single strides from stated apices, integrated with 30 digits by a program that shares nothing with the
- * library, tests/extended_precision/strides.py. Body mass and free length are 1, what is not stated is Table
+ * library, tests/extended_precision. Body mass and free length are 1, what is not stated is Table
  * 1's. Each start is integrated with the clamp of the swing and without it. */
 #ifndef TDMF_TESTS_EXTENDED_STRIDES_H
 #define TDMF_TESTS_EXTENDED_STRIDES_H

@@ -150,6 +150,13 @@ def proved(gait):
     }
 
 
+def extended(stride):
+    """An `extended_stride`."""
+    events = [(Name(f"TDMF_GUARD_{event.upper()}"), time) for event, time in stride["events"]]
+    counts = {"apex_count": len(stride["apex"]), "event_count": len(events)}
+    return {**stride, "swing_clamp": Name(str(stride["swing_clamp"]).lower()), "events": events, **counts}
+
+
 def patch(run):
     """A `patch_run`."""
     given, end, first = run["start_values"], run["end"], run.get("first", {"apex": [0.0], "foot.x": 0.0})
@@ -202,6 +209,10 @@ def main(root, output):
             for border in rows(python / "free_swing.json", "borders")
         ],
         "free_stride": [free_stride(stride) for stride in rows(python / "free_swing.json", "strides")],
+        "extended_stride": [
+            extended(stride)
+            for stride in rows(pathlib.Path("tests/extended_precision/strides.json"), "strides")
+        ],
         "patch_run": [patch(run) for run in rows(python / "patch_runs.json", "runs")],
     }
     output.mkdir(parents=True, exist_ok=True)

@@ -1,7 +1,6 @@
-/* Share of a random sample that a build runs. The release build runs all of it, or a third where scripts/test
+/* Share of a random sample that a build runs. The release build runs all of it, or a tenth where scripts/test
  * runs without --release. Builds whose programs are slow, or which repeat them with another compiler, run the
- * share that TDMF_SLIP_SAMPLE_DIVISOR of their preset sets. A share's seeds are fixed; with them the programs
- * together reach 3734 of the core's 3735 branches that they reach with the whole samples. */
+ * share that TDMF_SLIP_SAMPLE_DIVISOR of their preset sets. The seeds of a share are fixed. */
 #ifndef TDMF_TESTS_SAMPLE_H
 #define TDMF_TESTS_SAMPLE_H
 

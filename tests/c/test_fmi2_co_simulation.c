@@ -1,82 +1,153 @@
-/* What Co-Simulation of FMI 2.0 alone has: rates of inputs, and the status of steps. */
+/* What Co-Simulation of FMI 2.0 alone has: rates of inputs, which are part of a saved state, and the status
+ * of steps. */
 #include "compare.h"
 #include "fmi2_importer.h"
+#include "tdmf_slip/tdmf_slip.h"
 
 #include <math.h>
 #include <string.h>
 
-/* A test of a fresh instance, `component`. */
-#define TEST_OF_INSTANCE(name)                                                                               \
-    static void name##_of(fmi2Component component);                                                          \
-    TEST(name) {                                                                                             \
-        fmi2Component component = new_slave();                                                               \
-        name##_of(component);                                                                                \
-        fmi2FreeInstance(component);                                                                         \
-    }                                                                                                        \
-    static void name##_of(fmi2Component component)
-
-static void run(fmi2Component component, double from, double to, double step) {
-    const long steps = lround((to - from) / step);
-    for (long i = 0; i < steps; ++i) {
-        const double time = from + (double)i * step;
-        assert_int_equal(fmi2DoStep(component, time, step, fmi2True), fmi2OK);
-    }
-}
+static const fmi2Integer first = 1;
 
 static fmi2Status set_rate(fmi2Component component, const char *name, fmi2Integer order, double rate) {
     const fmi2ValueReference reference = reference_of(name);
     return fmi2SetRealInputDerivatives(component, &reference, 1, &order, &rate);
 }
 
-TEST_OF_INSTANCE(an_input_goes_on_at_its_rate_until_it_is_set) {
+static fmi2Component running_slave(void) {
+    fmi2Component component = new_slave();
     initialize(component);
+    return component;
+}
+
+TEST(an_input_goes_on_at_its_rate_until_it_is_set) {
+    fmi2Component component = running_slave();
     assert_int_equal(set_rate(component, "ground.friction", 1, -0.01), fmi2OK);
-    run(component, 0.0, 20.0, 10.0);
+    step_by(&fmi2, component, 10.0);
+    step_by(&fmi2, component, 10.0);
     assert_close(get_real(component, "ground.friction"), 0.4, 1e-12);
     assert_int_equal(set_real(component, "ground.friction", 0.5), fmi2OK);
-    run(component, 20.0, 40.0, 10.0);
+    step_by(&fmi2, component, 20.0);
     assert_true(get_real(component, "ground.friction") == 0.5);
+    fmi2FreeInstance(component);
 }
 
 /* A fall freezes the runner; inputs are the importer's, and go on. */
-TEST_OF_INSTANCE(an_input_goes_on_at_its_rate_after_a_fall) {
+TEST(an_input_goes_on_at_its_rate_after_a_fall) {
+    fmi2Component component = new_slave();
     assert_int_equal(set_real(component, "foot.y", 100.0), fmi2OK);
     initialize(component);
-    run(component, 0.0, 2100.0, 100.0);
+    assert_int_equal(set_rate(component, "hip.external_torque", 1, 1e-3), fmi2OK);
+    step_by(&fmi2, component, 2000.0);
     const double x = get_real(component, "foot.x");
+    assert_true(get_real(component, "event.last_time") < 1000.0);
+    assert_close(get_real(component, "hip.external_torque"), 2.0, 1e-12);
     assert_int_equal(set_rate(component, "ground.friction", 1, 1e-3), fmi2OK);
-    run(component, 2100.0, 2300.0, 10.0);
-    assert_close(get_real(component, "ground.friction"), 0.6 + 0.2, 1e-12);
+    step_by(&fmi2, component, 500.0);
+    assert_close(get_real(component, "hip.external_torque"), 2.5, 1e-12);
+    assert_close(get_real(component, "ground.friction"), 0.6 + 0.5, 1e-12);
     assert_true(get_real(component, "foot.x") == x);
+    fmi2FreeInstance(component);
 }
 
-TEST_OF_INSTANCE(bad_rates_are_refused) {
-    initialize(component);
-    assert_int_equal(set_rate(component, "ground.friction", 1, NAN), fmi2Discard);
-    assert_int_equal(set_rate(component, "ground.friction", 2, 0.0), fmi2Error);
-    assert_int_equal(fmi2Reset(component), fmi2OK);
-    assert_int_equal(set_rate(component, "body.mass", 1, 0.0), fmi2Error);
+TEST(rates_are_numbers_of_inputs_and_set_in_their_states) {
+    const fmi2ValueReference torque = reference_of("hip.external_torque");
+    const double still = 0.0;
+    fmi2Component slave = new_slave(), exchange = new_instance();
+    start_running(exchange);
+    assert_int_equal(set_rate(slave, "hip.external_torque", 1, still), fmi2OK);
+    initialize(slave);
+    assert_int_equal(set_rate(slave, "hip.external_torque", 1, NAN), fmi2Discard);
+    assert_int_equal(set_rate(slave, "hip.external_torque", 1, -INFINITY), fmi2Discard);
+    assert_int_equal(set_rate(slave, "hip.external_torque", 2, still), fmi2Error);
+    assert_int_equal(set_rate(slave, "body.mass", 1, still), fmi2Error);
+    assert_int_equal(fmi2SetRealInputDerivatives(slave, &torque, 1, &first, NULL), fmi2Error);
+    assert_int_equal(fmi2SetRealInputDerivatives(slave, &torque, 1, NULL, &still), fmi2Error);
+    assert_int_equal(set_rate(slave, "hip.external_torque", 1, still), fmi2OK);
+    assert_int_equal(fmi2Terminate(slave), fmi2OK);
+    assert_int_equal(set_rate(slave, "hip.external_torque", 1, still), fmi2Error);
+    assert_int_equal(set_rate(exchange, "hip.external_torque", 1, still), fmi2Error);
+    fmi2FreeInstance(slave);
+    fmi2FreeInstance(exchange);
 }
 
 /* So steep that the input leaves its range in the step, and would overflow. */
-TEST_OF_INSTANCE(rates_beyond_reason_end_in_a_message) {
+TEST(rates_beyond_reason_end_in_a_message) {
     static const double rates[] = {1e7, 1e150, 1e200, 1e300};
     for (size_t i = 0; i < sizeof rates / sizeof rates[0]; ++i) {
-        initialize(component);
+        fmi2Component component = running_slave();
         assert_int_equal(set_rate(component, "ground.friction", 1, rates[i]), fmi2OK);
         assert_int_equal(fmi2DoStep(component, 0.0, 11.0, fmi2True), fmi2Error);
         assert_non_null(strstr(last_message, "out of range"));
-        assert_int_equal(fmi2Reset(component), fmi2OK);
+        fmi2FreeInstance(component);
     }
 }
 
-TEST_OF_INSTANCE(nothing_is_asynchronous) {
-    fmi2Status status;
-    double time = 0.0;
+/* With inputs that move, outputs go with them. */
+TEST(output_derivatives_go_with_the_rates_of_inputs) {
+    static const char *const names[] = {"contact.fx", "hip.torque"};
+    static const double delta = 1e-5;
+    fmi2Component component = running_slave();
+    step_by(&fmi2, component, 12.1);
+    assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_SLIP_POSITIVE);
+    assert_int_equal(set_rate(component, "ground.friction", 1, -0.5), fmi2OK);
+    assert_int_equal(set_rate(component, "hip.external_torque", 1, 0.2), fmi2OK);
+    for (int i = 0; i < 2; ++i) {
+        double slope = 0.0;
+        const double before = get_real(component, names[i]);
+        step_by(&fmi2, component, delta);
+        assert_int_equal(fmi2.output_derivative(component, reference_of(names[i]), 1, &slope), FMI_OK);
+        step_by(&fmi2, component, delta);
+        assert_close((get_real(component, names[i]) - before) / (2.0 * delta), slope, 1e-7);
+        assert_true(fabs(slope) > 0.01);
+    }
+    fmi2FreeInstance(component);
+}
+
+/* A rate that is set since is forgotten with the rest. */
+TEST(rates_go_with_a_saved_run) {
+    unsigned char bytes[SERIALIZED_BYTES], ends[2][SERIALIZED_BYTES];
+    fmi2Component component = running_slave(), other = new_slave();
+    step_by(&fmi2, component, 11.0);
+    assert_int_equal(set_rate(component, "hip.external_torque", 1, 1e-3), fmi2OK);
+    assert_int_equal(set_rate(component, "ground.friction", 1, -1e-2), fmi2OK);
+    const size_t size = save_bytes(&fmi2, component, bytes);
+    assert_int_equal(restore_bytes(&fmi2, other, bytes, size), FMI_OK);
+    step_by(&fmi2, component, 9.0);
+    step_by(&fmi2, other, 9.0);
+    assert_true(get_real(other, "hip.external_torque") != 0.0 && get_real(other, "ground.friction") < 0.6);
+    assert_int_equal(save_bytes(&fmi2, component, ends[0]), size);
+    assert_int_equal(save_bytes(&fmi2, other, ends[1]), size);
+    assert_memory_equal(ends[0], ends[1], size);
+    assert_int_equal(set_rate(component, "body.external_fx", 1, 1e-3), fmi2OK);
+    assert_int_equal(restore_bytes(&fmi2, component, bytes, size), FMI_OK);
+    assert_int_equal(save_bytes(&fmi2, component, ends[0]), size);
+    assert_memory_equal(ends[0], bytes, size);
+    fmi2FreeInstance(component);
+    fmi2FreeInstance(other);
+}
+
+TEST(statuses_are_those_of_steps_that_are_done) {
+    fmi2Status status = fmi2OK;
+    double time = -1.0;
+    fmi2Integer integer = 0;
+    fmi2Boolean terminated = fmi2True;
+    fmi2String text = NULL;
+    fmi2Component component = new_slave();
+    assert_int_equal(fmi2GetRealStatus(component, fmi2LastSuccessfulTime, &time), fmi2Error);
+    assert_int_equal(fmi2GetBooleanStatus(component, fmi2Terminated, &terminated), fmi2Error);
+    assert_int_equal(fmi2GetStatus(component, fmi2DoStepStatus, &status), fmi2Error);
     initialize(component);
-    run(component, 0.0, 5.0, 5.0);
-    assert_int_equal(fmi2GetStatus(component, fmi2DoStepStatus, &status), fmi2Discard);
+    step_by(&fmi2, component, 2.0);
     assert_int_equal(fmi2GetRealStatus(component, fmi2LastSuccessfulTime, &time), fmi2OK);
-    assert_true(time == 5.0);
+    assert_int_equal(fmi2GetBooleanStatus(component, fmi2Terminated, &terminated), fmi2OK);
+    assert_true(time == 2.0 && terminated == fmi2False);
+    assert_int_equal(fmi2GetRealStatus(component, fmi2Terminated, &time), fmi2Discard);
+    assert_int_equal(fmi2GetBooleanStatus(component, fmi2LastSuccessfulTime, &terminated), fmi2Discard);
+    assert_int_equal(fmi2GetIntegerStatus(component, fmi2DoStepStatus, &integer), fmi2Discard);
+    assert_int_equal(fmi2GetStringStatus(component, fmi2PendingStatus, &text), fmi2Discard);
+    assert_int_equal(fmi2GetStatus(component, fmi2DoStepStatus, &status), fmi2Discard);
     assert_int_equal(fmi2CancelStep(component), fmi2Error);
+    step_by(&fmi2, component, 2.0);
+    fmi2FreeInstance(component);
 }

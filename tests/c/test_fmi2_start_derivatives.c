@@ -339,47 +339,62 @@ TEST(by_time_nothing_changes_in_a_run) {
     fmi2FreeInstance(component);
 }
 
-/* FMI 3.0, and the adjoint: seeds' J v = (J' seeds)' v with v over all knowns. */
+static bool is_known_in_a_run(const fmu_variable *variable) {
+    return variable->storage == STORED_STATE || variable->storage == STORED_INPUT ||
+           variable->storage == STORED_TIME || fmu_is_set_at_events(variable);
+}
+
+static bool is_known_at_the_start(const fmu_variable *variable) {
+    return is_known(variable) || variable->storage == STORED_TIME;
+}
+
+/* By FMI 3.0 and the adjoint: seeds' J v = (J' seeds)' v with v over all knowns. */
+static void assert_same_both_ways_round(fmi2Component old, fmi3Instance instance,
+                                        bool (*is_given)(const fmu_variable *variable)) {
+    uint32_t knowns[MAX_VARIABLES], unknowns[MAX_VARIABLES];
+    double seeds[MAX_VARIABLES], weights[MAX_VARIABLES], by_seed[MAX_VARIABLES], back[MAX_VARIABLES];
+    size_t known_count = 0, unknown_count = 0;
+    double forward = 0.0, backward = 0.0, size = 0.0;
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
+        if (is_given(&fmu_variables[i])) {
+            seeds[known_count] = sin((double)i);
+            knowns[known_count++] = (uint32_t)i;
+        }
+        if (is_unknown(&fmu_variables[i])) {
+            weights[unknown_count] = cos((double)i);
+            unknowns[unknown_count++] = (uint32_t)i;
+        }
+    }
+    assert_int_equal(fmi3GetDirectionalDerivative(instance, unknowns, unknown_count, knowns, known_count,
+                                                  seeds, known_count, by_seed, unknown_count),
+                     fmi3OK);
+    assert_int_equal(fmi3GetAdjointDerivative(instance, unknowns, unknown_count, knowns, known_count, weights,
+                                              unknown_count, back, known_count),
+                     fmi3OK);
+    for (size_t i = 0; i < unknown_count; ++i) {
+        forward += weights[i] * by_seed[i];
+        size += fabs(weights[i] * by_seed[i]);
+    }
+    for (size_t j = 0; j < known_count; ++j) {
+        backward += seeds[j] * back[j];
+        size += fabs(seeds[j] * back[j]);
+    }
+    assert_close(forward, backward, 1e-12 * size);
+    assert_int_equal(
+        fmi2GetDirectionalDerivative(old, unknowns, unknown_count, knowns, known_count, seeds, back), fmi2OK);
+    assert_memory_equal(back, by_seed, unknown_count * sizeof *back);
+}
+
 TEST(fmi3_gives_the_same_both_ways_round) {
     for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
-        fmi3ValueReference knowns[MAX_VARIABLES], unknowns[MAX_VARIABLES];
-        double seeds[MAX_VARIABLES], weights[MAX_VARIABLES], by_seed[MAX_VARIABLES], back[MAX_VARIABLES];
-        size_t known_count = 0, unknown_count = 0;
-        double forward = 0.0, backward = 0.0, size = 0.0;
         fmi2Component old = begun(&starts[k], 0.0);
         fmi3Instance instance = new_exchange();
         set_start_values(&fmi3, instance, &starts[k]);
         assert_int_equal(fmi3EnterInitializationMode(instance, false, 0.0, 0.0, false, 0.0), fmi3OK);
-        for (size_t i = 0; i < fmu_variable_count; ++i) {
-            if (is_known(&fmu_variables[i]) || fmu_variables[i].storage == STORED_TIME) {
-                seeds[known_count] = sin((double)i);
-                knowns[known_count++] = (fmi3ValueReference)i;
-            }
-            if (is_unknown(&fmu_variables[i])) {
-                weights[unknown_count] = cos((double)i);
-                unknowns[unknown_count++] = (fmi3ValueReference)i;
-            }
-        }
-        assert_int_equal(fmi3GetDirectionalDerivative(instance, unknowns, unknown_count, knowns, known_count,
-                                                      seeds, known_count, by_seed, unknown_count),
-                         fmi3OK);
-        assert_int_equal(fmi3GetAdjointDerivative(instance, unknowns, unknown_count, knowns, known_count,
-                                                  weights, unknown_count, back, known_count),
-                         fmi3OK);
-        for (size_t i = 0; i < unknown_count; ++i) {
-            forward += weights[i] * by_seed[i];
-            size += fabs(weights[i] * by_seed[i]);
-        }
-        for (size_t j = 0; j < known_count; ++j) {
-            backward += seeds[j] * back[j];
-            size += fabs(seeds[j] * back[j]);
-        }
-        assert_close(forward, backward, 1e-12 * size);
-        assert_int_equal(fmi2GetDirectionalDerivative(old, (const fmi2ValueReference *)unknowns,
-                                                      unknown_count, (const fmi2ValueReference *)knowns,
-                                                      known_count, seeds, back),
-                         fmi2OK);
-        assert_memory_equal(back, by_seed, unknown_count * sizeof *back);
+        assert_same_both_ways_round(old, instance, is_known_at_the_start);
+        assert_int_equal(fmi2ExitInitializationMode(old), fmi2OK);
+        assert_int_equal(fmi3ExitInitializationMode(instance), fmi3OK);
+        assert_same_both_ways_round(old, instance, is_known_in_a_run);
         fmi2FreeInstance(old);
         fmi3FreeInstance(instance);
     }

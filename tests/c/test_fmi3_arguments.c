@@ -12,19 +12,13 @@
 #include <float.h>
 #include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-/* A Model Exchange instance of either version in continuous-time mode. */
-static fmi2Component running2(void) {
-    fmi2Component component = new_instance();
-    start_running(component);
-    return component;
-}
-
-static fmi3Instance running3(void) {
-    fmi3Instance instance = new_exchange();
-    initialize3(instance);
-    assert_int_equal(fmi3EnterContinuousTimeMode(instance), fmi3OK);
+/* A Model Exchange instance in continuous-time mode. */
+static void *running(const fmi_interface *fmi) {
+    void *instance = new_of_kind(fmi, EXCHANGE);
+    begin(fmi, instance, EXCHANGE);
     return instance;
 }
 
@@ -40,7 +34,7 @@ TEST(as_many_values_as_references_are_wanted) {
     const fmi3ValueReference friction = reference_of("ground.friction"), word = reference_of("stride.word");
     double value = 0.5;
     fmi3String text = "x";
-    fmi3Instance instance = running3();
+    fmi3Instance instance = running(&fmi3);
     for (size_t wrong = 0; wrong <= 2; wrong += 2) {
         assert_miscounted(fmi3GetFloat64(instance, &friction, 1, &value, wrong));
         assert_miscounted(fmi3SetFloat64(instance, &friction, 1, &value, wrong));
@@ -57,7 +51,7 @@ TEST(derivatives_want_as_many_seeds_and_values_as_there_are) {
                                          reference_of("foot.x")};
     static const double seeds[4] = {1.0, 2.0, 3.0, 4.0};
     double values[4] = {77.0, 77.0, 77.0, 77.0};
-    fmi3Instance instance = running3();
+    fmi3Instance instance = running(&fmi3);
     for (int i = -1; i <= 1; i += 2) {
         const size_t two = (size_t)(2 + i), three = (size_t)(3 + i);
         assert_miscounted(
@@ -95,45 +89,42 @@ TEST(output_derivatives_want_values_for_each) {
     fmi3FreeInstance(instance);
 }
 
-TEST(the_reference_after_the_last_is_unknown) {
-    const fmi2ValueReference beyond = (fmi2ValueReference)fmu_variable_count, known = reference_of("foot.x");
+FMI_TEST(the_reference_after_the_last_is_unknown) {
+    const uint32_t beyond = (uint32_t)fmu_variable_count, known = reference_of("foot.x");
     const double one = 1.0;
     double value = 77.0;
-    fmi2Component component = running2();
-    assert_int_equal(fmi2GetReal(component, &beyond, 1, &value), fmi2Error);
+    void *instance = running(fmi);
+    assert_int_equal(fmi->get_reals(instance, &beyond, 1, &value), FMI_ERROR);
     assert_non_null(strstr(last_message, "there is no value reference"));
-    assert_int_equal(fmi2SetReal(component, &beyond, 1, &one), fmi2Error);
-    assert_int_equal(fmi2GetDirectionalDerivative(component, &beyond, 1, &known, 1, &one, &value), fmi2Error);
-    assert_int_equal(fmi2GetDirectionalDerivative(component, &known, 1, &beyond, 1, &one, &value), fmi2Error);
+    assert_int_equal(fmi->set_reals(instance, &beyond, 1, &one), FMI_ERROR);
+    assert_int_equal(fmi->directional_derivative(instance, &beyond, 1, &known, 1, &one, &value), FMI_ERROR);
+    assert_int_equal(fmi->directional_derivative(instance, &known, 1, &beyond, 1, &one, &value), FMI_ERROR);
     assert_true(value == 77.0);
-    fmi2FreeInstance(component);
+    fmi->free(instance);
 }
 
-TEST(arrays_are_neither_too_short_nor_too_long) {
+FMI_TEST(arrays_are_neither_too_short_nor_too_long) {
     double values[TDMF_GUARD_COUNT + 1] = {0};
-    fmi2Component old = running2();
-    fmi3Instance new = running3();
+    void *instance = running(fmi);
+    char count[8];
+    snprintf(count, sizeof count, "%d", TDMF_STATE_COUNT);
     for (int i = -1; i <= 1; i += 2) {
         const size_t states = (size_t)(TDMF_STATE_COUNT + i), guards = (size_t)(TDMF_GUARD_COUNT + i);
-        assert_int_equal(fmi2GetContinuousStates(old, values, states), fmi2Error);
-        assert_int_equal(fmi2SetContinuousStates(old, values, states), fmi2Error);
-        assert_int_equal(fmi2GetDerivatives(old, values, states), fmi2Error);
-        assert_int_equal(fmi2GetNominalsOfContinuousStates(old, values, states), fmi2Error);
-        assert_int_equal(fmi2GetEventIndicators(old, values, guards), fmi2Error);
-        assert_int_equal(fmi3GetContinuousStates(new, values, states), fmi3Error);
-        assert_int_equal(fmi3SetContinuousStates(new, values, states), fmi3Error);
-        assert_int_equal(fmi3GetContinuousStateDerivatives(new, values, states), fmi3Error);
-        assert_int_equal(fmi3GetNominalsOfContinuousStates(new, values, states), fmi3Error);
-        assert_int_equal(fmi3GetEventIndicators(new, values, guards), fmi3Error);
+        assert_int_equal(fmi->get_states(instance, values, states), FMI_ERROR);
+        assert_non_null(strstr(last_message, count));
+        assert_int_equal(fmi->set_states(instance, values, states), FMI_ERROR);
+        assert_int_equal(fmi->get_derivatives(instance, values, states), FMI_ERROR);
+        assert_non_null(strstr(last_message, count));
+        assert_int_equal(fmi->get_nominals(instance, values, states), FMI_ERROR);
+        assert_int_equal(fmi->get_indicators(instance, values, guards), FMI_ERROR);
     }
-    fmi2FreeInstance(old);
-    fmi3FreeInstance(new);
+    fmi->free(instance);
 }
 
 TEST(texts_are_set_nowhere_and_none_of_them_where_setting_is_allowed) {
     const fmi2ValueReference word = reference_of("stride.word");
     const fmi2String text = "x";
-    fmi2Component component = running2();
+    fmi2Component component = running(&fmi2);
     assert_int_equal(fmi2SetString(component, NULL, 0, NULL), fmi2OK);
     assert_int_equal(fmi2SetString(component, &word, 1, &text), fmi2Error);
     assert_non_null(strstr(last_message, "stride.word cannot be set at any time"));
@@ -144,16 +135,12 @@ TEST(texts_are_set_nowhere_and_none_of_them_where_setting_is_allowed) {
 
 /* ---- answers ------------------------------------------------------------------------------------------- */
 
-TEST(a_completed_step_asks_for_nothing) {
-    fmi2Boolean enter2 = fmi2True, stop2 = fmi2True;
-    fmi3Boolean enter3 = true, stop3 = true;
-    fmi2Component old = running2();
-    fmi3Instance new = running3();
-    assert_int_equal(fmi2CompletedIntegratorStep(old, fmi2True, &enter2, &stop2), fmi2OK);
-    assert_int_equal(fmi3CompletedIntegratorStep(new, true, &enter3, &stop3), fmi3OK);
-    assert_true(enter2 == fmi2False && stop2 == fmi2False && !enter3 && !stop3);
-    fmi2FreeInstance(old);
-    fmi3FreeInstance(new);
+FMI_TEST(a_completed_step_asks_for_nothing) {
+    bool enter = true, stop = true;
+    void *instance = running(fmi);
+    assert_int_equal(fmi->complete_step(instance, &enter, &stop), FMI_OK);
+    assert_true(!enter && !stop);
+    fmi->free(instance);
 }
 
 TEST(counts_of_work_end_at_the_largest_integer) {
@@ -219,59 +206,55 @@ TEST(event_mode_is_entered_with_the_force_noted) {
 
 /* ---- time ---------------------------------------------------------------------------------------------- */
 
-static fmi2Status initialize_from(fmi2Component component, double start, bool has_stop, double stop) {
-    const fmi2Status status = fmi2SetupExperiment(component, fmi2False, 0.0, start, has_stop, stop);
-    if (status != fmi2OK) {
-        return status;
-    }
-    assert_int_equal(fmi2EnterInitializationMode(component), fmi2OK);
-    return fmi2ExitInitializationMode(component);
+static fmi_status initialize_from(const fmi_interface *fmi, void *instance, double start, bool has_stop,
+                                  double stop) {
+    const fmi_experiment experiment = {.start = start, .has_stop = has_stop, .stop = stop};
+    const fmi_status status = fmi->enter_initialization(instance, &experiment);
+    return status == FMI_OK ? fmi->exit_initialization(instance) : status;
 }
 
-TEST(a_run_may_stop_where_it_starts) {
-    fmi2Component component = new_slave();
-    assert_int_equal(initialize_from(component, 2.0, true, nextafter(2.0, 0.0)), fmi2Error);
-    assert_int_equal(initialize_from(component, 2.0, true, 2.0), fmi2OK);
-    fmi2FreeInstance(component);
-}
-
-TEST(an_endless_tolerance_is_refused) {
-    fmi2Component component = new_slave();
-    assert_int_equal(fmi2SetupExperiment(component, fmi2True, INFINITY, 0.0, fmi2False, 0.0), fmi2Error);
-    fmi2FreeInstance(component);
+FMI_TEST(a_run_may_stop_where_it_starts) {
+    void *instance = new_of_kind(fmi, STEPS);
+    assert_int_equal(initialize_from(fmi, instance, 2.0, true, nextafter(2.0, 0.0)), FMI_ERROR);
+    assert_int_equal(initialize_from(fmi, instance, 2.0, true, 2.0), FMI_OK);
+    fmi->free(instance);
 }
 
 /* 0.1 + 0.2 > 0.3 in doubles. */
-TEST(rounding_does_not_carry_a_step_beyond_the_stop_time) {
-    fmi2Component component = new_slave();
+FMI_TEST(rounding_does_not_carry_a_step_beyond_the_stop_time) {
+    step_answer answer;
+    void *instance = new_of_kind(fmi, STEPS);
     assert_true(0.1 + 0.2 > 0.3);
-    assert_int_equal(initialize_from(component, 0.0, true, 0.3), fmi2OK);
-    assert_int_equal(fmi2DoStep(component, 0.0, 0.1, fmi2True), fmi2OK);
-    assert_int_equal(fmi2DoStep(component, 0.1, 0.2, fmi2True), fmi2OK);
-    fmi2FreeInstance(component);
+    assert_int_equal(initialize_from(fmi, instance, 0.0, true, 0.3), FMI_OK);
+    assert_int_equal(fmi->do_step(instance, 0.0, 0.1, &answer), FMI_OK);
+    assert_int_equal(fmi->do_step(instance, 0.1, 0.2, &answer), FMI_OK);
+    fmi->free(instance);
 }
 
-TEST(communication_points_are_off_by_rounding_only) {
+FMI_TEST(communication_points_are_off_by_rounding_only) {
     static const double epoch = 1.7e9, step = 1e-3;
-    fmi2Component component = new_slave();
-    assert_int_equal(initialize_from(component, 0.0, false, 0.0), fmi2OK);
-    assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
-    assert_int_equal(fmi2DoStep(component, 1.0 + 1e-4, 1.0, fmi2True), fmi2Error);
-    assert_int_equal(fmi2DoStep(component, 1.0 + 1e-7, 1.0, fmi2True), fmi2OK);
-    assert_int_equal(fmi2Reset(component), fmi2OK);
-    assert_int_equal(initialize_from(component, epoch, false, 0.0), fmi2OK);
-    assert_int_equal(fmi2DoStep(component, epoch, step, fmi2True), fmi2OK);
-    assert_int_equal(fmi2DoStep(component, nextafter(epoch + step, INFINITY), step, fmi2True), fmi2OK);
-    fmi2FreeInstance(component);
+    step_answer answer;
+    void *instance = new_of_kind(fmi, STEPS);
+    assert_int_equal(initialize_from(fmi, instance, 0.0, false, 0.0), FMI_OK);
+    assert_int_equal(fmi->do_step(instance, 0.0, 1.0, &answer), FMI_OK);
+    assert_int_equal(fmi->do_step(instance, 1.0 + 1e-4, 1.0, &answer), FMI_ERROR);
+    assert_non_null(strstr(last_message, "communication point"));
+    assert_int_equal(fmi->do_step(instance, 1.0 + 1e-7, 1.0, &answer), FMI_OK);
+    assert_int_equal(fmi->reset(instance), FMI_OK);
+    assert_int_equal(initialize_from(fmi, instance, epoch, false, 0.0), FMI_OK);
+    assert_int_equal(fmi->do_step(instance, epoch, step, &answer), FMI_OK);
+    assert_int_equal(fmi->do_step(instance, nextafter(epoch + step, INFINITY), step, &answer), FMI_OK);
+    fmi->free(instance);
 }
 
-TEST(a_step_beyond_all_numbers_is_refused) {
-    fmi2Component component = new_slave();
-    initialize(component);
-    assert_int_equal(fmi2DoStep(component, DBL_MAX, DBL_MAX, fmi2True), fmi2Error);
+FMI_TEST(a_step_beyond_all_numbers_is_refused) {
+    step_answer answer;
+    void *instance = new_of_kind(fmi, STEPS);
+    initialize_unit(fmi, instance);
+    assert_int_equal(fmi->do_step(instance, DBL_MAX, DBL_MAX, &answer), FMI_ERROR);
     assert_non_null(strstr(last_message, "not a positive number"));
-    assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
-    fmi2FreeInstance(component);
+    step_by(fmi, instance, 1.0);
+    fmi->free(instance);
 }
 
 /* One step from the start of a runner whose leg turns at a rate. */
@@ -304,115 +287,4 @@ TEST(a_step_that_ends_at_an_event_is_not_early) {
     }
     assert_true(met > RUNNERS / 5);
     fmi3FreeInstance(instance);
-}
-
-/* The apex is found again under an input set at it: its time is that of the event. */
-TEST(an_apex_under_another_input_is_at_the_same_time) {
-    step_answer step;
-    update_answer after;
-    double time = 0.0;
-    fmi3Instance instance = new_stepper(true, true);
-    initialize3(instance);
-    assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
-    for (int i = 0; i < 9; ++i) {
-        assert_int_equal(do_step(instance, time, 30.0, &step), fmi3OK);
-        assert_true(step.event);
-        time = step.time;
-        assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
-        if (i == 8) {
-            assert_int_equal(set_float(instance, "hip.external_torque", 1e-3), fmi3OK);
-        }
-        assert_int_equal(update(instance, &after), fmi3OK);
-        assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
-    }
-    assert_int_equal(get_int(instance, "stride.count"), 1);
-    assert_true(get_float(instance, "apex.time") == time);
-    assert_true(get_float(instance, "event.last_time") == time);
-    fmi3FreeInstance(instance);
-}
-
-/* ---- Co-Simulation of FMI 2.0 -------------------------------------------------------------------------- */
-
-TEST(rates_are_numbers_and_set_in_their_states) {
-    const fmi2ValueReference torque = reference_of("hip.external_torque");
-    const fmi2Integer first = 1;
-    static const double endless = -INFINITY, still = 0.0;
-    fmi2Component slave = new_slave(), exchange = running2();
-    assert_int_equal(fmi2SetRealInputDerivatives(slave, &torque, 1, &first, &still), fmi2OK);
-    initialize(slave);
-    assert_int_equal(fmi2SetRealInputDerivatives(slave, &torque, 1, &first, &endless), fmi2Discard);
-    assert_int_equal(fmi2SetRealInputDerivatives(slave, &torque, 1, &first, NULL), fmi2Error);
-    assert_int_equal(fmi2SetRealInputDerivatives(slave, &torque, 1, NULL, &still), fmi2Error);
-    assert_int_equal(fmi2SetRealInputDerivatives(slave, &torque, 1, &first, &still), fmi2OK);
-    assert_int_equal(fmi2Terminate(slave), fmi2OK);
-    assert_int_equal(fmi2SetRealInputDerivatives(slave, &torque, 1, &first, &still), fmi2Error);
-    assert_int_equal(fmi2SetRealInputDerivatives(exchange, &torque, 1, &first, &still), fmi2Error);
-    fmi2FreeInstance(slave);
-    fmi2FreeInstance(exchange);
-}
-
-/* The runner is frozen, its surroundings are not. */
-TEST(inputs_go_on_at_their_rates_after_a_fall) {
-    const fmi2ValueReference torque = reference_of("hip.external_torque");
-    const fmi2Integer first = 1;
-    const double rate = 1e-3;
-    fmi2Component component = new_slave();
-    assert_int_equal(set_real(component, "foot.y", 100.0), fmi2OK);
-    initialize(component);
-    assert_int_equal(fmi2SetRealInputDerivatives(component, &torque, 1, &first, &rate), fmi2OK);
-    assert_int_equal(fmi2DoStep(component, 0.0, 2000.0, fmi2True), fmi2OK);
-    assert_true(get_real(component, "event.last_time") < 1000.0);
-    assert_close(get_real(component, "hip.external_torque"), 2.0, 1e-12);
-    assert_int_equal(fmi2DoStep(component, 2000.0, 500.0, fmi2True), fmi2OK);
-    assert_close(get_real(component, "hip.external_torque"), 2.5, 1e-12);
-    fmi2FreeInstance(component);
-}
-
-/* With inputs that move, outputs go with them. */
-TEST(output_derivatives_go_with_the_rates_of_inputs) {
-    static const char *const names[] = {"contact.fx", "hip.torque"};
-    static const double delta = 1e-5, rates[] = {-0.5, 0.2};
-    const fmi2ValueReference inputs[] = {reference_of("ground.friction"),
-                                         reference_of("hip.external_torque")};
-    const fmi2Integer first[] = {1, 1};
-    fmi2Component component = new_slave();
-    initialize(component);
-    assert_int_equal(fmi2DoStep(component, 0.0, 12.1, fmi2True), fmi2OK);
-    assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_SLIP_POSITIVE);
-    assert_int_equal(fmi2SetRealInputDerivatives(component, inputs, 2, first, rates), fmi2OK);
-    for (int i = 0; i < 2; ++i) {
-        const fmi2ValueReference reference = reference_of(names[i]);
-        double slope = 0.0;
-        const double time = get_real(component, "time"), before = get_real(component, names[i]);
-        assert_int_equal(fmi2DoStep(component, time, delta, fmi2True), fmi2OK);
-        assert_int_equal(fmi2GetRealOutputDerivatives(component, &reference, 1, first, &slope), fmi2OK);
-        assert_int_equal(fmi2DoStep(component, time + delta, delta, fmi2True), fmi2OK);
-        assert_close((get_real(component, names[i]) - before) / (2.0 * delta), slope, 1e-7);
-        assert_true(fabs(slope) > 0.01);
-    }
-    fmi2FreeInstance(component);
-}
-
-TEST(statuses_are_those_of_steps_that_are_done) {
-    fmi2Status status = fmi2OK;
-    double time = -1.0;
-    fmi2Integer integer = 0;
-    fmi2Boolean terminated = fmi2True;
-    fmi2String text = NULL;
-    fmi2Component component = new_slave();
-    assert_int_equal(fmi2GetRealStatus(component, fmi2LastSuccessfulTime, &time), fmi2Error);
-    assert_int_equal(fmi2GetBooleanStatus(component, fmi2Terminated, &terminated), fmi2Error);
-    assert_int_equal(fmi2GetStatus(component, fmi2DoStepStatus, &status), fmi2Error);
-    initialize(component);
-    assert_int_equal(fmi2DoStep(component, 0.0, 2.0, fmi2True), fmi2OK);
-    assert_int_equal(fmi2GetRealStatus(component, fmi2LastSuccessfulTime, &time), fmi2OK);
-    assert_int_equal(fmi2GetBooleanStatus(component, fmi2Terminated, &terminated), fmi2OK);
-    assert_true(time == 2.0 && terminated == fmi2False);
-    assert_int_equal(fmi2GetRealStatus(component, fmi2Terminated, &time), fmi2Discard);
-    assert_int_equal(fmi2GetBooleanStatus(component, fmi2LastSuccessfulTime, &terminated), fmi2Discard);
-    assert_int_equal(fmi2GetIntegerStatus(component, fmi2DoStepStatus, &integer), fmi2Discard);
-    assert_int_equal(fmi2GetStringStatus(component, fmi2PendingStatus, &text), fmi2Discard);
-    assert_int_equal(fmi2GetStatus(component, fmi2DoStepStatus, &status), fmi2Discard);
-    assert_int_equal(fmi2DoStep(component, 2.0, 2.0, fmi2True), fmi2OK);
-    fmi2FreeInstance(component);
 }

@@ -2,6 +2,7 @@
 #include "compare.h"
 #include "extended_strides.h"
 #include "fmi_interface.h"
+#include "ranges.h"
 #include "reference_gaits.h"
 
 #include "fmu.h"
@@ -89,12 +90,11 @@ FMI_TEST(a_stride_takes_the_proved_time) {
 }
 
 static void set_parameters(const fmi_interface *fmi, void *instance, const tdmf_parameters *parameters) {
-    assert_int_equal(set_value(fmi, instance, "gravity", parameters->gravity), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "leg.stiffness", parameters->leg.stiffness), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "leg.damping", parameters->leg.damping), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "hip.stance_torque", parameters->hip.stance_torque), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "hip.kp", parameters->hip.kp), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "hip.kd", parameters->hip.kd), FMI_OK);
+    for (int i = 0; i < TDMF_PARAMETER_COUNT; ++i) {
+        const tdmf_range *range = &tdmf_parameter_ranges[i];
+        const double value = *(const double *)((const char *)parameters + range->offset);
+        assert_int_equal(set_value(fmi, instance, range->name, value), FMI_OK);
+    }
 }
 
 FMI_TEST(a_stride_under_any_gravity_is_that_of_extended_precision) {
@@ -117,7 +117,7 @@ FMI_TEST(a_stride_under_any_gravity_is_that_of_extended_precision) {
     }
 }
 
-FMI_TEST(rounded_communication_points_are_tolerated_and_wrong_ones_refused) {
+FMI_TEST(rounded_communication_points_are_tolerated) {
     step_answer answer;
     void *instance = new_of_kind(fmi, STEPS);
     initialize_unit(fmi, instance);
@@ -127,8 +127,6 @@ FMI_TEST(rounded_communication_points_are_tolerated_and_wrong_ones_refused) {
         time = 0.1 * i + 0.1;
         assert_true(value_of(fmi, instance, "time") == time);
     }
-    assert_int_equal(fmi->do_step(instance, time + 0.05, 0.1, &answer), FMI_ERROR);
-    assert_non_null(strstr(last_message, "communication point"));
     fmi->free(instance);
 }
 

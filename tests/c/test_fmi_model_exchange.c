@@ -20,12 +20,6 @@ static void *in_initialization(const fmi_interface *fmi) {
     return instance;
 }
 
-static void *in_event_mode(const fmi_interface *fmi) {
-    void *instance = new_of_kind(fmi, EXCHANGE);
-    initialize_unit(fmi, instance);
-    return instance;
-}
-
 static void *in_continuous_time_mode(const fmi_interface *fmi) {
     void *instance = new_of_kind(fmi, EXCHANGE);
     begin(fmi, instance, EXCHANGE);
@@ -113,16 +107,16 @@ FMI_TEST(refuses_a_body_below_the_ground) {
     fmi->free(instance);
 }
 
-FMI_TEST(refuses_unknown_references_wrong_types_and_outputs) {
-    const uint32_t none = 100000, text = reference_of("stride.word"), output = reference_of("body.x");
+FMI_TEST(refuses_wrong_types_outputs_and_null_arrays) {
+    const uint32_t text = reference_of("stride.word"), output = reference_of("body.x");
     void *instance = in_continuous_time_mode(fmi);
     double value = 0.0;
-    assert_int_equal(fmi->get_reals(instance, &none, 1, &value), FMI_ERROR);
-    assert_non_null(strstr(last_message, "100000"));
     assert_int_equal(fmi->get_reals(instance, &text, 1, &value), FMI_ERROR);
     assert_non_null(strstr(last_message, "stride.word"));
     assert_int_equal(fmi->set_reals(instance, &output, 1, &value), FMI_ERROR);
     assert_non_null(strstr(last_message, "body.x cannot be set at any time"));
+    assert_int_equal(fmi->get_reals(instance, &output, 1, NULL), FMI_ERROR);
+    assert_int_equal(fmi->get_reals(instance, NULL, 0, NULL), FMI_OK);
     fmi->free(instance);
 }
 
@@ -133,25 +127,11 @@ FMI_TEST(refuses_parameters_after_the_start) {
     fmi->free(instance);
 }
 
-FMI_TEST(refuses_null_and_wrong_arrays) {
-    const uint32_t reference = 0;
-    void *instance = in_event_mode(fmi);
-    double values[TDMF_STATE_COUNT];
-    char count[8];
-    snprintf(count, sizeof count, "%d", TDMF_STATE_COUNT);
-    assert_int_equal(fmi->get_derivatives(instance, values, TDMF_STATE_COUNT - 1), FMI_ERROR);
-    assert_non_null(strstr(last_message, count));
-    assert_int_equal(fmi->get_states(instance, values, TDMF_STATE_COUNT - 1), FMI_ERROR);
-    assert_non_null(strstr(last_message, count));
-    assert_int_equal(fmi->get_reals(instance, &reference, 1, NULL), FMI_ERROR);
-    assert_int_equal(fmi->get_reals(instance, NULL, 0, NULL), FMI_OK);
-    fmi->free(instance);
-}
-
 FMI_TEST(refuses_bad_experiments) {
-    static const fmi_experiment bad[] = {{true, 0.0, 0.0, true, 1.0},  {true, NAN, 0.0, true, 1.0},
-                                         {true, 1e-6, NAN, true, 1.0}, {true, 1e-6, INFINITY, true, 1.0},
-                                         {true, 1e-6, 2.0, true, 1.0}, {true, 1e-6, 0.0, true, NAN}};
+    static const fmi_experiment bad[] = {{true, 0.0, 0.0, true, 1.0},     {true, NAN, 0.0, true, 1.0},
+                                         {true, 1e-6, NAN, true, 1.0},    {true, 1e-6, INFINITY, true, 1.0},
+                                         {true, 1e-6, 2.0, true, 1.0},    {true, 1e-6, 0.0, true, NAN},
+                                         {true, INFINITY, 0.0, true, 1.0}};
     void *instance = new_of_kind(fmi, EXCHANGE);
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
         assert_int_equal(fmi->enter_initialization(instance, &bad[i]), FMI_ERROR);

@@ -271,6 +271,7 @@ static void take_event(const fmi_interface *fmi, void *instance, fmi_kind kind) 
 /* ---- as fmusim resumes a run: restore, then start values, then on without initialization --------------- */
 
 static void change(const fmi_interface *fmi, void *instance) {
+    assert_int_equal(fmi->set_truth(instance, reference_of("hip.swing_clamp"), true), FMI_OK);
     assert_int_equal(set_value(fmi, instance, "body.mass", 1.25), FMI_OK);
     assert_int_equal(set_value(fmi, instance, "leg.damping", 0.3), FMI_OK);
     assert_int_equal(set_value(fmi, instance, "solver.relative_tolerance", 1e-8), FMI_OK);
@@ -280,6 +281,7 @@ static void change(const fmi_interface *fmi, void *instance) {
 static void assert_changed(const fmi_interface *fmi, void *instance) {
     assert_true(value_of(fmi, instance, "body.mass") == 1.25);
     assert_true(value_of(fmi, instance, "leg.damping") == 0.3);
+    assert_true(truth_of(fmi, instance, "hip.swing_clamp"));
     assert_true(value_of(fmi, instance, "solver.relative_tolerance") == 1e-8);
 }
 

@@ -133,25 +133,6 @@ FMI_TEST(without_it_derivatives_are_those_of_the_servo) {
 
 /* ---- saved states -------------------------------------------------------------------------------------- */
 
-FMI_TEST(a_saved_state_takes_the_law_along) {
-    for (int clamp = 0; clamp < 2; ++clamp) {
-        unsigned char saved[SERIALIZED_BYTES], ends[2][SERIALIZED_BYTES];
-        void *instance = new_rising(fmi, STEPS, clamp == 1), *other = new_of_kind(fmi, STEPS);
-        set_clamp(fmi, other, clamp == 0);
-        step_by(fmi, instance, 0.5);
-        const size_t size = save_bytes(fmi, instance, saved);
-        assert_int_equal(restore_bytes(fmi, other, saved, size), FMI_OK);
-        assert_true(truth_of(fmi, other, "hip.swing_clamp") == (clamp == 1));
-        step_by(fmi, instance, 100.0);
-        step_by(fmi, other, 100.0);
-        assert_int_equal(save_bytes(fmi, instance, ends[0]), size);
-        assert_int_equal(save_bytes(fmi, other, ends[1]), size);
-        assert_memory_equal(ends[0], ends[1], size);
-        fmi->free(instance);
-        fmi->free(other);
-    }
-}
-
 /* A clamp that is neither there nor not is refused, wherever the state has it. */
 FMI_TEST(a_forged_state_has_a_clamp_or_none) {
     static const double forged[] = {0.5, 2.0}, truth = 1.0;

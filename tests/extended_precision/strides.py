@@ -1,7 +1,6 @@
-"""Strides from stated apices, integrated in extended precision: the data of tests/c/extended_strides.c.
+"""Strides from stated apices, integrated in extended precision: the data of strides.json.
 
-    python strides.py > ../c/extended_strides.c
-    clang-format -i ../c/extended_strides.c
+    python strides.py > strides.json
 
 It wants a long double of 64 bits or more, as on x86. This shares nothing with the library: body and foot
 are two points in the plane with forces between them, the integrator is Gragg's midpoint rule with
@@ -339,19 +338,15 @@ def decimal(number):
     return format_float_positional(number, precision=18, trim="0")
 
 
-def parameters_of(runner):
-    names = ("gravity", "friction", "stiffness", "damping", "stance_torque", "kp", "kd")
-    values = ", ".join(f".{name} = {getattr(runner, name)}" for name in names)
-    return f"{values}, .swing_clamp = {str(runner.swing_clamp).lower()}"
-
-
 def row(runner, apex, run, last, agreed):
-    """A stride as an initializer of C."""
-    events = ", ".join(f"{{TDMF_GUARD_{event.upper()}, {decimal(time)}}}" for event, time in run.events)
+    """A stride as an object of JSON, with more digits than a double has."""
+    names = ("gravity", "friction", "stiffness", "damping", "stance_torque", "kp", "kd")
+    given = ", ".join(f'"{name}": {getattr(runner, name)}' for name in names)
+    events = ", ".join(f'["{event}", {decimal(time)}]' for event, time in run.events)
     return (
-        f"{{{parameters_of(runner)}, .start = {{{', '.join(apex)}}},"
-        f" .apex_count = {agreed}, .apex = {{{', '.join(decimal(a) for a in last[:agreed])}}},"
-        f" .event_count = {len(run.events)}, .events = {{{events}}}}},"
+        f'  {{{given}, "swing_clamp": {str(runner.swing_clamp).lower()},\n'
+        f'   "start": [{", ".join(apex)}], "apex": [{", ".join(decimal(a) for a in last[:agreed])}],\n'
+        f'   "events": [{events}]}}'
     )
 
 
@@ -382,12 +377,12 @@ def stride_by_two_steps(runner, apex):
 
 
 def main():
-    print('#include "extended_strides.h"\n\nconst extended_stride extended_strides[EXTENDED_STRIDES] = {')
+    rows = []
     for runner, apex in STRIDES:
         for clamp in (True, False):
             of_reading = replace(runner, swing_clamp=clamp)
-            print(row(of_reading, apex, *stride_by_two_steps(of_reading, apex)), flush=True)
-    print("};")
+            rows.append(row(of_reading, apex, *stride_by_two_steps(of_reading, apex)))
+    print('{"strides": [\n' + ",\n".join(rows) + "\n]}")
 
 
 if __name__ == "__main__":
