@@ -6,7 +6,6 @@ import tdmf_slip
 from tdmf_slip import Batch, InputError, Runner, find_gait
 from tdmf_slip.analysis import (
     attraction,
-    ball,
     basin,
     branch_problem,
     branches,
@@ -54,7 +53,6 @@ TAKE_A_RUNNER = {
     "trace": lambda given, found: branches.trace(given, FRICTION, found, 0.21, max_points=2).values,
     "basin": lambda given, found: basin.basin(given, RANGES, 2)["strides_until_known"],
     "stable_gait": lambda given, found: basin.stable_gait(given).apex,
-    "fates": lambda given, found: ball.fates(given, found.apex, [found.apex])["strides"],
 }
 
 
@@ -129,9 +127,6 @@ WRONG = [
     lambda r, o: attraction.volume(o, float("nan")),
     lambda r, o: attraction.volume(o, 10, seed=-1),
     lambda r, o: attraction.robustness(START),
-    lambda r, o: attraction.measure(r),
-    lambda r, o: attraction.measure_all(o),
-    lambda r, o: attraction.measure_all([START]),
     lambda r, o: run_unit("nobody", stop_time=1),
     lambda r, o: run_unit(3, stop_time=1),
     lambda r, o: run_unit({None: 1}, stop_time=1),

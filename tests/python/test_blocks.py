@@ -19,7 +19,7 @@ import tdmf_slip
 import xarray
 from conftest import HANGS, assert_same
 from tdmf_slip import InputError, RunError
-from tdmf_slip.analysis import attraction, basin, first_passage, preview, stride_map, sweeps
+from tdmf_slip.analysis import attraction, basin, first_passage, stride_map, sweeps
 from tdmf_slip.blocks import InTurn, run_blocks
 from tdmf_slip.cli import interrupts
 from tdmf_slip.cli import workers as options
@@ -32,7 +32,7 @@ from tdmf_slip.viable_sets import grid
 
 FRICTION, DAMPING = "ground.friction", "leg.damping"
 KINDS = ("in turn", "threads", "processes", "dask")
-SLOW = {"attraction": {"processes"}, "judgement": {"processes"}, "proof": {"processes"}}
+SLOW = {"judgement": {"processes"}, "proof": {"processes"}}
 """Slow analyses, and the executors that run them."""
 AXES = {"com_height": (1.2, 2.9), "com_speed": (0.9, 1.6)}
 PLACES = {
@@ -101,13 +101,12 @@ ANALYSES = {
         **how,
     ),
     "viability": lambda _, how: tdmf_slip.viability(None, n=12, **PLACES, **how),
-    "attraction": lambda gait, how: attraction.measure_all([gait], **how),
-    "judgement": lambda gait, how: judgement.judge_all([judgement.Trial(gait, lqr(gait), (0.1,))], **how),
+    "judgement": lambda gait, how: judgement.judge_all([(gait, lqr(gait))], roughness=[0.1], **how),
     "proof": lambda _, how: proved(how),
 }
 SIZES = (
     (basin, "STARTS_AT_ONCE", 5),
-    (preview, "MAX_POINTS_AT_ONCE", 7),
+    (basin, "POINTS_AT_ONCE", 7),
     (attraction, "STARTS_AT_ONCE", 4096),  # a block's number decides what is drawn
     (first_passage, "MIN_IN_A_BLOCK", 7),
     (first_passage, "MAX_IN_A_BLOCK", 7),

@@ -77,7 +77,7 @@ SAME = {
         pandas.Series([0.58]),
     ),
     "stability": (
-        lambda given, gait: stability.stability({}, given).lambda_max,
+        lambda given, gait: stability.stability({}, given)["lambda_max"].values,
         {FRICTION: [0.5, 0.6], DAMPING: [0.2, 0.21]},
         pandas.DataFrame({FRICTION: [0.5, 0.6], DAMPING: [0.2, 0.21]}),
     ),
@@ -190,7 +190,7 @@ REFUSED = {
         lambda gait: tdmf_slip.Batch(GIVEN, MANY),
         r"runners: 1,000,000,000 runners; allowed: up to 10,000,000",
     ),
-    "fates": (lambda gait: ball.fates(GIVEN, gait.apex, MANY), r"runners: 1,000,000,000 .*up to"),
+    "fates": (lambda gait: ball.fates(gait, MANY), r"runners: 1,000,000,000 .*up to"),
     "gaits to settle on": (
         lambda gait: tdmf_slip.Batch(GIVEN, gait.apex).run(1, MANY),
         r"until: 6,000,000,000 .*up to",

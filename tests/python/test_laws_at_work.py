@@ -100,24 +100,24 @@ def test_noise_is_drawn_by_the_number_in_the_slice(gait, settling, monkeypatch, 
     assert not whole.drop_attrs().equals(basin(gait.runner, axes, n, law=settling).drop_attrs())
     starts = np.tile(gait.apex, (30, 1))
     starts[:, 0], starts[:, 1] = (grid.ravel() for grid in np.meshgrid(*ranges, indexing="ij"))
-    by_number = fates(gait.runner, gait.apex, starts, law=noisy)
+    by_number = fates(gait, starts, law=noisy)
     np.testing.assert_array_equal(whole["fate"].values.ravel(), by_number["fate"])
     np.testing.assert_array_equal(whole["strides_until_known"].values.ravel(), by_number["strides"])
     for first in (0, 15):
-        half = fates(gait.runner, gait.apex, starts[first : first + 15], law=noisy, first_number=first)
+        half = fates(gait, starts[first : first + 15], law=noisy, first_number=first)
         for name in half:
             np.testing.assert_array_equal(half[name], by_number[name][first : first + 15], err_msg=name)
     monkeypatch.setattr(basin_module, "STARTS_AT_ONCE", 10)
     path = tmp_path / "slice.nc"
-    honest, calls = basin_module.fates_of_slice, []
+    honest, calls = basin_module.Slice.fates, []
 
-    def interrupted(part):
-        calls.append(part)
+    def interrupted(self, block):
+        calls.append(block)
         if len(calls) == 2:
             raise KeyboardInterrupt
-        return honest(part)
+        return honest(self, block)
 
-    monkeypatch.setattr(basin_module, "fates_of_slice", interrupted)
+    monkeypatch.setattr(basin_module.Slice, "fates", interrupted)
     with pytest.raises(KeyboardInterrupt):
         basin(gait.runner, axes, n, law=noisy, path=path, executor=InTurn())
     again = basin(gait.runner, axes, n, law=noisy, path=path)

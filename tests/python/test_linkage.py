@@ -7,7 +7,7 @@ from tdmf_slip.analysis.settled import evenly, linked, settled_gaits
 from tdmf_slip.library.fixed_point import gait_near
 
 NAMES = ("hip.touchdown_angle", "hip.stance_torque")
-LOW, HIGH = np.array([0.4, 0.05]), np.array([0.9, 0.5])
+RANGES = dict(zip(NAMES, np.array([[0.4, 0.9], [0.05, 0.5]]), strict=True))
 
 
 def test_each_basin_of_a_wavy_function_is_begun_in():
@@ -42,11 +42,11 @@ def test_points_fill_a_box_evenly(dimension):
 @pytest.mark.parametrize("model", ["full", "reduced"])
 def test_runners_that_settle_are_next_to_their_gaits(model):
     first = find_gait({"ground.friction": 0.3}, model=model)
-    values = LOW + evenly(200, 2) * (HIGH - LOW)
-    found = settled_gaits(first.runner, dict(zip(NAMES, values.T.copy(), strict=True)), first.apex)
-    assert 80 < len(found.numbers) < 200
-    for number, apex in list(zip(found.numbers, found.apexes, strict=True))[::10]:
-        runner = first.runner.replace({NAMES[0]: values[number, 0], NAMES[1]: values[number, 1]})
+    found = settled_gaits(first, NAMES, lambda name, shares: RANGES[name] @ [1.0 - shares, shares])
+    assert 400 < len(found.runners) < 1024
+    for runner, point, apex in list(zip(found.runners, found.points, found.apexes, strict=True))[::50]:
+        values = [RANGES[name] @ [1.0 - share, share] for name, share in zip(NAMES, point, strict=True)]
+        assert [runner[name] for name in NAMES] == pytest.approx(values, rel=1e-15)
         gait = gait_near(runner, apex)
         assert np.max(np.abs((gait.apex - apex) / runner.scales)) < 0.02
         assert gait.lambda_max < 1.0
@@ -54,9 +54,9 @@ def test_runners_that_settle_are_next_to_their_gaits(model):
 
 def test_runners_whose_values_do_not_go_together_are_left_out():
     first = find_gait({})
-    lengths = np.array([0.02, 1.0, 0.04])
-    found = settled_gaits(first.runner, {"leg.free_length": lengths}, first.apex)
-    assert found.numbers.tolist() == [1]
+    found = settled_gaits(first, ["leg.free_length"], lambda _, shares: np.where(shares < 0.99, 0.02, 1.0))
+    assert len(found.runners) == np.count_nonzero(evenly(1024, 1) >= 0.99) > 5
+    assert {runner["leg.free_length"] for runner in found.runners} == {1.0}
 
 
 def test_every_unit_of_the_fmu_has_its_dimensions(fmu):

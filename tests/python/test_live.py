@@ -225,7 +225,7 @@ def test_every_cell_of_a_painted_region_is_the_librarys(page):
     starts = np.tile(gait.apex, (64, 64, 1))
     axes = [tdmf_slip.library.section.COORDINATES.index(axis) for axis in region["axes"]]
     starts[..., axes[0]], starts[..., axes[1]] = rows[:, None], columns[None, :]
-    ends = fates(gait.runner, gait.apex, starts.reshape(-1, 6))
+    ends = fates(gait, starts.reshape(-1, 6))
     assert region["fates"] == [FATES[number] for number in ends["fate"]]
     assert region["strides"] == ends["strides"].tolist()
     assert len(region["fates"]) == 64 * 64 and {"settled", "fell", "no_start"} <= set(region["fates"])

@@ -12,7 +12,7 @@ import tdmf_slip
 from matplotlib.collections import PolyCollection
 from tdmf_slip import Runner
 from tdmf_slip.analysis.first_passage import FirstPassage
-from tdmf_slip.analysis.rare_falls import RareEvent, RareFalls
+from tdmf_slip.analysis.rare_falls import RareFalls
 from tdmf_slip.paper.reference_gaits import Drift
 from tdmf_slip.pictures import style
 from tdmf_slip.pictures.plot import PICTURES
@@ -185,7 +185,7 @@ def test_strides_to_fall_show_who_is_still_up():
 
 def test_rare_falls_are_drawn_also_where_the_interval_is_open():
     rates = np.array([0.0, 0.0, 3e-6])
-    found = RareFalls(Runner(), "+0+", 0.01, RareEvent(rates, 3, 1000))
+    found = RareFalls(Runner(), "+0+", 0.01, rates, 3, 1000)
     assert math.isinf(found.interval[1])
     (axes,) = tdmf_slip.plot(found).axes
     strides, still_up = line(axes, "mean 1e+06 strides until the fall")

@@ -27,7 +27,12 @@ def followed(fates):
 
 @pytest.mark.parametrize("shape", [(200, 170), (33, 16), (17, 2), (1, 40), (1, 1), (2, 1), (129, 3)])
 def test_a_disc_is_painted_as_it_is(shape):
-    """Its border is nowhere bent as sharply as a square is wide; no start is followed twice."""
+    """Its border is nowhere bent as sharply as a square is wide; no start is followed twice.
+
+    Of a map of one fate only corners of the first squares are.
+    """
+    uniform, _ = followed(np.full((161, 161), 3, dtype="i4"))
+    assert (uniform.fate == 3).all() and uniform.is_followed.sum() == 11 * 11
     rows, columns = np.indices(shape)
     disc = (np.hypot(rows - 90.3, columns - 80.7) < 55.0).astype("i4")
     found, asked = followed(disc)
@@ -35,11 +40,6 @@ def test_a_disc_is_painted_as_it_is(shape):
     np.testing.assert_array_equal(asked, found.is_followed)
     if min(shape) > 100:
         assert found.is_followed.mean() < 0.2
-
-
-def test_uniform_squares_stop_at_their_corners():
-    found, _ = followed(np.full((161, 161), 3, dtype="i4"))
-    assert (found.fate == 3).all() and found.is_followed.sum() == 11 * 11
 
 
 @pytest.mark.parametrize("corner", [(1, 1), (7, 9), (40, 33)])
@@ -55,15 +55,15 @@ def test_an_island_as_wide_as_a_square_is_found_and_a_smaller_one_may_be_missed(
 
 @pytest.mark.parametrize("friction", some_of([1.2, 10.0], 1))
 def test_a_preview_is_the_exact_map_where_a_border_crosses_it(friction):
-    """Where there are both fates, and with about a third of the strides at most."""
-    exact = tdmf_slip.basin({"ground.friction": friction}, AXES, n=160)
-    preview = tdmf_slip.basin({"ground.friction": friction}, AXES, n=160, refine="preview")
+    """Where there are both fates, and by less than half of the strides."""
+    exact = tdmf_slip.basin({"ground.friction": friction}, AXES, n=96)
+    preview = tdmf_slip.basin({"ground.friction": friction}, AXES, n=96, refine="preview")
     assert len(np.unique(exact["fate"])) > 1
     assert (preview["fate"] != exact["fate"]).mean() < 2e-3
     is_followed = preview["is_followed"].values == 1
     strides = exact["strides_until_known"].values
     np.testing.assert_array_equal(preview["strides_until_known"].values[is_followed], strides[is_followed])
-    assert strides[is_followed].sum() < 0.35 * strides.sum()
+    assert strides[is_followed].sum() < 0.45 * strides.sum()
 
 
 def test_a_preview_is_the_same_whoever_computes_it_and_kept_apart_from_the_exact_map(tmp_path):
@@ -75,11 +75,6 @@ def test_a_preview_is_the_same_whoever_computes_it_and_kept_apart_from_the_exact
     xarray.testing.assert_equal(again, one)
     with pytest.raises(InputError, match="another refine"):
         tdmf_slip.basin(runner, AXES, n=20, path=path)
-
-
-def test_other_words_are_refused():
-    with pytest.raises(InputError, match="refine = 'coarse' is not allowed; allowed: exact, preview"):
-        tdmf_slip.basin({}, AXES, n=4, refine="coarse")
 
 
 def test_the_command_tells_how_many_starts_were_followed(command, tmp_path):

@@ -206,29 +206,22 @@ def test_a_runner_keeps_its_map():
     assert len(runner.scales) == 2
 
 
-def test_stability_over_a_plane_is_that_of_each_gait():
-    over = {"leg.damping": [0.1, 0.2, 0.3], "hip.touchdown_angle": np.radians([38.0, 40.0, 42.0])}
-    found = stability(reduced(), over)
-    for row, damping in enumerate(found.rows):
-        for column, angle in enumerate(found.columns):
-            gait = find_gait(
-                {"leg.damping": damping, "hip.touchdown_angle": angle},
-                guess=GAITS[2]["apex"],
-                model="reduced",
-            )
-            assert found.lambda_max[row, column] == pytest.approx(gait.lambda_max, abs=1e-9)
-            assert found.word[row, column] == gait.word
-    assert (found.names, found.found, found.stable_share) == (("leg.damping", "hip.touchdown_angle"), 9, 1.0)
-
-
-def test_a_plane_without_gaits_somewhere_is_empty_there():
+def test_stability_over_a_plane_is_that_of_each_gait_and_empty_where_there_is_none():
     """A leg that points up touches no ground."""
-    found = stability(reduced(), {"ground.friction": [0.5, 0.6], "hip.touchdown_angle": [0.7, 1.5]})
-    assert np.isfinite(found.lambda_max).tolist() == [[True, False], [True, False]]
-    assert found.word[0, 1] == "" and found.stable_share == 0.5
+    angles = [*np.radians([38.0, 40.0, 42.0]), 1.5]
+    found = stability(reduced(), {"leg.damping": [0.1, 0.2, 0.3], "hip.touchdown_angle": angles})
+    assert np.isfinite(found["lambda_max"].values).tolist() == 3 * [[True, True, True, False]]
+    assert (found["word"][:, 3] == "").all()
+    for damping in found["leg.damping"].values:
+        for angle in angles[:3]:
+            values = {"leg.damping": damping, "hip.touchdown_angle": angle}
+            gait = find_gait(values, guess=GAITS[2]["apex"], model="reduced")
+            at = found.sel(values)
+            assert float(at["lambda_max"]) == pytest.approx(gait.lambda_max, abs=1e-9)
+            assert at["word"] == gait.word
 
 
-@pytest.mark.parametrize("over", [{}, {"leg.damping": [0.1]}, {"leg.damping": [0.1], "foot.x": [0.0]}])
-def test_a_plane_has_two_parameters(over):
-    with pytest.raises(InputError, match="over"):
-        stability(reduced(), over)
+@pytest.mark.parametrize("vary", [{}, {"leg.damp": [0.1]}, {"foot.x": [0.0]}])
+def test_stability_is_over_parameters(vary):
+    with pytest.raises(InputError, match="vary"):
+        stability(reduced(), vary)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import RELEASE, release, some_of
 from tdmf_slip import InputError, Runner, TargetNotMetError, find_gait
 from tdmf_slip.analysis.target import Target
 from tdmf_slip.library.fixed_point import gait_near
@@ -69,21 +70,21 @@ def test_each_quantity_can_be_prescribed(quantity, model):
 
 
 def test_three_parameters_make_three_quantities():
-    gait = find_gait({"ground.friction": 0.6})
-    target = {
-        **relative_change(gait, "speed", 1.02),
-        **relative_change(gait, "frequency", 0.98),
-        **relative_change(gait, "cost_of_transport", 1.01),
-    }
-    vary = ["hip.stance_torque", "leg.stiffness", "leg.damping"]
-    assert_met(find_gait({"ground.friction": 0.6}, target=target, vary=vary), target)
+    gait = find_gait()
+    factors = {"speed": 1.02, "frequency": 0.98, "cost_of_transport": 1.01}
+    target = {name: quantities_of(gait, [name])[name] * factor for name, factor in factors.items()}
+    assert_met(find_gait(target=target, vary=["hip.stance_torque", "leg.stiffness", "leg.damping"]), target)
 
 
 @pytest.mark.parametrize(
     ("target", "vary"),
     [
         ({"speed": 1.08}, ["hip.stance_torque", "leg.stiffness"]),
-        ({"speed": 1.2, "cost_of_transport": 0.4}, ["leg.damping", "hip.stance_torque", "foot.mass"]),
+        pytest.param(
+            {"speed": 1.2, "cost_of_transport": 0.4},
+            ["leg.damping", "hip.stance_torque", "foot.mass"],
+            marks=release,
+        ),
     ],
 )
 def test_several_parameters_change_as_little_as_the_target_lets_them(target, vary):
@@ -104,19 +105,18 @@ def test_several_parameters_change_as_little_as_the_target_lets_them(target, var
             assert change(beside) > change(found)
 
 
-def test_the_fast_human_runs_at_five_metres_a_second():
-    gait = find_gait(read_parameters(FAST_HUMAN), target={"speed": 5.0}, vary=["hip.stance_torque"])
-    assert_met(gait, {"speed": 5.0})
-    assert gait.runner["leg.stiffness"] == 20000.0
-
-
-def test_the_fast_human_jogs_by_another_touchdown_angle():
-    target = {"speed": 3.5, "frequency": 2.75}
-    gait = find_gait(
-        read_parameters(FAST_HUMAN), target=target, vary=["hip.touchdown_angle", "leg.stiffness"]
-    )
+@pytest.mark.parametrize(
+    ("target", "vary"),
+    [
+        ({"speed": 5.0}, ["hip.stance_torque"]),
+        ({"speed": 3.5, "frequency": 2.75}, ["hip.touchdown_angle", "leg.stiffness"]),
+    ],
+)
+def test_the_fast_human_meets_as_many_targets_as_parameters_vary(target, vary):
+    runner = Runner(read_parameters(FAST_HUMAN))
+    gait = find_gait(runner, target=target, vary=vary)
     assert_met(gait, target)
-    assert gait.stride["length"] == pytest.approx(3.5 / 2.75, rel=1e-10)
+    assert {name for name in VARIED if gait.runner[name] != runner[name]} == set(vary)
 
 
 def test_the_preset_is_a_jogger():
@@ -141,6 +141,8 @@ def test_the_jogger_runs_with_a_target(command, target):
     status, out, said = command("gait", *options, "--vary", vary, "--parameters", "human", "--json")
     printed = json.loads(out)
     assert (status, said) == (0, "") and printed["stable"] and set(printed["free"]) == set(vary.split(","))
+    assert printed["free"] == {name: printed["start_values"][name] for name in vary.split(",")}
+    assert {name: printed["ordered"][name] for name in target} == pytest.approx(target, rel=1e-10)
     gait = gait_near(Runner(printed["start_values"]), printed["apex"])
     assert_met(gait, target)
     changed = {n for n, v in read_parameters("human").items() if n in VARIED and gait.runner[n] != v}
@@ -149,12 +151,12 @@ def test_the_jogger_runs_with_a_target(command, target):
 
 REFUSED = {
     "fast": (str(FAST_HUMAN), {"speed": 3.5, "frequency": 2.75}, ["hip.stance_torque", "leg.stiffness"]),
-    "far": ("paper", {"speed": 3.0}, ["hip.touchdown_angle"]),
     "slow": ("paper", {"speed": 1.0, "frequency": 0.1}, ["hip.stance_torque", "leg.damping"]),
+    "far": ("paper", {"speed": 3.0}, ["hip.touchdown_angle"]),
 }
 
 
-@pytest.fixture(scope="module", params=REFUSED)
+@pytest.fixture(scope="module", params=some_of(REFUSED, 2))
 def refused(request):
     """A target that is not met: whose, what, the error, and how many strides it took."""
     name, target, vary = REFUSED[request.param]
@@ -176,13 +178,10 @@ def gap(gait, target):
     return np.linalg.norm([has[name] / value - 1.0 for name, value in target.items()])
 
 
-def test_a_refusal_takes_a_bounded_number_of_strides(refused):
-    """However hopeless the target; 2,000 to 3,300 before steps towards it were counted."""
-    assert refused[-1] < 2400
-
-
 def test_the_nearest_gait_is_nearer_than_the_first(refused):
-    parameters, target, _vary, error, _ = refused
+    """It is found by a bounded number of strides, however hopeless the target."""
+    parameters, target, _vary, error, strides = refused
+    assert strides < 2400
     nearest = error.nearest
     assert 1e-10 < gap(nearest, target) < gap(find_gait(parameters), target)
     again = gait_near(nearest.runner, nearest.apex)
@@ -198,7 +197,7 @@ def test_what_helps_meets_the_target(refused):
     )
     assert 1 <= len(printed) <= 3 and tuple(name for name, *_ in printed) == error.helps[: len(printed)]
     assert printed[0][-1] == "meets the target"
-    for name, _, instead, result in printed[: 1 if len(target) > 1 else 3]:
+    for name, _, instead, result in printed[: 3 if RELEASE else 1]:
         mended = [*(one for one in vary if one != instead), name]
         try:
             gait = find_gait(parameters, target=target, vary=mended)
@@ -206,23 +205,6 @@ def test_what_helps_meets_the_target(refused):
         except TargetNotMetError as problem:
             assert result == "comes nearer"
             assert gap(problem.nearest, target) < 0.96 * gap(error.nearest, target)
-
-
-def test_the_command_prints_a_gait_with_what_was_varied(command):
-    status, out, said = command(
-        "gait",
-        "--parameters",
-        str(FAST_HUMAN),
-        "--target",
-        "speed=5",
-        "--vary",
-        "hip.stance_torque",
-        "--json",
-    )
-    printed = json.loads(out)
-    assert (status, said) == (0, "")
-    assert printed["speed"] == pytest.approx(5.0, rel=1e-10) == printed["ordered"]["speed"]
-    assert printed["free"] == {"hip.stance_torque": printed["start_values"]["hip.stance_torque"]}
 
 
 def test_the_command_tells_what_is_nearest_and_what_helps(command):
@@ -236,51 +218,24 @@ def test_the_command_tells_what_is_nearest_and_what_helps(command):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "words"),
+    ("target", "vary", "words"),
     [
-        (["--target", "speed=1"], "--vary is missing"),
-        (["--vary", "leg.stiffness"], "nothing is prescribed"),
-        (
-            ["--target", "speed=1", "--target", "frequency=1", "--vary", "leg.damping"],
-            "as many parameters as are prescribed, 2",
-        ),
-        (
-            ["--target", "speed=1", "--target", "frequency=1", "--vary", "leg.damping,leg.damping"],
-            "given twice",
-        ),
-        (["--target", "speed=1", "--vary", "leg.stifness"], "leg.stiffness"),
-        (["--target", "speed=1", "--vary", "leg.min_length"], "has no effect"),
-        (
-            [
-                "--target",
-                "speed=1",
-                "--target",
-                "length=9",
-                "--vary",
-                "hip.stance_torque,control.stance_torque",
-            ],
-            "each in its own way",
-        ),
-        (["--target", "speed=nan", "--vary", "leg.stiffness"], "speed = nan is not allowed"),
-        (["--target", "frequency=-1", "--vary", "leg.stiffness"], "frequency = -1.0 is not allowed"),
-        (["--target", "duty_factor=1.5", "--vary", "leg.stiffness"], "duty_factor = 1.5 is not allowed"),
-        (
-            [
-                "--target",
-                "speed=1",
-                "--target",
-                "length=1",
-                "--target",
-                "frequency=1",
-                "--vary",
-                "leg.stiffness,leg.damping,hip.kp",
-            ],
-            "two of them",
-        ),
+        ("", "leg.stiffness", "nothing is prescribed"),
+        ("speed=1", "", "--vary is missing"),
+        ("speed=1 frequency=1", "leg.damping", "as many parameters as are prescribed, 2"),
+        ("speed=1 frequency=1", "leg.damping,leg.damping", "given twice"),
+        ("speed=1", "leg.stifness", "leg.stiffness"),
+        ("speed=1", "leg.min_length", "has no effect"),
+        ("speed=1 length=9", "hip.stance_torque,control.stance_torque", "each in its own way"),
+        ("speed=nan", "leg.stiffness", "speed = nan is not allowed"),
+        ("frequency=-1", "leg.stiffness", "frequency = -1.0 is not allowed"),
+        ("duty_factor=1.5", "leg.stiffness", "duty_factor = 1.5 is not allowed"),
+        ("speed=1 length=1 frequency=1", "leg.stiffness,leg.damping,hip.kp", "two of them"),
     ],
 )
-def test_a_bad_target_gets_one_sentence(command, arguments, words):
-    status, out, said = command("gait", *arguments)
+def test_a_bad_target_gets_one_sentence(command, target, vary, words):
+    arguments = [part for one in target.split() for part in ("--target", one)]
+    status, out, said = command("gait", *arguments, *(("--vary", vary) if vary else ()))
     assert (status, out) == (2, "")
     assert words in said and len(said.strip().splitlines()) == 1
 
@@ -327,7 +282,7 @@ def test_what_a_random_runner_has_is_met():
         "leg.thrust": (0.0, 0.2),
     }
     random, met = np.random.default_rng(2026), 0
-    for _ in range(12):
+    for _ in range(12 if RELEASE else 6):
         vary = [str(name) for name in random.choice(list(ranges), size=2, replace=False)]
         true = find_gait({name: random.uniform(*ranges[name]) for name in vary})
         names = [str(name) for name in random.choice(QUANTITIES, size=2, replace=False)]
@@ -335,9 +290,10 @@ def test_what_a_random_runner_has_is_met():
         if min(map(abs, target.values())) > 1e-6:
             assert_met(find_gait({}, target=target, vary=vary), target, 1e-9)
             met += 1
-    assert met >= 10
+    assert met >= (10 if RELEASE else 4)
 
 
+@release
 def test_the_nearest_gait_is_looked_for_all_over_what_varies():
     """A search near the runner came to 13.1 m, farther than a gait that is known, of 4.04 m and 0.253 N."""
     target, vary = {"length": 1.0, "peak_force": 0.25}, ["hip.stance_torque", "hip.touchdown_angle"]

@@ -2,17 +2,17 @@
 
 import functools
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from concurrent.futures import Executor
 from dataclasses import asdict, dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..blocks import in_order, run_blocks
-from ..checks import check_kind, checked_whole
+from ..blocks import run_blocks
+from ..checks import checked_whole
 from ..library.engine import FATES, SETTLED, UNSOLVED
-from ..library.gait import Gait, check_is_gait
+from ..library.gait import Gait
 from ..library.laws import Law
 from ..library.runner import Runner
 from ..library.section import COORDINATES
@@ -45,8 +45,6 @@ DISTURBED: Mapping[str, str] = {
     "step_up": "com_height",
 }
 """Coordinate of the section that each disturbance changes."""
-SAMPLES = 4000
-"""Starts drawn for each of many gaits."""
 
 
 @dataclass(frozen=True)
@@ -98,44 +96,21 @@ class Volume:
         }
 
 
-@dataclass(frozen=True, eq=False)
-class Drawing:
-    """Random starts: a block of work. Its number, not its worker, decides what is drawn."""
-
-    runner: Runner
-    """The runner."""
-    apex: tuple[float, ...]
-    """Apex of the gait, shape (n,)."""
-    seed: int
-    """Seed of the whole estimate."""
-    number: int
-    """Number of the block."""
-    count: int
-    """Number of starts in it."""
-    law: Law | None = None
-    """Law that sets the runners, if any."""
-    ball: Ball | None = None
-    """Ball of attraction in which a start has settled, if any."""
-
-    def starts(self) -> NDArray[np.float64]:
-        """Uniform over the box."""
-        source = np.random.default_rng([self.seed, self.number])
-        low, high = np.array([BOX[name] for name in self.runner.coordinates]).T
-        return self.runner.scales * source.uniform(low, high, size=(self.count, len(low)))
+def starts_in_box(runner: Runner, seed: int, number: int, count: int) -> NDArray[np.float64]:
+    """Starts of a block, uniform over the box: the number of the block decides what is drawn."""
+    source = np.random.default_rng([seed, number])
+    low, high = np.array([BOX[name] for name in runner.coordinates]).T
+    drawn: NDArray[np.float64] = runner.scales * source.uniform(low, high, size=(count, len(low)))
+    return drawn
 
 
-def count_fates(drawing: Drawing) -> NDArray[np.int64]:
-    """Number of starts in a block with each of `library.engine.FATES`."""
-    found = fates(
-        drawing.runner,
-        drawing.apex,
-        drawing.starts(),
-        law=drawing.law,
-        ball=drawing.ball,
-        first_number=drawing.number * STARTS_AT_ONCE,
-    )
-    counted: NDArray[np.int64] = np.bincount(found.fate, minlength=len(FATES))
-    return counted
+def _count_fates(
+    gait: Gait, law: Law | None, ball: Ball | None, seed: int, block: tuple[int, int]
+) -> NDArray[np.int64]:
+    """Number of starts in a block, by its number and size, with each of `library.engine.FATES`."""
+    starts = starts_in_box(gait.runner, seed, *block)
+    found = fates(gait, starts, law=law, ball=ball, first_number=block[0] * STARTS_AT_ONCE)
+    return np.bincount(found.fate, minlength=len(FATES))
 
 
 def volume(
@@ -152,23 +127,20 @@ def volume(
     check_attracts(gait, law)
     samples = checked_whole("samples", samples, 1, MAX_SAMPLES)
     seed = checked_whole("seed", seed, 0, 2**63)
-    counts = [min(STARTS_AT_ONCE, samples - done) for done in range(0, samples, STARTS_AT_ONCE)]
-    around = ball_of(gait, ball, samples, law)
-    runner = gait.runner
-    drawings = [
-        Drawing(runner, tuple(gait.apex), seed, n, count, law, around) for n, count in enumerate(counts)
-    ]
+    work = functools.partial(_count_fates, gait, law, ball_of(gait, ball, samples, law), seed)
+    begins = range(0, samples, STARTS_AT_ONCE)
+    blocks = [(number, min(STARTS_AT_ONCE, samples - done)) for number, done in enumerate(begins)]
     counted = np.zeros(len(FATES), dtype=int)
     with (
         progress_bar("volume", samples, "starts", progress) as bar,
-        run_blocks(count_fates, drawings, executor) as results,
+        run_blocks(work, blocks, executor) as results,
     ):
         for number, found in results:
             counted += found
-            bar.update(counts[number])
-    low, high = np.array([BOX[name] for name in runner.coordinates]).T
-    settled, unsolved = int(counted[SETTLED]), int(counted[UNSOLVED])
-    return Volume(samples, settled, float(np.prod(high - low)), unsolved, runner.coordinates)
+            bar.update(blocks[number][1])
+    coordinates = gait.runner.coordinates
+    box = math.prod(high - low for low, high in (BOX[name] for name in coordinates))
+    return Volume(samples, int(counted[SETTLED]), box, int(counted[UNSOLVED]), coordinates)
 
 
 @dataclass(frozen=True)
@@ -208,53 +180,15 @@ def robustness(gait: Gait, law: Law | None = None) -> Robustness:
 def _reach(gait: Gait, law: Law | None, disturbance: str, direction: float) -> float:
     """The first disturbance that is not recovered from, between the tries of a line that is refined."""
     index = COORDINATES.index(DISTURBED[disturbance])
-    runner = gait.runner
-    recovered, lost = 0.0, FARTHEST * runner.scales[index]
+    recovered, lost = 0.0, FARTHEST * gait.runner.scales[index]
     for _ in range(REFINEMENTS):
         tries = np.linspace(recovered, lost, COARSE + 1)[1:]
         starts = np.tile(gait.apex, (COARSE, 1))
         starts[:, index] += direction * tries
-        found = fates(runner, gait.apex, starts, tolerance=EDGE_TOLERANCE, law=law)
+        found = fates(gait, starts, tolerance=EDGE_TOLERANCE, law=law)
         fails = np.flatnonzero(found.fate != SETTLED)
         if not fails.size:
             return math.inf
         first = fails[0]
         recovered, lost = tries[first - 1] if first else recovered, tries[first]
     return float(recovered)
-
-
-@dataclass(frozen=True)
-class Attraction:
-    """How stable a gait is, by the largest eigenvalue and by what it attracts."""
-
-    friction: float
-    """Friction coefficient of the ground."""
-    word: str
-    """Word of the gait."""
-    lambda_max: float
-    """Size of the largest eigenvalue."""
-    volume: Volume
-    """How much of the box settles on the gait."""
-    robustness: Robustness
-    """The largest disturbances that the runner recovers from."""
-
-
-def measure(gait: Gait) -> Attraction:
-    """All of it for one gait."""
-    check_is_gait(gait, "gait")
-    return Attraction(
-        gait.friction,
-        gait.word,
-        gait.lambda_max,
-        volume(gait, SAMPLES),
-        robustness(gait),
-    )
-
-
-def measure_all(gaits: Sequence[Gait], *, executor: Executor | None = None) -> list[Attraction]:
-    """`measure` for many gaits, side by side; see `run_blocks`."""
-    check_kind(gaits, Sequence, "gaits", "Gaits in a list, as find_gait gives")
-    for gait in gaits:
-        check_is_gait(gait, "gaits")
-    with run_blocks(measure, gaits, executor) as results:
-        return in_order(results)

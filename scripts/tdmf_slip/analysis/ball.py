@@ -14,6 +14,7 @@ inside the tested surface, because a start that falls may lie between two points
 
 import itertools
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -26,7 +27,6 @@ from ..library.gait import Gait, check_is_gait
 from ..library.laws import AffineLaw, Law, check_law, is_noisy, numbers_up_to
 from ..library.return_map import stride_from
 from ..library.runner import Runner
-from ..library.section import Apex
 from ..library.settings import setting_number
 from ..library.tables import Table
 from ..variables.parameters import RunnerLike
@@ -292,24 +292,30 @@ def attributes_of(ball: Ball | None) -> dict[str, str | float | int]:
     return {"ball": "none"} if ball is None else ball.attributes()
 
 
+def starts_at(
+    point: NDArray[np.float64], columns: Sequence[int], values: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Points of the section with values of some coordinates, shape (starts, columns), and else a point's."""
+    starts = np.tile(point, (len(values), 1))
+    starts[:, columns] = values
+    return starts
+
+
 def fates(
-    runner: Runner,
-    apex: Apex,
+    gait: Gait,
     starts: ArrayLike,
     *,
-    tolerance: float = TOLERANCE,
     law: Law | None = None,
-    first_number: int = 0,
     ball: Ball | None = None,
+    tolerance: float = TOLERANCE,
+    first_number: int = 0,
 ) -> Table:
     """Fates of runners, one for each row of starts, by the names of `Batch.run`.
 
     A law's noise is drawn by the numbers of the runners, which count from `first_number`. A runner that
     enters the gait's ball has settled. A ball may require a finer tolerance.
     """
-    if ball is not None:
-        tolerance = min(tolerance, ball.tolerance)
-    batch = Batch(runner, starts, law=law, first_number=first_number, tolerance=tolerance)
-    if ball is None:
-        return batch.run(MAX_STRIDES, apex)
-    return batch.run(MAX_STRIDES, apex, near=ball.near, balls=ball.matrix[None])
+    tolerance = tolerance if ball is None else min(tolerance, ball.tolerance)
+    batch = Batch(gait.runner, starts, law=law, first_number=first_number, tolerance=tolerance)
+    near, balls = (NEAR, None) if ball is None else (ball.near, ball.matrix[None])
+    return batch.run(MAX_STRIDES, gait.apex, near=near, balls=balls)

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import dataclasses
 import functools
 import math
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..blocks import run_blocks
+from ..blocks import in_order, run_blocks
 from ..checks import check_size, is_one_of, refusal
 from ..errors import InputError
 from ..files.resume import Resumed
@@ -26,12 +26,12 @@ from ..library.runner import Runner
 from ..library.section import COORDINATES, check_axes
 from ..library.shared_steps import shares_steps
 from ..record import dataset
-from ..terminal.progress import progress_bar
+from ..terminal.progress import Bar, progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model
-from .ball import MAX_ALONG, STARTS_AT_ONCE, Ball, attributes_of, ball_of
+from .ball import MAX_ALONG, STARTS_AT_ONCE, Ball, attributes_of, ball_of, fates, starts_at
 from .ball import stable_gait as stable_gait
-from .preview import PREVIEW, REFINEMENTS, Slice, fates_of_slice, follow_points, preview_of
+from .preview import PREVIEW, REFINEMENTS, preview_of
 
 if TYPE_CHECKING:
     import xarray
@@ -47,6 +47,8 @@ STRIDES = "strides_until_known"
 """Name of the variable."""
 FOLLOWED = "is_followed"
 """Name of a variable of previews."""
+POINTS_AT_ONCE = 1024
+"""Largest number of starts in a block of a preview."""
 
 MAX_STARTS = MAX_ALONG**2
 """A map of as many is 2 GB."""
@@ -167,27 +169,59 @@ def basin(
     path = None if path is None else check_destination(path, (".nc",), "path")
     _check_refine(refine, law)
     gait = stable_gait(runner, law)
-    runner = gait.runner
     ends = {name: range_around(gait, name) if span is None else span for name, span in spans.items()}
     along = {
-        name: runner.model.coordinate(name).values_of(np.linspace(*span, count), f"range of {name}")
+        name: gait.runner.model.coordinate(name).values_of(np.linspace(*span, count), f"range of {name}")
         for (name, span), count in zip(ends.items(), counts, strict=True)
     }
-    (first, rows), (second, columns) = along.items()
-    around = ball_of(gait, ball, len(rows) * len(columns), law)
-    plan = Slice(runner, tuple(gait.apex), (first, second), tuple(rows), tuple(columns), law=law, ball=around)
-    made = Resumed(path, _blank(gait, along, refine, plan), "map of fates")
-    blocks = functools.partial(run_blocks, executor=executor)
-    if refine == PREVIEW:
-        _paint(made, plan, blocks, progress)
-    else:
-        _follow_rows(made, plan, blocks, progress)
+    around = ball_of(gait, ball, size, law)
+    slice_ = Slice(gait, along, law, None if is_noisy(law) else around)
+    made = Resumed(path, _blank(slice_, refine), "map of fates")
+    if made.is_whole:
+        return made.data
+    with progress_bar("basin", size, "starts", progress) as bar:
+        fill = _paint if refine == PREVIEW else _follow_rows
+        fill(made, slice_, functools.partial(run_blocks, slice_.fates, executor=executor), bar)
     share = float((made.data["fate"] == SETTLED).mean())
     area = math.prod(float(np.ptp(values)) for values in along.values())
     data = made.data.assign_attrs(settled_share=share, settled_area=share * area)
-    if not made.is_whole:
-        made.finish(data)
+    made.finish(data)
     return data
+
+
+@dataclass(frozen=True, eq=False)
+class Slice:
+    """Starts that differ from a gait's apex in two coordinates."""
+
+    gait: Gait
+    """The gait."""
+    along: Mapping[str, NDArray[np.float64]]
+    """Values of the two coordinates, by name."""
+    law: Law | None
+    """Law that changes settings at each apex."""
+    ball: Ball | None
+    """Ball around the gait in which a start counts as settled."""
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Numbers of rows and columns."""
+        rows, columns = map(len, self.along.values())
+        return rows, columns
+
+    def starts(self, block: Sequence[NDArray[np.intp]] | NDArray[np.intp]) -> NDArray[np.float64]:
+        """Starts by their rows and columns, shape (starts, n)."""
+        values = [of[index] for of, index in zip(self.along.values(), block, strict=True)]
+        columns = [self.gait.runner.coordinates.index(name) for name in self.along]
+        return starts_at(self.gait.apex, columns, np.column_stack(values))
+
+    def fates(self, block: Sequence[NDArray[np.intp]]) -> NDArray[np.int32]:
+        """Fate, and strides until it was known, of starts by their rows and columns, shape (2, starts).
+
+        The noise of a law is drawn by the numbers of starts, which count on from the first of the block.
+        """
+        first = int(np.ravel_multi_index((block[0][0], block[1][0]), self.shape))
+        run = fates(self.gait, self.starts(block), law=self.law, ball=self.ball, first_number=first)
+        return np.stack([run.fate, run.strides])
 
 
 def fate_counts(data: xarray.Dataset) -> dict[str, int]:
@@ -195,20 +229,21 @@ def fate_counts(data: xarray.Dataset) -> dict[str, int]:
     return {name: int((data["fate"] == number).sum()) for number, name in enumerate(FATES)}
 
 
-def _blank(gait: Gait, along: Mapping[str, NDArray[np.float64]], refine: str, plan: Slice) -> xarray.Dataset:
+def _blank(slice_: Slice, refine: str) -> xarray.Dataset:
     """A map without fates; a preview reports which starts it followed."""
-    shape = tuple(map(len, along.values()))
+    gait, law, axes, shape = slice_.gait, slice_.law, tuple(slice_.along), slice_.shape
     flags = {"flag_values": np.arange(len(FATES)), "flag_meanings": " ".join(FATES)}
     count = {"units": "1", "long_name": "strides closed until the fate was known"}
     variables = {
-        "fate": (plan.axes, np.full(shape, NOT_YET, dtype="i4"), flags),
-        STRIDES: (plan.axes, np.zeros(shape, dtype="i4"), count),
+        "fate": (axes, np.full(shape, NOT_YET, dtype="i4"), flags),
+        STRIDES: (axes, np.zeros(shape, dtype="i4"), count),
     }
     if refine == PREVIEW:
         about = {"long_name": "1 for a start that was followed, 0 for a painted one"}
-        variables[FOLLOWED] = plan.axes, np.zeros(shape, dtype="i1"), about
+        variables[FOLLOWED] = axes, np.zeros(shape, dtype="i1"), about
     coordinates = {
-        axis: (axis, values, gait.runner.model.coordinate(axis).attributes) for axis, values in along.items()
+        axis: (axis, values, gait.runner.model.coordinate(axis).attributes)
+        for axis, values in slice_.along.items()
     }
     apex = dict(zip(gait.runner.coordinates, map(float, gait.apex), strict=True))
     return dataset(
@@ -219,8 +254,8 @@ def _blank(gait: Gait, along: Mapping[str, NDArray[np.float64]], refine: str, pl
         **{f"gait_{axis}": value for axis, value in apex.items()},
         word=gait.word,
         refine=refine,
-        **attributes_of(plan.ball),
-        **({} if plan.law is None else {"law": text_of_law(plan.law, plan.starts())}),
+        **attributes_of(slice_.ball),
+        **({} if law is None else {"law": text_of_law(law, slice_.starts(np.indices(shape).reshape(2, -1)))}),
     )
 
 
@@ -231,31 +266,29 @@ def _check_refine(refine: str, law: Law | None) -> None:
         raise InputError("refine = 'preview' with a law that has noise: allowed: 'exact'")
 
 
-def _paint(made: Resumed, plan: Slice, blocks: Callable[..., Any], progress: bool) -> None:
-    """A preview, unless the file holds it."""
-    if made.is_whole:
-        return
-    shape = len(plan.rows), len(plan.columns)
-    with progress_bar("preview of a basin", None, "starts", progress) as bar:
-        found = preview_of(shape, functools.partial(follow_points, plan, blocks, bar.update))
-    data = made.data
+def _paint(made: Resumed, slice_: Slice, blocks: Callable[..., Any], bar: Bar) -> None:
+    """Fill in a preview."""
+
+    def follow(rows: NDArray[np.intp], columns: NDArray[np.intp]) -> NDArray[np.int32]:
+        count = -(-len(rows) // POINTS_AT_ONCE)
+        parts = list(zip(np.array_split(rows, count), np.array_split(columns, count), strict=True))
+        with blocks(parts) as results:
+            return np.concatenate(in_order(results, lambda number: bar.update(len(parts[number][0]))), axis=1)
+
+    found, data = preview_of(slice_.shape, follow), made.data
     data["fate"][:], data[STRIDES][:], data[FOLLOWED][:] = found.fate, found.strides, found.is_followed
 
 
-def _follow_rows(made: Resumed, plan: Slice, blocks: Callable[..., Any], progress: bool) -> None:
-    """Rows that are missing, each start by itself."""
-    missing = [row for row in range(len(plan.rows)) if (made.data["fate"].values[row] == NOT_YET).any()]
-    at_once = max(1, STARTS_AT_ONCE // len(plan.columns))
-    rows = [missing[i : i + at_once] for i in range(0, len(missing), at_once)]
-    parts = [
-        dataclasses.replace(plan, rows=tuple(np.asarray(plan.rows)[block]), numbers=tuple(block))
-        for block in rows
-    ]
-    with (
-        progress_bar("basin", len(plan.rows), "rows", progress) as bar,
-        blocks(fates_of_slice, parts) as results,
-    ):
-        bar.update(len(plan.rows) - len(missing))
-        for number, (fate, strides) in results:
-            made.write({plan.axes[0]: rows[number]}, {"fate": fate, STRIDES: strides})
-            bar.update(len(rows[number]))
+def _follow_rows(made: Resumed, slice_: Slice, blocks: Callable[..., Any], bar: Bar) -> None:
+    """Fill in rows that are missing, by following each of their starts."""
+    rows, columns = slice_.shape
+    missing = [row for row in range(rows) if (made.data["fate"].values[row] == NOT_YET).any()]
+    at_once = 1 if is_noisy(slice_.law) else max(1, STARTS_AT_ONCE // columns)
+    parts = [missing[first : first + at_once] for first in range(0, len(missing), at_once)]
+    bar.update((rows - len(missing)) * columns)
+    starts = [(np.repeat(part, columns), np.tile(np.arange(columns), len(part))) for part in parts]
+    with blocks(starts) as results:
+        for number, found in results:
+            fate, strides = found.reshape(2, -1, columns)
+            made.write({next(iter(slice_.along)): parts[number]}, {"fate": fate, STRIDES: strides})
+            bar.update(fate.size)

@@ -13,7 +13,7 @@ from ..checks import checked, checked_flag, checked_whole, number_of, refusal
 from ..errors import InputError, RunError
 from ..library.fixed_point import settled_gait
 from ..library.gait import Gait, check_is_gait, gaits_dataset
-from ..library.members import ranges_varied
+from ..library.members import check_varied, ranges_varied
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..numerics.following import SHORTEST_STEP as SHORTEST_STEP
@@ -186,19 +186,11 @@ def continue_branch(
         raise InputError(f"vary {name}: {begin:g} to {end:g}; allowed: ends that differ")
     with progress_bar("branch", None, "gaits", progress) as bar:
         first = first_gait(runner, name, begin, end)
-        branch = trace(
-            runner,
-            name,
-            first,
-            end,
-            begin=begin,
-            max_step=max_step,
-            max_points=max_points,
-            step_finished=bar.update,
-        )
+        problem, limits = BranchProblem(first.runner, name), _limits(begin, end, max_step, max_points)
+        point = problem.correct(problem.at(first), problem.towards(end - begin))
+        branch = whole_branch(problem, point, limits, bar.update)
         if not switch:
             return branch
-        limits = _limits(begin, end, max_step, max_points)
         return with_doubled_branches(
             branch, lambda n: BranchProblem(first.runner, name, n), limits, bar.update
         )
@@ -243,27 +235,25 @@ def trace(
     begin: float | None = None,
     max_step: float = 0.2,
     max_points: int = 1000,
-    step_finished: Callable[[], object] = lambda: None,
 ) -> Branch:
-    """Follow the branch of a gait, through folds, until the parameter leaves the range."""
-    problem = BranchProblem(runner, name)
+    """Follow the branch of a gait, through folds, until the parameter leaves the range.
+
+    The range begins at the gait's own value, unless another one is given.
+    """
     check_is_gait(first, "first")
+    runner = Runner(runner)
+    check_varied(name, "name", runner.model)
     max_step = checked("max_step", max_step, SHORTEST_STEP, LARGEST_STEP)
     max_points = checked_whole("max_points", max_points, 1, MAX_POINTS)
     start = first.runner[name]
     begin = start if begin is None else begin
-    for what, value in (("begin", begin), ("end", end)):
-        if number_of(value) is None:
-            raise refusal(f"{what} of {name}", value, "a number")
-    if not abs(end - begin) > 0.0 or not min(begin, end) <= start <= max(begin, end):
-        raise InputError(
-            f"end {end:g} of {name}: allowed: a number other than {begin:g}, and the first gait's "
-            f"{start:g} between the two"
-        )
-    problem = BranchProblem(problem.runner.replace({name: start}), name, first.strides)
-    towards = problem.towards(end - begin)
-    point = problem.correct(problem.at(first), towards)
-    return whole_branch(problem, point, _limits(begin, end, max_step, max_points), step_finished)
+    is_range = number_of(end) is not None and abs(end - begin) > 0.0
+    if not is_range or not min(begin, end) <= start <= max(begin, end):
+        allowed = f"a number other than {begin:g}, and the first gait's {start:g} between the two"
+        raise refusal(f"end of {name}", end, allowed)
+    problem = BranchProblem(runner.replace({name: start}), name, first.strides)
+    point = problem.correct(problem.at(first), problem.towards(end - begin))
+    return whole_branch(problem, point, _limits(begin, end, max_step, max_points))
 
 
 def whole_branch(

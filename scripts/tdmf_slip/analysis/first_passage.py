@@ -198,19 +198,10 @@ def strides_to_fall(
     >>> rough.falls + rough.censored
     100
     """
-    runner = Runner(runner)
-    if runner.reduced:
-        raise InputError(
-            "runner by the reduced map is not allowed on rough ground; allowed: by the full model"
-        )
     ground = roughness if isinstance(roughness, RoughGround) else RoughGround(roughness, seed)
     runners = checked_whole("runners", runners, 1, MAX_RUNNERS)
     max_strides = checked_whole("max_strides", max_strides, 1, MAX_STRIDES)
-    if gait is not None:
-        check_is_gait(gait, "gait")
-    patch = {"ground.patch_end": runner["ground.patch_begin"]} if "ground.patch_begin" in runner else {}
-    plain = runner.replace(patch)
-    start = periodic_gait(plain) if gait is None else gait
+    runner, start = rough_start(runner, gait)
     feet = _feet(foot_x, start, runner, runners, ground.seed)
     size = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // max_strides))
     shares = []
@@ -235,6 +226,20 @@ def strides_to_fall(
             counted += found
             bar.update(len(shares[number][0]))
     return FirstPassage(runner, start.word, ground.roughness, runners, *map(int, counted))
+
+
+def rough_start(runner: RunnerLike, gait: Gait | None) -> tuple[Runner, Gait]:
+    """A runner of the full model, and the gait from which it starts: that without a patch of ground."""
+    runner = Runner(runner)
+    if runner.reduced:
+        raise InputError(
+            "runner by the reduced map is not allowed on rough ground; allowed: by the full model"
+        )
+    if gait is not None:
+        check_is_gait(gait, "gait")
+        return runner, gait
+    patch = {"ground.patch_end": runner["ground.patch_begin"]} if "ground.patch_begin" in runner else {}
+    return runner, periodic_gait(runner.replace(patch))
 
 
 def _feet(

@@ -5,97 +5,19 @@ another fate that touches no corner is missed: the map is a preview, and says so
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
-from functools import partial
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-
-from ..blocks import in_order
-from ..library.laws import Law, is_noisy
-from ..library.runner import Runner
-from .ball import Ball, fates
 
 PREVIEW = "preview"
 REFINEMENTS = ("exact", PREVIEW)
 """Ways to make a map."""
 LARGEST_SQUARE = 16
 """Starts along a side of the first squares, a power of two: an island as wide as this is never missed."""
-MAX_POINTS_AT_ONCE = 1024
-"""Largest number of points in a block."""
 
 Follow = Callable[[NDArray[np.intp], NDArray[np.intp]], NDArray[np.int32]]
 """Rows and columns to fates of the starts there and strides until these were known, shape (2, starts)."""
-
-
-@dataclass(frozen=True, eq=False)
-class Slice:
-    """Starts that differ from a gait's apex in two coordinates: a block of work."""
-
-    runner: Runner
-    """The runner."""
-    apex: tuple[float, ...]
-    """The gait's, shape (n,)."""
-    axes: tuple[str, str]
-    """Names of the two coordinates."""
-    rows: tuple[float, ...]
-    """Values of the first."""
-    columns: tuple[float, ...]
-    """Values of the second."""
-    numbers: tuple[int, ...] = ()
-    """Numbers of the rows in the whole slice."""
-    law: Law | None = None
-    """Law that changes settings at each apex."""
-    ball: Ball | None = None
-    """Ball around the gait in which a start counts as settled."""
-
-    def starts(self) -> NDArray[np.float64]:
-        """One to a row, the columns running fastest."""
-        sections = np.tile(self.apex, (len(self.rows), len(self.columns), 1))
-        sections[..., self.runner.coordinates.index(self.axes[0])] = np.asarray(self.rows)[:, None]
-        sections[..., self.runner.coordinates.index(self.axes[1])] = np.asarray(self.columns)[None, :]
-        return sections.reshape(-1, len(self.apex))
-
-
-def fates_of_slice(part: Slice) -> NDArray[np.int32]:
-    """Fate, and strides until it was known, of each start of a block: shape (2, rows, columns)."""
-    starts, columns = part.starts(), len(part.columns)
-    rows = (
-        list(zip(part.numbers, np.split(starts, len(part.rows)), strict=True)) if is_noisy(part.law) else []
-    )
-    runs = [
-        fates(part.runner, part.apex, row, law=part.law, first_number=number * columns)
-        for number, row in rows
-    ] or [fates(part.runner, part.apex, starts, law=part.law, ball=part.ball)]
-    both = np.concatenate([(run.fate, run.strides) for run in runs], axis=1)
-    return both.reshape(2, -1, columns)
-
-
-def fates_of_points(plan: Slice, values: NDArray[np.float64]) -> NDArray[np.int32]:
-    """Fate, and strides until it was known, of starts with these values of a slice's coordinates.
-
-    The values have the shape (starts, 2), the result (2, starts).
-    """
-    starts = np.tile(plan.apex, (len(values), 1))
-    starts[:, [plan.runner.coordinates.index(axis) for axis in plan.axes]] = values
-    run = fates(plan.runner, plan.apex, starts, law=plan.law, ball=plan.ball)
-    return np.stack([run.fate, run.strides])
-
-
-def follow_points(
-    plan: Slice,
-    blocks: Callable[..., Any],
-    report: Callable[[int], object],
-    rows: NDArray[np.intp],
-    columns: NDArray[np.intp],
-) -> NDArray[np.int32]:
-    """Fates of starts of a slice, by rows and columns, in blocks; how many are done is reported."""
-    values = np.column_stack([np.asarray(plan.rows)[rows], np.asarray(plan.columns)[columns]])
-    parts = np.array_split(values, -(-len(values) // MAX_POINTS_AT_ONCE))
-    with blocks(partial(fates_of_points, replace(plan, rows=(), columns=())), parts) as results:
-        ends = in_order(results, lambda number: report(len(parts[number])))
-    return np.concatenate(ends, axis=1)
 
 
 @dataclass(frozen=True, eq=False)

@@ -21,7 +21,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,18 +32,19 @@ from ..library.batch import Batch
 from ..library.batch_tables import GROUND
 from ..library.c_structs import STATE
 from ..library.engine import FELL
-from ..library.gait import Gait, check_is_gait
+from ..library.gait import Gait
 from ..library.ground import LAST_SEED, RoughGround
 from ..library.laws import Law, check_law
+from ..library.return_map import refuse_patch
 from ..library.runner import Runner
 from ..record import entries
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike, refuse_own
+from .attraction import CONFIDENCE
 from .ball import TOLERANCE
-from .search import periodic_gait
+from .first_passage import rough_start
 
 RIDGE, ITERATIONS = 1e-3, 25
-CONFIDENCE = 0.95
 REPLICAS = 12
 """Independent runs, by whose spread the interval is made."""
 BURN_IN = 0.25
@@ -78,51 +79,6 @@ def logistic_weights(features: NDArray[np.float64], falls: NDArray[np.bool_]) ->
     return weights
 
 
-class Chain(Protocol):
-    """A Markov chain that is stepped many walkers at a time, rows of an array."""
-
-    def begin(self, count: int) -> NDArray[Any]:
-        """Walkers at the start, as rows."""
-        ...
-
-    def advance(self, rows: NDArray[Any], seed: int, time: int) -> tuple[NDArray[Any], NDArray[np.bool_]]:
-        """The walkers after a step, by random numbers of their own, and who met the event."""
-        ...
-
-    def score(self, rows: NDArray[Any]) -> NDArray[np.float64]:
-        """How near to the event each is; larger is nearer."""
-        ...
-
-
-@dataclass(frozen=True, eq=False)
-class RareEvent:
-    """A mean time to an event, from walkers that were split."""
-
-    rates: NDArray[np.float64]
-    """Weight that met the event in a step, of each independent run, shape (replicas,)."""
-    events: int
-    """Walkers that met it, after the burn-in."""
-    steps: int
-    """Made by all walkers, the burn-in included."""
-
-    @property
-    def mean(self) -> float:
-        """Steps until the event; infinite where none was met."""
-        rate = float(np.mean(self.rates))
-        return 1.0 / rate if rate > 0.0 else math.inf
-
-    @property
-    def interval(self) -> tuple[float, float]:
-        """Confidence interval of the mean, by Student's t on the rates of the runs; above it may be open."""
-        from scipy import stats  # slow to load
-
-        count = len(self.rates)
-        rate, error = float(np.mean(self.rates)), float(np.std(self.rates, ddof=1)) / math.sqrt(count)
-        reach = float(stats.t.ppf(0.5 * (1.0 + CONFIDENCE), count - 1)) * error
-        low = 1.0 / (rate + reach) if rate + reach > 0.0 else math.inf
-        return low, 1.0 / (rate - reach) if rate > reach else math.inf
-
-
 def levels_of(scores: NDArray[np.float64], highest: float, count: int) -> NDArray[np.float64]:
     """Levels of a score: at each about half as many walkers arrive as at the one before."""
     seen = int(math.log2(max(len(scores), 2))) - 4
@@ -152,7 +108,7 @@ def resampled(
 
 
 def split_run(
-    chain: Chain, levels: NDArray[np.float64], keep: int, steps: int, seed: int
+    chain: Walkers, levels: NDArray[np.float64], keep: int, steps: int, seed: int
 ) -> tuple[float, int, int]:
     """One run: the weight that meets the event in a step, how many walkers did, and the steps of all."""
     random = np.random.default_rng(seed)
@@ -174,25 +130,15 @@ def split_run(
 
 
 def rare_event(
-    chain: Chain,
-    levels: NDArray[np.float64],
-    *,
-    keep: int,
-    steps: int,
-    seed: int,
-    replicas: int = REPLICAS,
-    done: Any = None,
-) -> RareEvent:
-    """The mean time to an event, by independent runs."""
-    seeds = np.random.SeedSequence(seed).generate_state(replicas, np.uint64)
+    chain: Walkers, levels: NDArray[np.float64], *, keep: int, steps: int, seed: int, done: Any = int
+) -> tuple[NDArray[np.float64], int, int]:
+    """Independent runs: the weight that met the event in a step of each, events, and steps of all walkers."""
     runs = []
-    for one in seeds:
+    for one in np.random.SeedSequence(seed).generate_state(REPLICAS, np.uint64):
         runs.append(split_run(chain, levels, keep, steps, int(one)))
-        if done is not None:
-            done()
-    return RareEvent(
-        np.array([rate for rate, _, _ in runs]), sum(e for _, e, _ in runs), sum(m for _, _, m in runs)
-    )
+        done()
+    rates, events, made = zip(*runs, strict=True)
+    return np.array(rates), sum(events), sum(made)
 
 
 class Walkers:
@@ -324,28 +270,29 @@ class RareFalls:
     """Word of the gait on level ground from which the runners start."""
     roughness: float
     """Standard deviation of a step, m."""
-    found: RareEvent
-    """Rates of independent runs, falls and strides."""
+    rates: NDArray[np.float64]
+    """Weight that fell in a stride, of each independent run, shape (runs,)."""
+    falls: int
+    """Number of walkers that fell, each with its weight, after the burn-in."""
+    strides: int
+    """Strides of all walkers, the burn-in included."""
 
     @property
     def mean_strides(self) -> float:
-        """Until the fall; infinite where none was seen."""
-        return self.found.mean
+        """Strides until the fall; infinite where none was seen."""
+        rate = float(np.mean(self.rates))
+        return 1.0 / rate if rate > 0.0 else math.inf
 
     @property
     def interval(self) -> tuple[float, float]:
-        """Confidence interval of the mean; above it may be open."""
-        return self.found.interval
+        """Confidence interval of the mean, by Student's t on the rates of the runs; above it may be open."""
+        from scipy import stats  # slow to load
 
-    @property
-    def falls(self) -> int:
-        """Number of walkers, each with its weight."""
-        return self.found.events
-
-    @property
-    def strides(self) -> int:
-        """Made by all walkers."""
-        return self.found.steps
+        count = len(self.rates)
+        rate, error = float(np.mean(self.rates)), float(np.std(self.rates, ddof=1)) / math.sqrt(count)
+        reach = float(stats.t.ppf(0.5 * (1.0 + CONFIDENCE), count - 1)) * error
+        low = 1.0 / (rate + reach) if rate + reach > 0.0 else math.inf
+        return low, 1.0 / (rate - reach) if rate > reach else math.inf
 
     def __repr__(self) -> str:
         """In a line: the mean with its interval."""
@@ -363,7 +310,7 @@ class RareFalls:
             **entries(self, "word", "roughness", "mean_strides", "interval"),
             "confidence": CONFIDENCE,
             **entries(self, "falls", "strides"),
-            "runs": len(self.found.rates),
+            "runs": len(self.rates),
         }
 
 
@@ -418,27 +365,21 @@ def rare_falls(
     True
     """
     refuse_own(runner, "rare_falls")
-    runner = Runner(runner)
-    if runner.reduced:
-        raise InputError(
-            "runner by the reduced map is not allowed on rough ground; allowed: by the full model"
-        )
-    check_law(law, runner)
     ground = roughness if isinstance(roughness, RoughGround) else RoughGround(roughness)
     _check_is_rough(ground)
     walkers = checked_whole("walkers", walkers, 8, MAX_WALKERS)
     strides = checked_whole("strides", strides, 8, MAX_STEPS)
     seed = checked_whole("seed", seed, 0, LAST_SEED)
-    if gait is not None:
-        check_is_gait(gait, "gait")
-    start = periodic_gait(runner) if gait is None else gait
+    runner, start = rough_start(runner, gait)
+    refuse_patch(runner)
+    check_law(law, runner)
     chain = Walkers(start, ground, law)
     with progress_bar("rare falls", REPLICAS + 1, "runs", progress) as bar:
         scores, highest = chain.learn(seed % 2**32)
         bar.update()
         levels = levels_of(scores, highest, LEVELS)
         found = rare_event(chain, levels, keep=walkers, steps=strides, seed=seed, done=bar.update)
-    return RareFalls(start.runner, start.word, ground.roughness, found)
+    return RareFalls(start.runner, start.word, ground.roughness, *found)
 
 
 def _check_is_rough(ground: RoughGround) -> None:

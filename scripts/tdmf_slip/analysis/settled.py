@@ -7,18 +7,27 @@ beginning, by multi-level single linkage (Rinnooy Kan and Timmer 1987, Mathemati
 within a critical distance of a better point a search would lead into the same basin.
 """
 
+import contextlib
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import InputError
+from ..errors import InputError, RunError
 from ..library.batch import Batch
 from ..library.batch_tables import CLOSED
+from ..library.fixed_point import gait_near
+from ..library.gait import Gait
 from ..library.runner import Runner
 
+RUNNERS = 1024
+"""Spread over what varies."""
+FACTOR = 4.0
+"""Largest factor between a parameter's value and that of a runner, to both sides."""
+FROM_ZERO = 0.4
+"""Reach of a parameter that is zero, over its scale."""
 TOLERANCE = 1e-6
 """Relative tolerance of a step: where runners settle need not be known any better."""
 AT_ONCE = 8
@@ -35,14 +44,33 @@ SIGMA = 4.0
 
 @dataclass(frozen=True, eq=False)
 class Settled:
-    """Runners that have settled."""
+    """Runners over a box that have settled on gaits."""
 
-    numbers: NDArray[np.intp]
-    """Numbers of the runners that settled, shape (m,)."""
+    runners: tuple[Runner, ...]
+    """The runners."""
+    points: NDArray[np.float64]
+    """Where they are in the box, from 0 to 1, shape (m, d)."""
     apexes: NDArray[np.float64]
     """Apices next to those of their gaits, shape (m, n)."""
     strides: int
-    """Number of strides that all runners made together."""
+    """Number of strides that all runners made together, those that did not settle included."""
+
+    def gaits(self, merit_of: Callable[[Runner, NDArray[np.float64]], float]) -> Iterator[Gait]:
+        """Gaits from which a search is worth beginning, that of least merit first.
+
+        A runner whose merit raises InputError or RunError is left out.
+        """
+        merits, known = [], []
+        for number, (runner, apex) in enumerate(zip(self.runners, self.apexes, strict=True)):
+            with contextlib.suppress(InputError, RunError):
+                merits.append(merit_of(runner, apex))
+                known.append(number)
+        for k in linked(self.points[known], np.array(merits)):
+            try:
+                gait = gait_near(self.runners[known[k]], self.apexes[known[k]])
+            except RunError:
+                continue
+            yield gait
 
 
 def evenly(count: int, dimension: int, first: int = 0) -> NDArray[np.float64]:
@@ -57,28 +85,48 @@ def evenly(count: int, dimension: int, first: int = 0) -> NDArray[np.float64]:
 
 
 def settled_gaits(
-    runner: Runner, varied: Mapping[str, NDArray[np.float64]], begin: NDArray[np.float64]
+    begin: Gait, names: Sequence[str], values_of: Callable[[str, NDArray[np.float64]], NDArray[np.float64]]
 ) -> Settled:
-    """Which runners settle on a gait, and where."""
-    runs = _Runs(runner, varied, begin)
+    """Runners that settle, of many spread evenly; `values_of` gives values of a name by shares of its range.
+
+    All begin at the apex of a gait.
+    """
+    points = evenly(RUNNERS, len(names))
+    values = {name: values_of(name, shares) for name, shares in zip(names, points.T, strict=True)}
+    runs = _Runs(begin, {name: np.ascontiguousarray(row) for name, row in values.items()})
     runs.begin()
     for _ in range(LOOKS):
         runs.go_on(runs.running.copy())
-    return runs.settled()
+    numbers = np.flatnonzero(runs.running & (runs.returns < SETTLED))
+    runners = (runs.runners[number] for number in numbers)
+    kept = tuple(runner for runner in runners if runner is not None)
+    return Settled(kept, points[numbers], runs.apexes[numbers], runs.strides)
+
+
+def around(runner: Runner, name: str, shares: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Values of a parameter: by factors of its own or, where that is zero, about it."""
+    variable, value = runner.model.variables[name], runner[name]
+    if value:
+        values = value * FACTOR ** (2.0 * shares - 1.0)
+    else:
+        reach = FROM_ZERO * runner.scale_of(variable.unit)
+        low, high = max(-reach, variable.minimum), min(reach, variable.maximum)
+        values = low + shares * (high - low)
+    clipped: NDArray[np.float64] = np.clip(values, variable.minimum, variable.maximum)
+    return clipped
 
 
 class _Runs:
     """Runners side by side."""
 
-    def __init__(
-        self, runner: Runner, varied: Mapping[str, NDArray[np.float64]], begin: NDArray[np.float64]
-    ) -> None:
-        self.runner, self.varied = runner, varied
+    def __init__(self, begin: Gait, varied: Mapping[str, NDArray[np.float64]]) -> None:
+        self.runner, self.varied = begin.runner, varied
         rows = np.column_stack(list(varied.values()))
         low, high = rows.min(axis=0), rows.max(axis=0)
         self.points = (rows - low) / np.where(high > low, high - low, 1.0)
-        self.able = np.array([_goes_together(runner, varied, k) for k in range(len(rows))])
-        self.apexes = np.tile(begin, (len(rows), 1))
+        self.runners = [self._runner(dict(zip(varied, row.tolist(), strict=True))) for row in rows]
+        self.able = np.array([runner is not None for runner in self.runners])
+        self.apexes = np.tile(begin.apex, (len(rows), 1))
         self.running = np.zeros(len(rows), dtype=bool)
         self.returns = np.full(len(rows), np.inf)
         self.strides = 0
@@ -116,19 +164,12 @@ class _Runs:
         self.apexes[going] = ends[closed]
         self.returns[going] = np.linalg.norm((ends - begins)[closed] / self.runner.scales, axis=1)
 
-    def settled(self) -> Settled:
-        """Runners that still run and come back."""
-        numbers = np.flatnonzero(self.running & (self.returns < SETTLED))
-        return Settled(numbers, self.apexes[numbers], self.strides)
-
-
-def _goes_together(runner: Runner, varied: Mapping[str, NDArray[np.float64]], number: int) -> bool:
-    """Whether the library takes a runner's values."""
-    try:
-        runner.replace({name: float(row[number]) for name, row in varied.items()})
-    except InputError:
-        return False
-    return True
+    def _runner(self, values: Mapping[str, float]) -> Runner | None:
+        """The runner with some values; None where the library does not take them together."""
+        try:
+            return self.runner.replace(values)
+        except InputError:
+            return None
 
 
 def linked(points: NDArray[np.float64], merits: NDArray[np.float64]) -> Sequence[int]:

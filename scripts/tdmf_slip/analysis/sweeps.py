@@ -189,7 +189,7 @@ def sweep(
     True
     """
     runner = Runner(runner, model=model)
-    axes = _checked_axes(vary, runner.model)
+    axes = checked_axes(vary, runner.model)
     along = FRICTION if FRICTION in axes else list(axes)[-1]
     others = {name: values for name, values in axes.items() if name != along}
     rows = [dict(zip(others, map(float, values), strict=True)) for values in product(*others.values())]
@@ -287,7 +287,7 @@ def gait_at(gaits: xarray.Dataset, **where: Given) -> Gait:
     return strides_from(Runner({**runner_in(gaits), **values}, model=model), apex, strides)
 
 
-def _checked_axes(vary: object, model: Model) -> dict[str, NDArray[np.float64]]:
+def checked_axes(vary: object, model: Model) -> dict[str, NDArray[np.float64]]:
     """Values by the names of what varies."""
     given = by_full_name(vary, "vary", NAMES, model.aliases)
     if not given:

@@ -23,7 +23,7 @@ from ..library.strides import VariedStride, plain_stride, varied_stride
 from ..numerics.following import halved, walk
 from ..numerics.newton import GOOD_ENOUGH, solve
 from ..terminal.progress import progress_bar
-from .settled import evenly, linked, settled_gaits
+from .settled import around, settled_gaits
 
 NEWTON_ITERATIONS, SHORTENINGS = 40, 6
 """To what is prescribed at once."""
@@ -37,12 +37,6 @@ LEAST_ITERATIONS, LEAST_STEP = 30, 1e-7
 """To the least change of parameters, and the last step there, over the parameters' values."""
 SHORTEST_SHARE = 5e-3
 """Shortest step, as a share of the way from the first gait's quantities to those prescribed."""
-RUNNERS = 1024
-"""Spread over the varied parameters."""
-FACTOR = 4.0
-"""To both sides of a varied parameter's value, that of a runner may be other by as much."""
-FROM_ZERO = 0.4
-"""Reach of a parameter that is zero, over its scale."""
 NONE = 1e-6
 """Share of a prescribed value below which a quantity counts as zero."""
 DESCENT_ITERATIONS, LOOK_AHEAD = 30, 8
@@ -250,42 +244,16 @@ def null_space(rows: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def initial_iterates(target: Target, first: Gait) -> Iterator[Iterate]:
     """Gaits from which a target may be reached, the nearest to it first."""
-    runner = first.runner
-    shares = evenly(RUNNERS, len(target.vary))
-    varied = {
-        name: around(runner, name, np.ascontiguousarray(row))
-        for name, row in zip(target.vary, shares.T, strict=True)
-    }
-    found = settled_gaits(runner, varied, first.apex)
-    values = np.column_stack(list(varied.values()))
-    known, points, gaps = [], [], []
-    for number, apex in zip(found.numbers, found.apexes, strict=True):
-        at = np.append(apex, values[number]) / target.scales
+
+    def gap(runner: Runner, apex: NDArray[np.float64]) -> float:
+        return _gap(plain_stride(runner, apex, target.names).quantities, target.prescribed)
+
+    for gait in settled_gaits(first, target.vary, partial(around, first.runner)).gaits(gap):
         try:
-            quantities = plain_stride(target.runner_at(at), apex, target.names).quantities
-        except (InputError, RunError):
-            continue
-        known.append(at)
-        points.append(shares[number])
-        gaps.append(_gap(quantities, target.prescribed))
-    for k in linked(np.array(points), np.array(gaps)):
-        try:
-            yield target.closed_near(known[k])
+            iterate = target.iterate_of(gait)
         except RunError:
             continue
-
-
-def around(runner: Runner, name: str, shares: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Values of a parameter: by factors of its own or, where that is zero, about it."""
-    variable, value = runner.model.variables[name], runner[name]
-    if value:
-        values = value * FACTOR ** (2.0 * shares - 1.0)
-    else:
-        reach = FROM_ZERO * runner.scale_of(variable.unit)
-        low, high = max(-reach, variable.minimum), min(reach, variable.maximum)
-        values = low + shares * (high - low)
-    clipped: NDArray[np.float64] = np.clip(values, variable.minimum, variable.maximum)
-    return clipped
+        yield iterate
 
 
 def _gap(quantities: NDArray[np.float64], prescribed: NDArray[np.float64]) -> float:

@@ -206,7 +206,14 @@ def _run(
     )
     solver = runner.solver()
     for row, time in enumerate(times.tolist()):
-        _advance(solver, system, motion, time, seeds, variations, count)
+        while motion.time < time and not motion.mode.fallen:
+            if count:
+                varying = c.tdmf_native_stride_varied(solver, system, time, motion, seeds, variations, count)
+                end = varying.outcome
+            else:
+                end = c.tdmf_native_advance(solver, system, ffi.NULL, time, motion)
+            if end not in (c.TDMF_ARRIVED, c.TDMF_FELL):
+                raise RunError(f"at {motion.time:g} s: {text_of(c.tdmf_outcome_text(end))}")
         motions[row], outputs[row] = motion[0], c.tdmf_outputs_of(system, motion)
         for number in range(count):
             varied[row * count + number] = variations[number]
@@ -214,19 +221,6 @@ def _run(
                 system, ffi.addressof(motion, "mode"), motion.state, seeds + number, variations + number
             )
     return tuple(arrays)
-
-
-def _advance(
-    solver: Any, system: Any, motion: Any, until: float, seeds: Any, variations: Any, count: int
-) -> None:
-    """Take a motion to a time, or to its fall, with its variations."""
-    while motion.time < until and not motion.mode.fallen:
-        if count:
-            end = c.tdmf_native_stride_varied(solver, system, until, motion, seeds, variations, count).outcome
-        else:
-            end = c.tdmf_native_advance(solver, system, ffi.NULL, until, motion)
-        if end not in (c.TDMF_ARRIVED, c.TDMF_FELL):
-            raise RunError(f"at {motion.time:g} s: {text_of(c.tdmf_outcome_text(end))}")
 
 
 def _start_by(runner: Runner, section: NDArray[np.float64], name: str) -> list[float]:

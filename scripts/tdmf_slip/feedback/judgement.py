@@ -13,6 +13,7 @@ P solves the discrete Lyapunov equation
 from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +21,7 @@ from numpy.typing import NDArray
 from ..analysis.attraction import Robustness, Volume, robustness, volume
 from ..analysis.first_passage import FirstPassage, strides_to_fall
 from ..blocks import in_order, run_blocks
-from ..checks import check_kind, checked
+from ..checks import check_kind, checked, refusal
 from ..errors import InputError
 from ..given import row_of
 from ..library.gait import Gait, check_is_gait
@@ -91,30 +92,13 @@ RUNNERS, MAX_STRIDES = 256, 400
 
 
 @dataclass(frozen=True, eq=False)
-class Trial:
-    """A gait, with a feedback or without: a block of work."""
+class Judgement:
+    """How well a gait is held, by many runs."""
 
     gait: Gait
     """The gait."""
     law: Law | None
     """Law that holds the gait; None for the runner as it is."""
-    roughness: tuple[float, ...]
-    """Standard deviations of a step of the ground, m."""
-    seed: int = 0
-    """Seed of starts and ground."""
-
-    def __post_init__(self) -> None:
-        """Refuse a ground that cannot be, before a judgement has taken seconds."""
-        for roughness in self.roughness:
-            RoughGround(roughness, self.seed)
-
-
-@dataclass(frozen=True, eq=False)
-class Judgement:
-    """How well a gait is held, by many runs."""
-
-    trial: Trial
-    """Which gait, by which feedback."""
     volume: Volume
     """How much of the box of `analysis.attraction` settles on the gait; without noise."""
     robustness: Robustness
@@ -127,40 +111,42 @@ def judge(gait: Gait, law: Law | None = None, *, roughness: Sequence[float] = ()
     """How well a feedback holds a gait, within its limits."""
     check_is_gait(gait, "gait")
     check_law(law, gait.runner)
-    steps = row_of(roughness, "roughness", "numbers in a list, m")
-    return _judged(Trial(gait, law, tuple(steps), seed))
+    return _judged(_grounds(roughness, seed), seed, (gait, law))
 
 
 def judge_all(
-    trials: Sequence[Trial], *, executor: Executor | None = None, progress: bool = False
+    trials: Sequence[tuple[Gait, Law | None]],
+    *,
+    roughness: Sequence[float] = (),
+    seed: int = 0,
+    executor: Executor | None = None,
+    progress: bool = False,
 ) -> list[Judgement]:
-    """`judge` for many gaits and feedbacks, side by side."""
-    check_kind(trials, Sequence, "trials", "Trials in a list")
-    for trial in trials:
-        check_kind(trial, Trial, "trials", "Trials in a list")
+    """`judge` for many gaits, each with its feedback or None, side by side."""
+    allowed = "pairs of a Gait and a law or None in a list"
+    for trial in row_of(trials, "trials", allowed):
+        if not isinstance(trial, tuple) or len(trial) != 2:
+            raise refusal("trials", trials, allowed)
+        check_is_gait(trial[0], "trials")
+        check_law(trial[1], trial[0].runner)
+    work = partial(_judged, _grounds(roughness, seed), seed)
     with (
         progress_bar("feedback", len(trials), "laws", progress) as bar,
-        run_blocks(_judged, trials, executor) as results,
+        run_blocks(work, trials, executor) as results,
     ):
         return in_order(results, lambda _: bar.update())
 
 
-def _judged(trial: Trial) -> Judgement:
-    quiet = replace(trial.law, noise=None) if isinstance(trial.law, AffineLaw) else trial.law
-    return Judgement(
-        trial,
-        volume(trial.gait, SAMPLES, seed=trial.seed, law=quiet),
-        robustness(trial.gait, law=quiet),
-        tuple(
-            strides_to_fall(
-                trial.gait.runner,
-                roughness,
-                RUNNERS,
-                trial.seed,
-                MAX_STRIDES,
-                gait=trial.gait,
-                law=trial.law,
-            )
-            for roughness in trial.roughness
-        ),
+def _grounds(roughness: Sequence[float], seed: int) -> list[RoughGround]:
+    return [RoughGround(one, seed) for one in row_of(roughness, "roughness", "numbers in a list, m")]
+
+
+def _judged(grounds: Sequence[RoughGround], seed: int, trial: tuple[Gait, Law | None]) -> Judgement:
+    gait, law = trial
+    quiet = replace(law, noise=None) if isinstance(law, AffineLaw) else law
+    passages = (
+        strides_to_fall(gait.runner, ground, RUNNERS, max_strides=MAX_STRIDES, gait=gait, law=law)
+        for ground in grounds
     )
+    attracted = volume(gait, SAMPLES, seed=seed, law=quiet)
+    return Judgement(gait, law, attracted, robustness(gait, law=quiet), tuple(passages))

@@ -246,9 +246,8 @@ def _rows(
             if name in given:
                 share, each = given[name]
                 error = repr(abs(_number(value)) * each[number - 1] if share else each[number - 1])
-            may_be_negative = bool(model.map_class) or name in SIGNED
-            pair = _pair(name, value, error, here, factor, error_factor, -MAXIMUM if may_be_negative else 0.0)
-            measured[name] = Measured(*pair)
+            low = -MAXIMUM if model.map_class or name in SIGNED else 0.0
+            measured[name] = _measured(name, (value, factor), (error, error_factor), here, low)
         if not measured:
             raise InputError(f"{here}: nothing is measured; allowed: one quantity or more")
         yield measured
@@ -268,24 +267,23 @@ def _errors_of(name: str, given: object, rows: int) -> tuple[bool, list[float]]:
     return False, np.broadcast_to(each, rows).tolist()
 
 
-def _pair(
-    name: str, value: str, error: str, here: str, factor: float, error_factor: float, low: float
-) -> tuple[float, float]:
-    """A quantity and its error, in the quantity's unit."""
+def _measured(
+    name: str, value: tuple[str, float], error: tuple[str, float], here: str, low: float
+) -> Measured:
+    """A quantity and its error from texts, each with how many of its unit make one of the quantity's."""
     high = 1.0 if name == "duty_factor" else MAXIMUM
-    measured = _number(value) / factor
+    measured, spread = (_number(text) / factor for text, factor in (value, error))
     if not low <= measured <= high:
         raise InputError(
-            f"{here}: {name} = {value or 'nothing'} is not allowed; allowed: a number {low:g} to {high:g}"
+            f"{here}: {name} = {value[0] or 'nothing'} is not allowed; allowed: a number {low:g} to {high:g}"
         )
-    spread = _number(error) / error_factor
     minimum = SMALLEST_ERROR * max(abs(measured), MINIMUM)
     if not minimum <= spread <= MAXIMUM:
         raise InputError(
-            f"{here}: {name}{ERROR} = {error or 'nothing'} is not allowed; allowed: a standard error "
+            f"{here}: {name}{ERROR} = {error[0] or 'nothing'} is not allowed; allowed: a standard error "
             f"above 0, {minimum:.3g} to {MAXIMUM:g}"
         )
-    return measured, spread
+    return Measured(measured, spread)
 
 
 def _number(text: str) -> float:

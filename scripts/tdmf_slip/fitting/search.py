@@ -13,13 +13,13 @@ near enough to a gait for the search along the gaits to go on from there.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.settled import evenly, linked, settled_gaits
-from ..analysis.target import around
+from ..analysis.settled import around, settled_gaits
 from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
@@ -135,46 +135,19 @@ def is_stationary(ended: Ended, jacobian: NDArray[np.float64], robust: bool) -> 
     return bool(np.all(outwards | (np.abs(left) <= maximum)))
 
 
-RUNNERS = 1024
-"""Spread over what varies."""
-
-
 def starts(first: Gait, measurements: Measurements, vary: Sequence[str]) -> Iterator[Gait]:
     """Gaits to begin with, the nearest to the data first; none is near a nearer one."""
-    runner, shares = first.runner, evenly(RUNNERS, len(vary))
-    varied = {
-        name: around(runner, name, np.ascontiguousarray(row))
-        for name, row in zip(vary, shares.T, strict=True)
-    }
-    found = settled_gaits(runner, varied, first.apex)
-    runners, apexes, points, losses = [], [], [], []
-    for number, apex in zip(found.numbers, found.apexes, strict=True):
-        other = runner.replace({name: float(row[number]) for name, row in varied.items()})
-        loss = _loss(other, apex, measurements)
-        if loss is None:
-            continue
-        runners.append(other)
-        apexes.append(apex)
-        points.append(shares[number])
-        losses.append(loss)
-    for k in linked(np.array(points), np.array(losses)):
-        try:
-            yield gait_near(runners[k], apexes[k])
-        except RunError:
-            continue
 
+    def loss(runner: Runner, apex: NDArray[np.float64]) -> float:
+        """Huber's, of a gait for all rows."""
+        losses = []
+        for row in measurements.rows:
+            has = plain_stride(runner, apex, tuple(row)).quantities
+            off = [(value - of.value) / of.error for value, of in zip(has, row.values(), strict=True)]
+            losses.append(loss_of(np.array(off), True))
+        return sum(losses)
 
-def _loss(runner: Runner, apex: NDArray[np.float64], measurements: Measurements) -> float | None:
-    """Huber's, of a gait for all rows; None where its stride does not close."""
-    losses = []
-    for measured in measurements.rows:
-        try:
-            has = plain_stride(runner, apex, tuple(measured)).quantities
-        except (InputError, RunError):
-            return None
-        off = [(value - of.value) / of.error for value, of in zip(has, measured.values(), strict=True)]
-        losses.append(loss_of(np.array(off), True))
-    return sum(losses)
+    return settled_gaits(first, vary, partial(around, first.runner)).gaits(loss)
 
 
 ROUNDS, REGIONS = 12, 8

@@ -17,7 +17,7 @@ change without bound, and an optimum at its very edge cannot be found by gradien
 once more with a constraint that keeps off the fold.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
@@ -25,11 +25,11 @@ from itertools import islice
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.settled import evenly, linked, settled_gaits
+from ..analysis.settled import Settled, evenly, settled_gaits
 from ..analysis.targeted import TargetNotMetError
-from ..errors import InputError, RunError
-from ..library.fixed_point import gait_near
+from ..errors import RunError
 from ..library.gait import Gait
+from ..library.runner import Runner
 from ..library.strides import plain_stride
 from ..numerics.following import halved
 from ..terminal.progress import Bar
@@ -38,8 +38,6 @@ from .gaits import Candidate, Gaits, Space
 from .optimum import FOLD, STABILITY, Optimum, reported
 from .problem import MET, OFF_FOLD, Ended, Feasibility, Goal, Problem, minimize
 
-RUNNERS = 1024
-"""Spread over the bounds."""
 VIOLATED = 2.0
 """Weight of a violated constraint against the objective where a search is to begin: it will be met there by
 a change of the parameters, which changes the objective by as much or so."""
@@ -81,37 +79,6 @@ class Start:
     """Coordinates between the bounds, from 0 to 1."""
     gait: Gait
     """The gait."""
-
-
-class Spread:
-    """Gaits all over the bounds."""
-
-    def __init__(self, first: Start, space: Space) -> None:
-        """Begin with a known gait and draw points of the space."""
-        self.space, self.runner = space, first.gait.runner
-        points = evenly(RUNNERS, len(space.bounds))
-        values = space.low + points * space.width
-        varied = {name: np.ascontiguousarray(row) for name, row in zip(space.bounds, values.T, strict=True)}
-        found = settled_gaits(self.runner, varied, first.gait.apex)
-        self.points, self.apexes = points[found.numbers], found.apexes
-
-    def starts(self, problem: Problem, first: Start) -> Iterator[Start]:
-        """Starts of a search for a problem, the most promising first."""
-        runners = [self.space.runner_at(self.runner, point) for point in self.points]
-        names = problem.goal.names
-        merits, known = [], []
-        for number, (runner, apex) in enumerate(zip(runners, self.apexes, strict=True)):
-            try:
-                quantities = plain_stride(runner, apex, names).quantities
-            except (InputError, RunError):
-                continue
-            merits.append(problem.rough_merit(quantities, VIOLATED))
-            known.append(number)
-        for k in linked(self.points[known], np.array(merits)):
-            try:
-                yield Start(self.points[known[k]], gait_near(runners[known[k]], self.apexes[known[k]]))
-            except RunError:
-                continue
 
 
 @dataclass(frozen=True, eq=False)
@@ -270,9 +237,15 @@ class Optimizer:
         self.first, self.count, self._gaits_of = first, starts, gaits
 
     @cached_property
-    def spread(self) -> Spread:
-        """Gaits all over the bounds."""
-        return Spread(self.first, self.space)
+    def settled(self) -> Settled:
+        """Runners all over the bounds that have settled."""
+
+        def between_bounds(name: str, shares: NDArray[np.float64]) -> NDArray[np.float64]:
+            low, high = self.space.bounds[name]
+            values: NDArray[np.float64] = low + shares * (high - low)
+            return values
+
+        return settled_gaits(self.first.gait, tuple(self.space.bounds), between_bounds)
 
     def starts(self, problem: Problem) -> list[Start]:
         """Where the searches for a problem begin: at the runner's own gait, and where it promises most.
@@ -282,7 +255,12 @@ class Optimizer:
         more = self.count - 1
         if not more:
             return [self.first]
-        found = list(islice(self.spread.starts(problem, self.first), more))
+
+        def merit(runner: Runner, apex: NDArray[np.float64]) -> float:
+            return problem.rough_merit(plain_stride(runner, apex, problem.goal.names).quantities, VIOLATED)
+
+        gaits = islice(self.settled.gaits(merit), more)
+        found = [Start(self.space.coordinates_of(gait.runner), gait) for gait in gaits]
         if not found:
             points = evenly(more, len(self.space.bounds))
             reached = (_reached(self._gaits_of, self.first, point, TRIES) for point in points)

@@ -19,17 +19,19 @@ state of the box has to count, for an outer one some state. How many of a box co
 sums, four numbers for a box of any size, so that a pass takes all pairs at once.
 """
 
+from __future__ import annotations
+
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..analysis.ball import starts_at
 from ..blocks import run_blocks
 from ..checks import check_size, checked_whole
 from ..errors import InputError
@@ -43,6 +45,9 @@ from ..library.settings import check_acts, checked_values, setting_number
 from ..record import dataset
 from ..terminal.progress import progress_bar
 from ..variables.table import by_full_name
+
+if TYPE_CHECKING:
+    import xarray
 
 MAX_CELLS = 2048
 """Largest number of cells along an axis."""
@@ -156,36 +161,10 @@ def _actions(runner: Runner, vary: Any) -> dict[str, NDArray[np.float64]]:
     return actions
 
 
-def starts_at(
-    point: NDArray[np.float64], columns: Sequence[int], pairs: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Points of the section that have pairs of numbers, shape (n, 2), for two of their coordinates."""
-    starts = np.tile(point, (len(pairs), 1))
-    starts[:, columns] = pairs
-    return starts
-
-
 NOT_YET = -1
 STRIDES_IN_A_CALL = 65_536
 """Each takes 400 bytes of memory."""
 STRIDES_IN_A_BLOCK = 65_536
-
-
-@dataclass(frozen=True, eq=False)
-class Transitions:
-    """The fate of each pair of a corner and an action, and where it leads."""
-
-    grid: Grid
-    """Grid of corners and actions."""
-    fate: NDArray[np.int8]
-    """Numbers into `library.batch_tables.STRIDE_FATES`, shape (nodes, nodes, actions)."""
-    next_apex: NDArray[np.float32]
-    """Both coordinates, NaN where the stride did not close, shape (2, nodes, nodes, actions)."""
-
-    @property
-    def closed(self) -> int:
-        """Number of strides that closed."""
-        return int(np.count_nonzero(self.fate == CLOSED))
 
 
 def strides_of(
@@ -216,10 +195,8 @@ def strides_of(
     return fates.reshape(shape), nexts.reshape(2, *shape)
 
 
-def transitions_file(
-    runner: Runner, grid: Grid, point: NDArray[np.float64], path: Path | None = None
-) -> Resumed:
-    """Strides of a grid, of which some may be on file."""
+def no_transitions(runner: Runner, grid: Grid, point: NDArray[np.float64]) -> xarray.Dataset:
+    """The dataset of a grid before any stride."""
     shared = dict(zip(runner.coordinates, point.tolist(), strict=True)) if runner.model.map_class else {}
     corners = [f"{axis}_edge" for axis in grid.edges]
     over, shape = (*corners, *grid.actions), (*grid.nodes, *grid.action_shape)
@@ -227,7 +204,7 @@ def transitions_file(
         "flag_values": np.arange(NOT_YET, len(STRIDE_FATES), dtype=np.int8),
         "flag_meanings": " ".join(("not_yet", *STRIDE_FATES)),
     }
-    blank = dataset(
+    return dataset(
         "viability",
         runner.record(),
         {
@@ -238,39 +215,33 @@ def transitions_file(
         tolerance=TOLERANCE,
         **{f"at_{name}": value for name, value in shared.items() if name not in grid.edges},
     )
-    return Resumed(path, blank, "viable set")
 
 
-def make_transitions(
+def fill_transitions(
     runner: Runner,
     grid: Grid,
     point: NDArray[np.float64],
     file: Resumed,
-    *,
-    executor: Executor | None = None,
-    progress: bool = False,
-    what: str = "strides",
-) -> Transitions:
-    """All strides of a grid, made anew but for those on file."""
+    executor: Executor | None,
+    progress: bool,
+) -> None:
+    """Make all strides of a grid but for those on file: their fates, and where they lead."""
     fate, corner = file.data["fate"], f"{next(iter(grid.edges))}_edge"
     missing = [row for row, of in enumerate(fate.values) if (of == NOT_YET).any()]
-    at_once = max(1, STRIDES_IN_A_BLOCK // math.prod(fate.shape[1:]))
+    row_size = math.prod(fate.shape[1:])
+    at_once = max(1, STRIDES_IN_A_BLOCK // row_size)
     blocks = [missing[first : first + at_once] for first in range(0, len(missing), at_once)]
+    names = ("fate", *(f"next_{axis}" for axis in grid.edges))
     with (
-        progress_bar(what, fate.size, "strides", progress) as bar,
+        progress_bar("strides", fate.size, "strides", progress) as bar,
         run_blocks(partial(strides_of, runner, grid, point), blocks, executor) as results,
     ):
-        bar.update((len(fate) - len(missing)) * math.prod(fate.shape[1:]))
+        bar.update((len(fate) - len(missing)) * row_size)
         for number, (fates, nexts) in results:
-            arrays = dict(
-                zip(("fate", *(f"next_{axis}" for axis in grid.edges)), (fates, *nexts), strict=True)
-            )
             shape = (len(blocks[number]), *fate.shape[1:])
-            file.write({corner: blocks[number]}, {name: a.reshape(shape) for name, a in arrays.items()})
+            arrays = {of: a.reshape(shape) for of, a in zip(names, (fates, *nexts), strict=True)}
+            file.write({corner: blocks[number]}, arrays)
             bar.update(fates.size)
-    flat = (*grid.nodes, grid.action_count)
-    nexts = np.stack([file.data[f"next_{axis}"].values.reshape(flat) for axis in grid.edges])
-    return Transitions(grid, file.data["fate"].values.reshape(flat), nexts)
 
 
 PAIRS_AT_ONCE = 1_000_000
@@ -291,14 +262,26 @@ class Boxes:
     high: NDArray[np.int16]
     """Last row and column, shape (2, pairs)."""
 
-    def some(self, which: NDArray[np.bool_] | NDArray[np.intp]) -> "Boxes":
+    def some(self, which: NDArray[np.bool_] | NDArray[np.intp]) -> Boxes:
         """Some of the pairs."""
         return Boxes(self.cells[which], self.actions[which], self.low[:, which], self.high[:, which])
 
 
-def boxes_of(transitions: Transitions, scales: NDArray[np.float64], factor: float, *, inner: bool) -> Boxes:
-    """The pairs that may count, and the boxes of cells in which their images are."""
-    parts = list(_parts(transitions, scales, factor, inner))
+def boxes_of(
+    grid: Grid, images: NDArray[np.float32], scales: NDArray[np.float64], factor: float, *, inner: bool
+) -> Boxes:
+    """The pairs that may count, and the boxes of cells in which their images are.
+
+    Images are the next coordinates of strides from corners, shape (2, nodes, nodes, actions), NaN where a
+    stride did not close.
+    """
+    rows, columns = grid.cells
+    at_once = max(1, PAIRS_AT_ONCE // (columns * grid.action_count))
+    off = _accuracy(grid, scales)[:, None, None, None]
+    parts = [
+        _block(grid, images, range(first, min(rows, first + at_once)), factor, off, inner)
+        for first in range(0, rows, at_once)
+    ]
     return Boxes(
         np.concatenate([part.cells for part in parts]),
         np.concatenate([part.actions for part in parts]),
@@ -307,28 +290,21 @@ def boxes_of(transitions: Transitions, scales: NDArray[np.float64], factor: floa
     )
 
 
-def _parts(
-    transitions: Transitions, scales: NDArray[np.float64], factor: float, inner: bool
-) -> Iterator[Boxes]:
-    grid = transitions.grid
-    rows, columns = grid.cells
-    at_once = max(1, PAIRS_AT_ONCE // (columns * grid.action_count))
-    for first in range(0, rows, at_once):
-        last = min(rows, first + at_once)
-        yield _block(transitions, scales, factor, inner, first, last)
-
-
 def _block(
-    transitions: Transitions, scales: NDArray[np.float64], factor: float, inner: bool, first: int, last: int
+    grid: Grid,
+    images: NDArray[np.float32],
+    rows: range,
+    factor: float,
+    off: NDArray[np.float64],
+    inner: bool,
 ) -> Boxes:
-    """Boxes of the cells of some rows."""
-    grid = transitions.grid
-    around = slice(max(0, first - 1), last + 2)
-    images = transitions.next_apex[:, around]
-    here = slice(first - around.start, last - around.start)
+    """Boxes of the cells of some rows; `off` is the largest error of an image."""
+    around = slice(max(0, rows.start - 1), rows.stop + 2)
+    images = images[:, around]
+    here = slice(rows.start - around.start, rows.stop - around.start)
     there = np.isfinite(images[0, here.start : here.stop + 1])
     middle, corners, shares = _means(images[:, here.start : here.stop + 1], there)
-    half = _reach(images, here, shares, grid, factor) + _accuracy(grid, scales)[:, None, None, None]
+    half = _reach(images, here, shares, factor) + off
     with np.errstate(invalid="ignore"):
         low, high = (
             np.floor((end - grid.origin[:, None, None, None]) / grid.sizes[:, None, None, None])
@@ -343,7 +319,7 @@ def _block(
         low, high = np.maximum(low, 0), np.minimum(high, maximum)
     row, column, action = np.nonzero(chosen)
     return Boxes(
-        ((row + first) * grid.cells[1] + column).astype(np.int32),
+        ((row + rows.start) * grid.cells[1] + column).astype(np.int32),
         action.astype(np.int32),
         low[:, chosen].astype(np.int16),
         high[:, chosen].astype(np.int16),
@@ -373,11 +349,7 @@ def _means(
 
 
 def _reach(
-    images: NDArray[np.float32],
-    here: slice,
-    shares: NDArray[np.float64],
-    grid: Grid,
-    factor: float,
+    images: NDArray[np.float32], here: slice, shares: NDArray[np.float64], factor: float
 ) -> NDArray[np.float64]:
     """Distance of a cell's image from the mean at the most, NaN where no derivative is known."""
     down = np.abs(np.diff(images, axis=1))

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..analysis.search import periodic_gait
 from ..checks import checked, refusal, shown
 from ..errors import InputError
+from ..files.resume import Resumed
 from ..files.whole import check_destination
 from ..given import numbers_of
 from ..library.gait import Gait
@@ -26,13 +27,12 @@ from ..variables.values import model_of
 from ..variables.variable import Given
 from .grid import (
     Grid,
-    Transitions,
     boxes_of,
+    fill_transitions,
     grid_of,
     largest_kept,
-    make_transitions,
+    no_transitions,
     strides_to,
-    transitions_file,
 )
 
 if TYPE_CHECKING:
@@ -291,32 +291,28 @@ def viability(
     grid = grid_of(runner, axes, vary, n)
     target = None if gait is None else _cells_about(runner, grid, gait)
     point = point_of(runner, tuple(grid.edges), gait)
-    file = transitions_file(runner, grid, point, path)
-    made = make_transitions(runner, grid, point, file, executor=executor, progress=progress)
-    found = _sets(runner, made, factor, target, transitions_file(runner, grid, point).data)
-    if path is not None:
-        file.finish(found)
+    file = Resumed(path, no_transitions(runner, grid, point), "viable set")
+    fill_transitions(runner, grid, point, file, executor, progress)
+    data = no_transitions(runner, grid, point)
+    for name in data.data_vars:
+        data[name].values[...] = file.data[name].values
+    found = _with_sets(data, runner, grid, factor, target)
+    file.finish(found)
     return found
 
 
-def _sets(
-    runner: Runner,
-    made: Transitions,
-    factor: float,
-    target: NDArray[np.bool_] | None,
-    data: xarray.Dataset,
+def _with_sets(
+    data: xarray.Dataset, runner: Runner, grid: Grid, factor: float, target: NDArray[np.bool_] | None
 ) -> xarray.Dataset:
-    """Both sets from transitions that are made, with the transitions in a blank file's dataset."""
-    grid = made.grid
-    over, shape = tuple(grid.edges), (*grid.nodes, *grid.action_shape)
-    data["fate"].values[...] = made.fate.reshape(shape)
-    for number, axis in enumerate(grid.edges):
-        data[f"next_{axis}"].values[...] = made.next_apex[number].reshape(shape)
+    """Transitions with both sets."""
+    over, flat = tuple(grid.edges), (*grid.nodes, grid.action_count)
+    images = np.stack([data[f"next_{axis}"].values.reshape(flat) for axis in grid.edges])
+    scales = runner.scales[grid.columns(runner)]
     attributes: dict[str, Any] = {"factor": factor}
     levels = np.zeros((*grid.cells, grid.action_count), np.int8)
     arrays: dict[str, Any] = {}
     for name in ("inner", "outer"):
-        boxes = boxes_of(made, runner.scales[grid.columns(runner)], factor, inner=name == "inner")
+        boxes = boxes_of(grid, images, scales, factor, inner=name == "inner")
         kept = largest_kept(boxes, grid.cells, inner=name == "inner")
         pairs = np.zeros((*grid.cells, grid.action_count), bool)
         pairs.reshape(-1, grid.action_count)[boxes.cells[kept.pairs], boxes.actions[kept.pairs]] = True

@@ -6,8 +6,9 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 
-from ...analysis.attraction import FARTHEST, Attraction
+from ...analysis.attraction import FARTHEST
 from ...analysis.sweeps import Row
+from ...feedback.judgement import Judgement
 from ...pictures import style
 from ...pictures.style import CurveLabel
 from . import figure_9
@@ -20,12 +21,12 @@ DISTURBANCES = {
 """Labels and colours of the disturbances that are drawn."""
 
 
-def table(measured: Sequence[Attraction], matched: Sequence[Attraction] = ()) -> Columns:
+def table(measured: Sequence[Judgement], matched: Sequence[Judgement] = ()) -> Columns:
     """Data of the figure by column. `matched` is 1 or 0; inf is a disturbance beyond the largest tried."""
     rows = [*measured, *matched]
     return {
         "matched": [0] * len(measured) + [1] * len(matched),
-        **attributes(rows, "friction", "word", "lambda_max"),
+        **attributes([one.gait for one in rows], "friction", "word", "lambda_max"),
         "attracted_share": [one.volume.share for one in rows],
         "attracted_share_low": [one.volume.interval[0] for one in rows],
         "attracted_share_high": [one.volume.interval[1] for one in rows],
@@ -36,7 +37,7 @@ def table(measured: Sequence[Attraction], matched: Sequence[Attraction] = ()) ->
     }
 
 
-def draw(path: Path, sweep: Row, measured: Sequence[Attraction], matched: Sequence[Attraction]) -> None:
+def draw(path: Path, sweep: Row, measured: Sequence[Judgement], matched: Sequence[Judgement]) -> None:
     """Draw the share of starts that settle, the largest eigenvalue, and the largest disturbances."""
     data, equal = table(measured), table(matched)
     with style.styled():

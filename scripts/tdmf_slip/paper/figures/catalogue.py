@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...analysis.attraction import Attraction, measure_all
 from ...analysis.search import periodic_gait
-from ...analysis.stability import StabilityMap
 from ...analysis.sweeps import Row, sweep_row
 from ...errors import InputError
+from ...feedback.judgement import Judgement, judge_all
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import animation, model, style
@@ -159,18 +158,18 @@ def _figures(measure: bool = False) -> dict[str, Figure]:
         return sweep_row(runner, FRICTION, SWEPT)
 
     @cache
-    def measured() -> list[Attraction]:
+    def measured() -> list[Judgement]:
         found = gaits().gaits
         chosen = [found[i] for i in np.linspace(0, len(found) - 1, MEASURED).round().astype(int)]
-        return measure_all(chosen)
+        return judge_all([(gait, None) for gait in chosen])
 
     @cache
     def equal() -> list[Gait]:
         return matched.over_friction(gaits().gaits, EQUAL)
 
     @cache
-    def measured_equal() -> list[Attraction]:
-        return measure_all(equal()[:: EQUAL // MEASURED_EQUAL])
+    def measured_equal() -> list[Judgement]:
+        return judge_all([(gait, None) for gait in equal()[:: EQUAL // MEASURED_EQUAL]])
 
     @cache
     def gaits_of_both() -> dict[str, Row]:
@@ -181,7 +180,7 @@ def _figures(measure: bool = False) -> dict[str, Figure]:
         return reduced.regions(runner)
 
     @cache
-    def planes() -> tuple[StabilityMap, StabilityMap]:
+    def planes() -> "tuple[xarray.Dataset, xarray.Dataset]":
         return reduced.planes(runner)
 
     retracting = cache(lambda: retraction.branches(runner))

@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from ...analysis.attraction import FARTHEST
 from ...analysis.search import periodic_gait
 from ...feedback.gains import Feedback, dead_beat, lqr
-from ...feedback.judgement import RUNNERS, Trial, judge_all
+from ...feedback.judgement import RUNNERS, Judgement, judge_all
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
@@ -73,20 +73,21 @@ def measure(runner: Runner) -> Columns:
     gaits = [periodic_gait(runner.replace({FRICTION: friction})) for friction in FRICTIONS]
     noise = (NOISE * runner.scales).tolist()
     alike = matched(runner, gaits)
-    trials: dict[str, list[Trial]] = {name: [] for name in COLOURS}
+    trials: dict[str, list[tuple[Gait, Feedback | None]]] = {name: [] for name in COLOURS}
     for gait in gaits:
         for name, law in laws(gait).items():
             noisy = None if law is None else replace(law, noise=noise, seed=SEED)
             one = alike.get(gait.friction) if name == MATCHED else gait
             if one is not None:
-                trials[name].append(Trial(one, noisy, ROUGHNESS, SEED))
+                trials[name].append((one, noisy))
     named = [name for name, its in trials.items() for _ in its]
-    found = judge_all([trial for its in trials.values() for trial in its], progress=True)
+    every = [trial for its in trials.values() for trial in its]
+    found = judge_all(every, roughness=ROUGHNESS, seed=SEED, progress=True)
     data: dict[str, list[Any]] = {
         "law": named,
-        "friction": [one.trial.gait.friction for one in found],
-        "word": [one.trial.gait.word for one in found],
-        "lambda_max": [_lambda_max(one.trial) for one in found],
+        "friction": [one.gait.friction for one in found],
+        "word": [one.gait.word for one in found],
+        "lambda_max": [_lambda_max(one) for one in found],
         "samples": [one.volume.samples for one in found],
         "attracted_share": [one.volume.share for one in found],
         "attracted_share_low": [one.volume.interval[0] for one in found],
@@ -112,8 +113,8 @@ def matched(runner: Runner, gaits: Sequence[Gait]) -> dict[float, Gait]:
     return {friction: gait for friction, gait in found.items() if gait is not None}
 
 
-def _lambda_max(trial: Trial) -> float:
-    return trial.law.lambda_max if isinstance(trial.law, Feedback) else trial.gait.lambda_max
+def _lambda_max(one: Judgement) -> float:
+    return one.law.lambda_max if isinstance(one.law, Feedback) else one.gait.lambda_max
 
 
 def draw(path: Path, data: Columns) -> None:

@@ -13,7 +13,7 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from ...analysis.basin import basin
-from ...analysis.stability import StabilityMap, stability
+from ...analysis.stability import stability
 from ...analysis.sweeps import Row
 from ...library.runner import Runner
 from ...library.section import REDUCED
@@ -115,7 +115,7 @@ def draw_eigenvalues(path: Path, sweeps: dict[str, Row]) -> None:
         style.save(figure, path)
 
 
-def planes(runner: Runner) -> tuple[StabilityMap, StabilityMap]:
+def planes(runner: Runner) -> "tuple[xarray.Dataset, xarray.Dataset]":
     """Stability of the reduced map by touchdown angle and damping, and by retraction rate and friction."""
     small = Runner(runner, model="reduced")
     return (
@@ -127,30 +127,32 @@ def planes(runner: Runner) -> tuple[StabilityMap, StabilityMap]:
     )
 
 
-def plane_table(maps: tuple[StabilityMap, StabilityMap]) -> Columns:
+def plane_table(maps: "tuple[xarray.Dataset, xarray.Dataset]") -> Columns:
     """Data of both planes by column: parameters, largest eigenvalue and word."""
     columns: dict[str, list[Any]] = {}
     for one in maps:
-        grid = np.meshgrid(one.rows, one.columns, indexing="ij")
-        for which, name, values in zip(("first", "second"), one.names, grid, strict=True):
+        names = tuple(map(str, one["word"].dims))
+        grid = np.meshgrid(*(one[name].values for name in names), indexing="ij")
+        for which, name, values in zip(("first", "second"), names, grid, strict=True):
             columns.setdefault(f"{which}_parameter", []).extend([name] * values.size)
             columns.setdefault(f"{which}_value", []).extend(values.ravel())
-        columns.setdefault("lambda_max", []).extend(one.lambda_max.ravel())
-        columns.setdefault("word", []).extend(one.word.ravel())
+        for name in ("lambda_max", "word"):
+            columns.setdefault(name, []).extend(one[name].values.ravel())
     return columns
 
 
-def draw_planes(path: Path, maps: tuple[StabilityMap, StabilityMap]) -> None:
+def draw_planes(path: Path, maps: "tuple[xarray.Dataset, xarray.Dataset]") -> None:
     """Draw the largest eigenvalue over both planes, with the border of stability."""
     first, second = maps
+    shares = [float((one["lambda_max"] < 1.0).mean()) for one in maps]
     with style.styled():
         figure, (left, right) = style.subplots(1, 2, figsize=(8.4, 4.5))
-        mesh = _draw_plane(left, first, np.degrees(first.columns), first.rows)
-        left.set_title(f"(a) friction 0.6: {first.stable_share:.0%} of the plane has a stable gait")
+        mesh = _draw_plane(left, first, np.degrees(ANGLES), DAMPINGS)
+        left.set_title(f"(a) friction 0.6: {shares[0]:.0%} of the plane has a stable gait")
         style.label(left, "touchdown angle θ₀ (°)", "damping c (√(mk))")
-        _draw_plane(right, second, second.columns, second.rows)
+        _draw_plane(right, second, RETRACTIONS, FRICTIONS)
         right.set_yscale("log")
-        right.set_title(f"(b) touchdown angle 45°: {second.stable_share:.0%} has a stable gait")
+        right.set_title(f"(b) touchdown angle 45°: {shares[1]:.0%} has a stable gait")
         style.label(right, "retraction rate ω (√(k/m))", "friction coefficient μ")
         right.set_yticks(figure_9.TICKS[:-1], [f"{tick:g}" for tick in figure_9.TICKS[:-1]])
         right.minorticks_off()
@@ -163,14 +165,14 @@ def draw_planes(path: Path, maps: tuple[StabilityMap, StabilityMap]) -> None:
 
 
 def _draw_plane(
-    axes: Axes, one: StabilityMap, across: NDArray[np.float64], up: NDArray[np.float64]
+    axes: Axes, one: "xarray.Dataset", across: NDArray[np.float64], up: NDArray[np.float64]
 ) -> QuadMesh:
     """Paint stable gaits blue and unstable ones red; grey marks where no gait was found."""
     axes.set_facecolor(style.GROUND)
-    shown = np.ma.masked_invalid(one.lambda_max)
+    shown = np.ma.masked_invalid(one["lambda_max"].values)
     scale = TwoSlopeNorm(1.0, 0.5, 1.5)
     mesh = axes.pcolormesh(across, up, shown, cmap="RdBu_r", norm=scale, shading="nearest", rasterized=True)
-    if np.nanmin(one.lambda_max) < 1.0 < np.nanmax(one.lambda_max):
+    if shown.min() < 1.0 < shown.max():
         axes.contour(across, up, shown, [1.0], colors=style.INK, linewidths=1.2)
     axes.spines[["top", "right"]].set_visible(True)
     return mesh
