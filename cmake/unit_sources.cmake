@@ -5,8 +5,10 @@
 function(tdmf_slip_unit_sources variable)
     set(core ${PROJECT_SOURCE_DIR}/c_core)
     set(files ${core}/derived/pages/runner.c ${core}/derived/pages/runner.h ${core}/derived/pages/runner_motions.c
+              ${core}/derived/pages/plain_runner.c ${core}/derived/pages/plain_runner.h
+              ${core}/derived/pages/plain_runner_motions.c ${core}/derived/pages/plain_runner_in_runner.c
               ${core}/derived/pages/unit_page.h ${core}/hybrid/kernel/driver.c ${core}/hybrid/kernel/observed.c
-              ${core}/hybrid/kernel/page_exchange.c ${core}/hybrid/kernel/page_instant.c
+              ${core}/hybrid/kernel/page_exchange.c ${core}/hybrid/kernel/page_instant.c ${core}/hybrid/kernel/page_part.c
               ${core}/hybrid/kernel/run_state.c ${core}/hybrid/kernel/no_page_cvode.c)
     set(folders ${core}/kernel ${core}/hybrid/kernel)
     foreach(target IN ITEMS ${ARGN})

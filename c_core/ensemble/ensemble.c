@@ -99,7 +99,7 @@ static bool find_memory(batch_memory *memory, int64_t count, int number_count) {
 }
 
 /* Begins the first runners, one in each place. Returns how many there are. */
-static int64_t begin_first(page_job *job, const tdmf_runner_page *page, const batch_memory *memory,
+static int64_t begin_first(page_job *job, const tdmf_page_part *page, const batch_memory *memory,
                            int64_t places) {
     const tdmf_ensemble *ensemble = job->ensemble;
     const tdmf_model_kind *model = page->model;
@@ -110,8 +110,8 @@ static int64_t begin_first(page_job *job, const tdmf_runner_page *page, const ba
     const tdmf_member member = {.ensemble = ensemble,
                                 .page = page,
                                 .places = job->places,
-                                .begins = tdmf_event_on_page(page, EVENT_begins),
-                                .apex = tdmf_event_on_page(page, EVENT_apex)};
+                                .begins = tdmf_event_on_part(page, EVENT_begins),
+                                .apex = tdmf_event_on_part(page, EVENT_apex)};
     for (int64_t i = 0; i < places; ++i) {
         memory->runs[i] = run;
         memory->runs[i].p = memory->numbers + i * (model->parameter_count + model->state_count);
@@ -140,16 +140,16 @@ static void add_work(const page_job *job, int64_t places, const tdmf_batch_work 
 }
 
 /* The places on a page of all states of the runner's page; -1: the page has none. */
-static void find_places(const tdmf_runner_page *page, int places[TDMF_PAGE_STATE_COUNT]) {
+static void find_places(const tdmf_page_part *page, int places[TDMF_PAGE_STATE_COUNT]) {
     for (int i = 0; i < TDMF_PAGE_STATE_COUNT; ++i) {
-        places[i] = tdmf_state_on_page(page, i);
+        places[i] = tdmf_state_on_part(page, i);
     }
 }
 
 /* Runs the runners of one page. */
 static bool run_on_page(page_job *job, int64_t count, tdmf_ensemble_work *work) {
     const tdmf_ensemble *ensemble = job->ensemble;
-    const tdmf_runner_page *page = tdmf_page_for(ensemble->map, job->takes_plain);
+    const tdmf_page_part *page = tdmf_page_for(ensemble->map, job->takes_plain);
     const tdmf_model_kind model = tdmf_model_in_lanes(page);
     const int width = widths[ensemble->instructions];
     const int64_t most = (int64_t)ensemble->threads * TDMF_RUNS_OF_A_LANE * (width == 0 ? 8 : width);

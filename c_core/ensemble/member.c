@@ -389,7 +389,7 @@ static bool begin(tdmf_member *member) {
 }
 
 static bool ends_elsewhere(tdmf_member *member, tdmf_run_outcome outcome) {
-    const int mode = tdmf_mode_in_runner(member->page, member->run->mode);
+    const int mode = tdmf_mode_in_whole(member->page, member->run->mode);
     if (outcome == TDMF_RUN_ENDED) {
         return give_up(member, mode == MODE_fallen ? TDMF_FATE_FELL : TDMF_FATE_NO_STRIDE);
     }
@@ -418,7 +418,7 @@ static void stand(const tdmf_member *member) {
         return;
     }
     tdmf_ensemble_checkpoint *checkpoint = &member->ensemble->checkpoints[member->index];
-    const int mode = tdmf_mode_in_runner(member->page, run->mode);
+    const int mode = tdmf_mode_in_whole(member->page, run->mode);
     const runner_states x = tdmf_member_states(member);
     memset(checkpoint, 0, sizeof *checkpoint);
     checkpoint->stands = true;
@@ -427,25 +427,25 @@ static void stand(const tdmf_member *member) {
     checkpoint->chain = run->chain;
     checkpoint->time = run->time;
     checkpoint->time_rest = run->time_rest;
-    checkpoint->taken = tdmf_events_in_runner(member->page, run->taken);
-    checkpoint->above = tdmf_events_in_runner(member->page, run->above);
-    checkpoint->late = tdmf_events_in_runner(member->page, run->late);
+    checkpoint->taken = tdmf_events_in_whole(member->page, run->taken);
+    checkpoint->above = tdmf_events_in_whole(member->page, run->above);
+    checkpoint->late = tdmf_events_in_whole(member->page, run->late);
     checkpoint->ground_height = member->inputs.ground.height;
     checkpoint->ground_slope = member->inputs.ground.slope;
     memcpy(checkpoint->states, &x, sizeof x);
 }
 
 static void load_checkpoint(tdmf_member *member, const tdmf_ensemble_checkpoint *checkpoint) {
-    const tdmf_runner_page *page = member->page;
+    const tdmf_page_part *page = member->page;
     tdmf_page_run *run = member->run;
     runner_states x;
-    run->mode = tdmf_mode_on_page(page, checkpoint->mode);
+    run->mode = tdmf_mode_on_part(page, checkpoint->mode);
     run->chain = checkpoint->chain;
     run->time = checkpoint->time;
     run->time_rest = checkpoint->time_rest;
-    run->taken = tdmf_events_on_page(page, checkpoint->taken);
-    run->above = tdmf_events_on_page(page, checkpoint->above);
-    run->late = tdmf_events_on_page(page, checkpoint->late);
+    run->taken = tdmf_events_on_part(page, checkpoint->taken);
+    run->above = tdmf_events_on_part(page, checkpoint->above);
+    run->late = tdmf_events_on_part(page, checkpoint->late);
     memcpy(&x, checkpoint->states, sizeof x);
     tdmf_take_states(page, &x, run->x);
     member->inputs.ground.height = checkpoint->ground_height;
@@ -566,7 +566,7 @@ static bool close_stride(tdmf_member *member) {
 static bool closes(const tdmf_member *member, tdmf_run_outcome outcome) {
     const tdmf_page_run *run = member->run;
     return outcome == TDMF_RUN_STOPPED ||
-           (outcome == TDMF_RUN_ENDED && tdmf_mode_in_runner(member->page, run->mode) < 0 &&
+           (outcome == TDMF_RUN_ENDED && tdmf_mode_in_whole(member->page, run->mode) < 0 &&
             (run->taken >> member->apex & 1) != 0);
 }
 

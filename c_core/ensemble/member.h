@@ -6,7 +6,7 @@
 
 typedef struct {
     const tdmf_ensemble *ensemble;
-    const tdmf_runner_page *page;
+    const tdmf_page_part *page;
     const int *places; /* on the page, of each state of the runner's page; -1: the page has none */
     int begins, apex;  /* events of the page: the start, and where a stride closes */
     int64_t index;     /* in the ensemble */

@@ -228,8 +228,8 @@ static bool has_room(const tdmf_ensemble *ensemble) {
 
 /* Whether the page of a map has a mode of the runner's page. */
 static bool is_mode(int mode, tdmf_ensemble_map map) {
-    const tdmf_runner_page *page = tdmf_page_for(map, false);
-    return mode >= 0 && tdmf_mode_on_page(page, mode) >= 0;
+    const tdmf_page_part *page = tdmf_page_for(map, false);
+    return mode >= 0 && tdmf_mode_on_part(page, mode) >= 0;
 }
 
 static bool has_checkpoints(const tdmf_ensemble *ensemble) {

@@ -15,19 +15,21 @@ tdmf_motions_of_width tdmf_plain_runner_motions_of_2, tdmf_plain_runner_motions_
     }
 
 static const struct {
-    const tdmf_runner_page *page;
+    const tdmf_page_part *page;
     tdmf_motions_of_width *lanes[3];
 } pages[] = {
     {&tdmf_whole_page, LANES_OF(tdmf_runner)},
-    {&tdmf_plain_page, LANES_OF(tdmf_plain_runner)},
-    {&tdmf_reduced_page, LANES_OF(tdmf_reduced_runner)},
+    {&tdmf_plain_runner_part, LANES_OF(tdmf_plain_runner)},
+    {&tdmf_reduced_runner_part, LANES_OF(tdmf_reduced_runner)},
 };
 
-const tdmf_runner_page *tdmf_page_for(tdmf_ensemble_map map, bool is_plain) {
-    return map == TDMF_REDUCED_MAP ? &tdmf_reduced_page : is_plain ? &tdmf_plain_page : &tdmf_whole_page;
+const tdmf_page_part *tdmf_page_for(tdmf_ensemble_map map, bool is_plain) {
+    return map == TDMF_REDUCED_MAP ? &tdmf_reduced_runner_part
+           : is_plain              ? &tdmf_plain_runner_part
+                                   : &tdmf_whole_page;
 }
 
-tdmf_model_kind tdmf_model_in_lanes(const tdmf_runner_page *page) {
+tdmf_model_kind tdmf_model_in_lanes(const tdmf_page_part *page) {
     tdmf_model_kind model = *page->model;
     for (size_t i = 0; i < sizeof pages / sizeof *pages; ++i) {
         if (pages[i].page == page) {

@@ -6,9 +6,9 @@
 #include "tdmf_slip/ensemble.h"
 
 /* The page for a map. `is_plain`: for runners that tdmf_suits_plain_page finds plain. */
-const tdmf_runner_page *tdmf_page_for(tdmf_ensemble_map map, bool is_plain);
+const tdmf_page_part *tdmf_page_for(tdmf_ensemble_map map, bool is_plain);
 
 /* The model of a page with its motions in lanes. */
-tdmf_model_kind tdmf_model_in_lanes(const tdmf_runner_page *page);
+tdmf_model_kind tdmf_model_in_lanes(const tdmf_page_part *page);
 
 #endif

@@ -38,7 +38,7 @@ static tdmf_stride_request request_of(const tdmf_stride_batch *batch, int64_t nu
 static void begin_run(stride_part *part, int own, int place) {
     const tdmf_runner_run *run = &part->strides[own].solver.run;
     part->runs[place] = run->run;
-    part->runs[place].stop_event = tdmf_event_on_page(run->page, EVENT_apex);
+    part->runs[place].stop_event = tdmf_event_on_part(run->page, EVENT_apex);
     part->runs[place].step_limit = most_steps;
     part->until[place] = part->requests[own].until;
     part->numbers[place] = own;
@@ -57,7 +57,7 @@ static void end_run(stride_part *part, int place, tdmf_return *results) {
 }
 
 /* Runs the strides of a part that were begun on a page. */
-static bool run_on_page(stride_part *part, const tdmf_runner_page *page, const bool *is_begun, int count,
+static bool run_on_page(stride_part *part, const tdmf_page_part *page, const bool *is_begun, int count,
                         tdmf_return *results) {
     const tdmf_model_kind model = tdmf_model_in_lanes(page);
     tdmf_batch kernel = tdmf_batch_default();
@@ -86,7 +86,7 @@ static bool run_part(stride_part *part, int64_t first, int count, tdmf_return *r
         is_begun[own] = tdmf_begin_mapped_stride(&part->strides[own], &part->solver, &part->requests[own],
                                                  &results[first + own]);
     }
-    return run_on_page(part, &tdmf_plain_page, is_begun, count, results + first) &&
+    return run_on_page(part, &tdmf_plain_runner_part, is_begun, count, results + first) &&
            run_on_page(part, &tdmf_whole_page, is_begun, count, results + first);
 }
 

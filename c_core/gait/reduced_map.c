@@ -22,7 +22,7 @@ enum { PARAMETERS = TDMF_PAGE_PARAMETER_COUNT, STATES = TDMF_PAGE_STATE_COUNT };
 static const double longest_time = 1e12;
 
 typedef struct {
-    const tdmf_runner_page *page;
+    const tdmf_page_part *page;
     tdmf_solver *solver;
     tdmf_system system;
     tdmf_motion start;
@@ -37,7 +37,7 @@ typedef struct {
 
 /* ---- the runner's page --------------------------------------------------------------------------------- */
 
-static runner_states states_of(const tdmf_runner_page *page, const double *own) {
+static runner_states states_of(const tdmf_page_part *page, const double *own) {
     runner_states x;
     memset(&x, 0, sizeof x);
     tdmf_give_states(page, own, &x);
@@ -47,7 +47,7 @@ static runner_states states_of(const tdmf_runner_page *page, const double *own) 
 /* A point of the runner's page, with the leg where it is placed; after lift-off with the leg as it was lost.
  * A mode that only the map's page has is in the world's coordinates, as the fallen runner is. */
 static tdmf_page_point point_at(const stride *s, const double *x, int mode, double time) {
-    const int mode_of_runner = tdmf_mode_in_runner(s->page, mode);
+    const int mode_of_runner = tdmf_mode_in_whole(s->page, mode);
     const tdmf_page_point point = {
         .p = tdmf_page_parameters(&s->system.model->parameters, s->system.inputs),
         .x = states_of(s->page, x),
@@ -61,20 +61,20 @@ static tdmf_page_point point_at(const stride *s, const double *x, int mode, doub
 static tdmf_motion motion_at(const stride *s, const double *x, int mode, int last_mode, double time) {
     const tdmf_page_point point = point_at(s, x, mode, time);
     tdmf_motion motion = s->start;
-    tdmf_motion_of_page(s->system, &point, tdmf_mode_in_runner(s->page, last_mode), &motion);
+    tdmf_motion_of_page(s->system, &point, tdmf_mode_in_whole(s->page, last_mode), &motion);
     return motion;
 }
 
 /* ---- the start ----------------------------------------------------------------------------------------- */
 
 /* The states of a run from an apex: those of the world, with the leg at rest. `inputs` are those before. */
-static void enter(const tdmf_runner_page *page, const double *p, const double *apex, double *inputs,
+static void enter(const tdmf_page_part *page, const double *p, const double *apex, double *inputs,
                   double *x) {
     memcpy(x, inputs, (size_t)page->model->state_count * sizeof *x);
     page->model->sections->enter(p, inputs, apex, x);
 }
 
-static void read_system(const tdmf_runner_page *page, tdmf_system system, double *p, double *x) {
+static void read_system(const tdmf_page_part *page, tdmf_system system, double *p, double *x) {
     const runner_parameters parameters = tdmf_page_parameters(&system.model->parameters, system.inputs);
     runner_states inputs = states_of(page, page->model->state_defaults);
     tdmf_write_page_inputs(system.inputs, &inputs);
@@ -85,9 +85,9 @@ static void read_system(const tdmf_runner_page *page, tdmf_system system, double
 void tdmf_reduced_state(tdmf_system system, const double apex[TDMF_REDUCED_COUNT],
                         double state[TDMF_STATE_COUNT]) {
     double p[PARAMETERS], inputs[STATES], x[STATES];
-    read_system(&tdmf_reduced_page, system, p, inputs);
-    enter(&tdmf_reduced_page, p, apex, inputs, x);
-    const runner_states world = states_of(&tdmf_reduced_page, x);
+    read_system(&tdmf_reduced_runner_part, system, p, inputs);
+    enter(&tdmf_reduced_runner_part, p, apex, inputs, x);
+    const runner_states world = states_of(&tdmf_reduced_runner_part, x);
     tdmf_write_page_state(&world, state);
 }
 
@@ -175,7 +175,7 @@ static tdmf_return_outcome run_to(stride *s, int event, double duration, tdmf_re
     const double longest = longest_time * s->system.model->scales.time;
     s->run.step_limit = s->solver->step_limit - steps;
     s->run.event_limit = s->solver->event_limit - s->run.events;
-    s->run.stop_event = tdmf_event_on_page(s->page, event);
+    s->run.stop_event = tdmf_event_on_part(s->page, event);
     const double until = s->run.time + (duration < longest ? duration : longest);
     switch (tdmf_page_run_to(s->page->model, &s->run, until)) {
     case TDMF_RUN_STOPPED:
@@ -221,7 +221,7 @@ static tdmf_event event_at(const stride *s, int number) {
     const double *x = s->row_states + number * s->page->model->state_count;
     const tdmf_motion before = motion_at(s, x, row->before, row->before, row->time);
     tdmf_event event = {.time = row->time,
-                        .guard = (int)tdmf_guard_of_event(tdmf_event_in_runner(s->page, row->event)),
+                        .guard = (int)tdmf_guard_of_event(tdmf_event_in_whole(s->page, row->event)),
                         .before = before.mode};
     memcpy(event.state, before.state, sizeof event.state);
     return event;
@@ -236,19 +236,19 @@ static void log_events(const stride *s) {
         const tdmf_event_row *row = &s->rows[i];
         const double *after = i + 1 < count ? s->row_states + (i + 1) * s->page->model->state_count : s->x;
         const bool has_guard =
-            tdmf_guard_of_event(tdmf_event_in_runner(s->page, row->event)) != TDMF_GUARD_COUNT;
+            tdmf_guard_of_event(tdmf_event_in_whole(s->page, row->event)) != TDMF_GUARD_COUNT;
         if (is_open && row->time != s->rows[i - 1].time) {
             tdmf_log_event(s->solver, &event);
             is_open = false;
         }
-        if (!is_open && has_guard && tdmf_mode_in_runner(s->page, row->before) >= 0) {
+        if (!is_open && has_guard && tdmf_mode_in_whole(s->page, row->before) >= 0) {
             event = event_at(s, i);
             is_open = true;
         }
-        if (is_open && tdmf_mode_in_runner(s->page, row->after) >= 0) {
+        if (is_open && tdmf_mode_in_whole(s->page, row->after) >= 0) {
             event.after = motion_at(s, after, row->after, row->before, row->time).mode;
         }
-        if (tdmf_event_in_runner(s->page, row->event) == EVENT_apex) {
+        if (tdmf_event_in_whole(s->page, row->event) == EVENT_apex) {
             break;
         }
     }
@@ -276,7 +276,7 @@ static double leg_loss_of(const stride *s) {
     return energy_of_leg(model, x.length_rate, x.momentum / x.length, rest_length - x.length) - given;
 }
 
-static tdmf_stride_variation variation_of(const tdmf_runner_page *page, const double *own) {
+static tdmf_stride_variation variation_of(const tdmf_page_part *page, const double *own) {
     const runner_states d = states_of(page, own);
     const tdmf_stride_variation variation = {
         .apex = {d.apex_com_height, d.apex_com_speed},
@@ -305,10 +305,11 @@ static void write_stride(const stride *s, tdmf_return *result) {
 }
 
 /* The plain page, which is faster, where it has all that acts on the runner and all that changes. */
-static const tdmf_runner_page *page_of(tdmf_system system, const tdmf_seed *seeds, int count) {
+static const tdmf_page_part *page_of(tdmf_system system, const tdmf_seed *seeds, int count) {
     tdmf_page_point point = {.p = tdmf_page_parameters(&system.model->parameters, system.inputs)};
     tdmf_write_page_inputs(system.inputs, &point.x);
-    return tdmf_suits_plain_page_varied(&point, seeds, count) ? &tdmf_plain_reduced_page : &tdmf_reduced_page;
+    return tdmf_suits_plain_page_varied(&point, seeds, count) ? &tdmf_plain_reduced_runner_part
+                                                              : &tdmf_reduced_runner_part;
 }
 
 tdmf_return tdmf_reduced_map(tdmf_solver *solver, tdmf_system system, const double apex[TDMF_REDUCED_COUNT],

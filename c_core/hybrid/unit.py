@@ -163,7 +163,7 @@ class Unit:
         self.event_names = {n: n for n in page.events}
         kinds = {n: f.kind_of_value for n, f in page.outputs.items()}
         self.enumerations = {n: of for n, of in kinds.items() if isinstance(of, tuple) and of[0] != "letters"}
-        self.words = []
+        self.words, self.part = [], None
         self.add_all()
         names = [row.name for row in self.rows]
         for row in self.rows:
@@ -463,13 +463,15 @@ class Unit:
             "int unit_input_rates": [f"{ramps.get(n, -1)}," for n in names],
             "bool unit_holds_time": [f"{c_boolean(n in self.times())}," for n in names],
         }
-        variables = [self.variable_row(row) for row in self.rows]
+        variables, part = [self.variable_row(row) for row in self.rows], f"tdmf_{self.part}_part"
         parts = [
             TOP.format(name=self.identifier),
             f'#include "{page.c}.h"\n\n#include "unit_tables.h"\n#include "variables.h"\n',
             "#include <float.h>\n#include <limits.h>\n",
             *map(wrapped_text, functions.texts),
             f"const tdmf_model_kind *const unit_model = &tdmf_{page.c}_model;\n",
+            f"extern const tdmf_page_part {part};" if self.part else "",
+            f"const tdmf_page_part *const unit_part = {f'&{part}' if self.part else 'NULL'};\n",
             f"const fmu_variable fmu_variables[] = {{\n{lines_of(variables)}}};",
             f"const size_t fmu_variable_count = {len(variables)};\n",
             f"const int unit_clock = {names.index(page.clocks[0]) if page.clocks else -1};\n",

@@ -18,7 +18,15 @@ UNIT = next(folder for folder in (C_CORE / "fmu_src", C_CORE.parent / "fmu_src")
 """The C sources that all units share, in a checkout or in the installed package."""
 KERNEL = C_CORE / "hybrid" / "kernel"
 FOLDERS = UNIT, UNIT / "page", KERNEL, C_CORE / "kernel"
-DRIVER = ("driver.c", "no_page_cvode.c", "observed.c", "page_exchange.c", "page_instant.c", "run_state.c")
+DRIVER = (
+    "driver.c",
+    "no_page_cvode.c",
+    "observed.c",
+    "page_exchange.c",
+    "page_instant.c",
+    "page_part.c",
+    "run_state.c",
+)
 FLAGS = ("-std=c99", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-fvisibility=hidden")
 MOTIONS = ("-O2", "-fno-tree-vectorize")
 SYSTEMS = {"linux": ("linux64", ".so"), "darwin": ("darwin64", ".dylib"), "windows": ("win64", ".dll")}

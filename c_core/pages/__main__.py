@@ -6,8 +6,10 @@
 import sys
 from pathlib import Path
 
-from ..hybrid.c_text import wrapped_text
+from ..hybrid.c_text import c_text, wrapped_text
+from ..hybrid.expressions import forget_expressions
 from ..hybrid.generate import generate, seeds_of
+from ..hybrid.instants import Functions
 from ..hybrid.page import Page
 from ..hybrid.tables import list_in_c
 from . import ClassicSlip, PlainReducedRunner, PlainRunner, ReducedRunner, Runner
@@ -16,8 +18,25 @@ from .unit import runner_unit
 PAGES = ClassicSlip, PlainReducedRunner, PlainRunner, ReducedRunner, Runner
 
 
-def places_in(whole, part, prefix=""):
-    """A header that says where parameters, states, modes and events of a page are in another page.
+PART = """\
+/* {part}, a part of {whole}. */
+#include "{whole_file}.h"
+
+#include "page_part.h"
+
+extern const tdmf_model_kind tdmf_{file}_model;
+extern const tdmf_page_part tdmf_{file}_part;
+
+{tables}
+const tdmf_page_part tdmf_{file}_part = {{
+    .model = &tdmf_{file}_model, .parameters = parameters, .states = states, .events = events, .modes = modes,
+    .copies = copies, .copy_count = {copy_count}, .excess = {excess},
+}};
+"""
+
+
+def part_of(whole, part):
+    """C that says where parameters, states, modes and events of a page are in another page.
 
     A mode of the other page may have further words. What the other page does not have is at -1.
     """
@@ -25,15 +44,23 @@ def places_in(whole, part, prefix=""):
     def place_of_mode(key):
         return next((i for i, k in enumerate(whole.keys) if k[0] == key[0] and {*key[1]} <= {*k[1]}), -1)
 
-    places = {"modes": map(place_of_mode, part.keys)}
+    tables = list_in_c("int", "modes", map(place_of_mode, part.keys))
     for what in ("parameters", "states", "events"):
         of_whole = list(getattr(whole, what))
-        places[what] = [of_whole.index(n) if n in of_whole else -1 for n in getattr(part, what)]
-    tables = "".join(list_in_c("int", f"{prefix}{what}_in_whole", of) for what, of in places.items())
-    tables = wrapped_text(tables)
-    guard = f"{part.c.upper()}_IN_{whole.c.upper()}_H"
-    about = f"/* Places of what {part.model.__name__} has in the tables of {whole.model.__name__}. */\n"
-    return f"{about}#ifndef {guard}\n#define {guard}\n\n{tables}\n#endif\n"
+        places = [of_whole.index(n) if n in of_whole else -1 for n in getattr(part, what)]
+        tables += list_in_c("int", what, places)
+    states, copies = list(whole.states), getattr(part.model, "copies", {})
+    pairs = [f"{{{states.index(to)}, {states.index(of)}}}" for to, of in copies.items()]
+    tables += f"static const int copies[][2] = {{{', '.join(pairs) or '{0}'}}};\n"
+    functions, excess = Functions(whole.c), "NULL"
+    if hasattr(part.model, "excess"):
+        forget_expressions()
+        body = f"    return {c_text(whole.number(part.model.excess, whole.keys[0], 'excess'), {}.get)};\n"
+        excess = functions.add("excess", "answer", body, part.model.excess.__doc__)
+        tables += functions.texts[0]
+    return wrapped_text(PART.format(
+        part=part.model.__name__, whole=whole.model.__name__, file=part.c, whole_file=whole.c, tables=tables,
+        copy_count=len(copies), excess=excess))
 
 
 folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[1] / "derived/pages"
@@ -44,9 +71,8 @@ for page in pages.values():
     if page.model in (PlainRunner, PlainReducedRunner):
         page.outputs = {}  # other pages have them
     texts |= generate(page, for_unit=page.model is Runner) | seeds_of(page)
-prefixes = {PlainRunner: "", ReducedRunner: "reduced_", PlainReducedRunner: "plain_reduced_"}
-for model, prefix in prefixes.items():
-    texts[f"{pages[model].c}_in_runner.h"] = places_in(pages[Runner], pages[model], prefix)
+for model in (PlainRunner, PlainReducedRunner, ReducedRunner):
+    texts[f"{pages[model].c}_in_runner.c"] = part_of(pages[Runner], pages[model])
 unit = runner_unit(pages[Runner])
 texts |= {"unit_page.h": unit.header(), "unit_page.c": unit.tables()}
 for name, text in texts.items():

@@ -460,6 +460,20 @@ class PlainRunner(RunnerOnOneLine):
     static_ratio, friction_rate, external_torque_rate = 1, 0, 0
     stribeck_velocity, vertical_so_far, vertical_force_on_foot, ramp_ends = 0, 0, None, None
     new_ground = wind_rises = enters_layer = leaves_layer = layer_is_wide = None
+    copies = {"vertical_so_far": "peak_force_so_far"}
+    """States of the whole runner that are equal to another one."""
+
+    @staticmethod
+    def excess(whole):
+        """Number of what acts on the whole runner and is not on the plain page, which runs where it is 0."""
+        r, patch = whole, select(whole.patch_end > whole.patch_begin, 1, 0)
+        acting = (
+            r.ground_height, r.ground_slope, r.height, r.slope, r.thrust, r.more_thrust, r.retraction_rate,
+            r.more_angle, r.more_torque, r.static_ratio - 1, r.extension, r.external_fx, r.external_fy,
+            r.friction_rate, r.extension_rate, r.external_fx_rate, r.external_fy_rate,
+            r.external_torque_rate, r.leg_work - r.leg_work_then, r.leg_work_of_stride,
+            r.peak_force_so_far - r.vertical_so_far)
+        return sum(select(abs(value) <= 0, 0, 1) for value in acting) + patch
 
     def peak_of_vertical_force(r):
         """Largest vertical ground force, which is the normal force."""

@@ -18,4 +18,6 @@ GUARDS = {
 def runner_unit(page=None):
     """The unit of the runner's page, or of a page of that model which has been generated."""
     source = C_CORE.parent / "modelDescription.xml"
-    return DeclaredUnit(page or Page(Runner), source, GUARDS, "status.terminate_on_fall")
+    unit = DeclaredUnit(page or Page(Runner), source, GUARDS, "status.terminate_on_fall")
+    unit.part = "plain_runner"
+    return unit

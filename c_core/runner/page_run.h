@@ -15,7 +15,7 @@
 #include "page_places.h"
 
 typedef struct {
-    const tdmf_runner_page *page;
+    const tdmf_page_part *page;
     tdmf_page_run run;
     double p[TDMF_PAGE_PARAMETER_COUNT], x[TDMF_PAGE_STATE_COUNT]; /* of the page that runs */
 } tdmf_runner_run;

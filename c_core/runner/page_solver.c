@@ -120,7 +120,7 @@ static void report_event(tdmf_page_solver *s) {
 
 /* TDMF_GUARD_COUNT, too, for a thrust of 0, which changes nothing. */
 static tdmf_guard guard_of_row(const tdmf_page_solver *s, const tdmf_event_row *row) {
-    const int event = tdmf_event_in_runner(s->run.page, row->event);
+    const int event = tdmf_event_in_whole(s->run.page, row->event);
     const bool thrusts = s->point.p.thrust + s->point.p.more_thrust > 0.0;
     return event == EVENT_greatest_compression && !thrusts ? TDMF_GUARD_COUNT : tdmf_guard_of_event(event);
 }
@@ -183,14 +183,14 @@ static tdmf_run_outcome to_event(tdmf_page_solver *s, working_memory *w, double 
     r->log_count = 0;
     r->log_size = 1;
     const tdmf_run_outcome outcome = tdmf_drive_to_event(w->driver, &w->state, &w->at, until);
-    if (tdmf_mode_in_runner(s->run.page, mode) == MODE_slip_falling) {
+    if (tdmf_mode_in_whole(s->run.page, mode) == MODE_slip_falling) {
         s->solver->layer_steps += r->steps - steps;
     }
     if (r->events == events) {
         return outcome;
     }
-    if (tdmf_mode_in_runner(s->run.page, r->mode) == MODE_fallen) {
-        s->last_mode = tdmf_mode_in_runner(s->run.page, mode);
+    if (tdmf_mode_in_whole(s->run.page, r->mode) == MODE_fallen) {
+        s->last_mode = tdmf_mode_in_whole(s->run.page, mode);
     }
     const tdmf_guard guard = guard_of_row(s, &row);
     count_event(s, guard);
@@ -275,7 +275,7 @@ tdmf_outcome tdmf_run_page_solver(tdmf_page_solver *s, double duration, int stop
     const long steps = r->steps;
     tdmf_outcome limit;
     r->memory = s->memory;
-    r->stop_event = tdmf_event_on_page(s->run.page, stop_event);
+    r->stop_event = tdmf_event_on_part(s->run.page, stop_event);
     r->event_limit = LONG_MAX - r->events;
     s->events_left = s->solver->event_limit;
     w.driver = tdmf_begin_in_memory(&w.state, &w.at, s->run.page->model, r);

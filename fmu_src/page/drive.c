@@ -41,6 +41,7 @@ tdmf_page_run run_of(fmu *fmu) {
                                .time = motion->time,
                                .time_rest = motion->time_rest,
                                .mode = motion->mode,
+                               .left = motion->shown,
                                .chain = motion->chain,
                                .taken = motion->taken,
                                .above = motion->above,
@@ -135,6 +136,59 @@ static double time_scale_of(const fmu *fmu) {
     return unit_clock >= 0 ? at.scales[unit_clock] : 1.0;
 }
 
+/* ---- the driver ---------------------------------------------------------------------------------------- */
+
+/* Writes events and states of a run on the part of the page as those of the page. `states` are those of the
+ * whole page at the beginning. */
+static void give_log(tdmf_page_run *run, const double *states) {
+    const int count = unit_part->model->state_count;
+    double own[UNIT_STATE_COUNT + 1];
+    for (int i = run->log_count - 1; i >= 0; --i) {
+        tdmf_event_row *row = &run->log[i];
+        row->event = tdmf_event_in_whole(unit_part, row->event);
+        row->before = tdmf_mode_in_whole(unit_part, row->before);
+        row->after = tdmf_mode_in_whole(unit_part, row->after);
+        memcpy(own, run->log_states + i * count, (size_t)count * sizeof *own);
+        memcpy(run->log_states + i * UNIT_STATE_COUNT, states, UNIT_STATE_COUNT * sizeof *states);
+        tdmf_give_states(unit_part, own, run->log_states + i * UNIT_STATE_COUNT);
+    }
+}
+
+/* Runs the driver on the part of the page, where the mode of the run has the number `mode`. */
+static tdmf_run_outcome run_part(tdmf_page_run *whole, int mode, double until) {
+    double p[UNIT_PARAMETER_COUNT + 1], x[UNIT_STATE_COUNT + 1];
+    tdmf_page_run run = *whole;
+    run.p = p;
+    run.x = x;
+    run.mode = mode;
+    run.taken = tdmf_events_on_part(unit_part, whole->taken);
+    run.above = tdmf_events_on_part(unit_part, whole->above);
+    run.late = tdmf_events_on_part(unit_part, whole->late);
+    tdmf_take_parameters(unit_part, whole->p, p);
+    tdmf_take_states(unit_part, whole->x, x);
+    const tdmf_run_outcome outcome = tdmf_page_run_to(unit_part->model, &run, until);
+    const bool has_left = run.events > whole->events;
+    give_log(&run, whole->x);
+    tdmf_give_states(unit_part, x, whole->x);
+    run.p = whole->p;
+    run.x = whole->x;
+    run.mode = tdmf_mode_in_whole(unit_part, run.mode);
+    run.left = has_left ? tdmf_mode_in_whole(unit_part, run.left) : whole->left;
+    run.taken = tdmf_events_in_whole(unit_part, run.taken);
+    run.above = tdmf_events_in_whole(unit_part, run.above);
+    run.late = tdmf_events_in_whole(unit_part, run.late);
+    *whole = run;
+    return outcome;
+}
+
+/* Runs the driver on the page, or on its part where that has all that acts. A start, in the first mode,
+ * writes states that the part may not have. */
+static tdmf_run_outcome run_page(tdmf_page_run *run, double until) {
+    const int mode = unit_part == NULL || run->mode == 0 ? -1 : tdmf_mode_on_part(unit_part, run->mode);
+    const bool suits = mode >= 0 && unit_part->excess(run->p, run->x) == 0.0;
+    return suits ? run_part(run, mode, until) : tdmf_page_run_to(unit_model, run, until);
+}
+
 /* Goes on by the driver up to a limit of steps or events; `run` has its log and its limit of events. A run
  * whose steps are so many in a short time that its laws are stiff is given up. */
 static tdmf_run_outcome drive_on(fmu *fmu, double until, tdmf_page_run *run) {
@@ -143,7 +197,7 @@ static tdmf_run_outcome drive_on(fmu *fmu, double until, tdmf_page_run *run) {
         const double began = run->time;
         const long steps = run->steps;
         run->step_limit = left < stiff_steps ? left : stiff_steps;
-        outcome = tdmf_page_run_to(unit_model, run, until);
+        outcome = run_page(run, until);
         left -= run->steps - steps;
         if (outcome != TDMF_RUN_TOO_MANY_STEPS || left <= 0) {
             break;

@@ -4,8 +4,15 @@
 #include <math.h>
 #include <string.h>
 
+/* Numbers of working memory of a run, on the page or on its part. */
+static size_t run_size(void) {
+    const size_t whole = tdmf_run_memory_size(unit_model, 1),
+                 part = unit_part == NULL ? 0 : tdmf_run_memory_size(unit_part->model, 1);
+    return whole > part ? whole : part;
+}
+
 size_t instant_size(void) {
-    return tdmf_run_memory_size(unit_model, 1) + tdmf_size_of_instant(unit_model);
+    return run_size() + tdmf_size_of_instant(unit_model);
 }
 
 const tdmf_mode_kind *mode_of(const fmu *fmu) {
@@ -26,7 +33,7 @@ double *states_of(const fmu *fmu) {
 }
 
 double *memory_of_instant(const fmu *fmu) {
-    return fmu->memory + tdmf_run_memory_size(unit_model, 1);
+    return fmu->memory + run_size();
 }
 
 tdmf_page_instant instant_of(const fmu *fmu) {

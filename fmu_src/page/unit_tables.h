@@ -2,7 +2,7 @@
 #ifndef TDMF_PAGE_UNIT_TABLES_H
 #define TDMF_PAGE_UNIT_TABLES_H
 
-#include "driver.h"
+#include "page_part.h"
 
 #include "fmu.h"
 
@@ -55,6 +55,7 @@ typedef struct {
 } unit_bound;
 
 extern const tdmf_model_kind *const unit_model;
+extern const tdmf_page_part *const unit_part; /* runs where it has all that acts; NULL: there is none */
 extern const unit_state unit_states[];
 extern const unit_guard unit_guards[];
 extern const unit_word unit_words[];

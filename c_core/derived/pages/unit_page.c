@@ -79,6 +79,9 @@ static real nominal_seen_vx(const real *parameters, const real *states) {
 
 const tdmf_model_kind *const unit_model = &tdmf_runner_model;
 
+extern const tdmf_page_part tdmf_plain_runner_part;
+const tdmf_page_part *const unit_part = &tdmf_plain_runner_part;
+
 const fmu_variable fmu_variables[] = {
     {"time", "s", VARIABLE_REAL, STORED_TIME, 0, VARIABILITY_CONTINUOUS, false, false, -DBL_MAX, DBL_MAX, 0.0},
     {"body.mass", "kg", VARIABLE_REAL, STORED_PARAMETER, 8, VARIABILITY_FIXED, true, false, 1e-09, 1000000000.0, 1.0},
