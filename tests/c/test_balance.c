@@ -1,5 +1,5 @@
-/* Balances of momentum and energy along the flow, by numerical differentiation: they hold in every mode and
- * know nothing of the equations of motion. */
+/* Balance of energy along the flow, by numerical differentiation: it holds in every mode and
+ * knows nothing of the equations of motion. */
 #include "compare.h"
 #include "differentiate.h"
 #include "scene.h"
@@ -48,40 +48,6 @@ static void check_in_every_mode(check holds) {
     }
 }
 
-/* ---- momentum --------------------------------------------------------------------------------------- */
-
-static double com_vx(const runner *runner) {
-    return tdmf_center_of_mass(&runner->model, runner->motion.state).vx;
-}
-
-static double com_vy(const runner *runner) {
-    return tdmf_center_of_mass(&runner->model, runner->motion.state).vy;
-}
-
-static void momentum_balances(const runner *runner) {
-    const double mass = runner->model.total_mass;
-    const double weight = mass * runner->model.parameters.gravity;
-    const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(runner), &runner->motion);
-    assert_close(mass * rate_of(runner, com_vx), outputs.contact.fx, scene_force_tolerance(runner));
-    assert_close(mass * rate_of(runner, com_vy), outputs.contact.fy - weight, scene_force_tolerance(runner));
-}
-
-TEST(ground_force_and_weight_move_the_center_of_mass) {
-    check_in_every_mode(momentum_balances);
-}
-
-static void center_of_mass_falls_freely(const runner *runner) {
-    const double mass = runner->model.total_mass;
-    assert_close(mass * rate_of(runner, com_vx), 0.0, scene_force_tolerance(runner));
-    assert_close(mass * rate_of(runner, com_vy), -mass * runner->model.parameters.gravity,
-                 scene_force_tolerance(runner));
-}
-
-TEST(center_of_mass_is_ballistic_off_the_ground_and_in_graze) {
-    check_in_mode(TDMF_CONTACT_FLIGHT, center_of_mass_falls_freely);
-    check_in_mode(TDMF_CONTACT_GRAZE, center_of_mass_falls_freely);
-}
-
 /* ---- energy ----------------------------------------------------------------------------------------- */
 
 static double total_energy(const runner *runner) {
@@ -123,23 +89,11 @@ static void integrals_follow_their_definitions(const runner *runner) {
     assert_close(derivatives[TDMF_HIP_POSITIVE_WORK], power > 0.0 ? power : 0.0, rounding_of_power);
     assert_close(derivatives[TDMF_ENERGY_DAMPER_LOSS], damped, 1e-14 * damped + rounding);
     assert_relatively_close(derivatives[TDMF_ENERGY_FRICTION_LOSS], rubbed, 1e-13);
+    assert_true(derivatives[TDMF_HIP_PLACE_TIME] == (runner->motion.mode.phase == TDMF_PHASE_PLACE));
 }
 
 TEST(work_and_losses_are_integrals_of_power) {
     check_in_every_mode(integrals_follow_their_definitions);
-}
-
-/* A loaded foot loses energy to friction whichever way it slips. */
-TEST(friction_takes_energy) {
-    static const tdmf_contact_mode slips[] = {TDMF_CONTACT_SLIP_POSITIVE, TDMF_CONTACT_SLIP_NEGATIVE};
-    for (int i = 0; i < 2; ++i) {
-        runner runner = scene_on_ground(slips[i], 0.3, 0.1);
-        runner.inputs.ground.friction = 0.5;
-        runner.motion.state[TDMF_FOOT_VX] = 0.2 * tdmf_slip_sign(&runner.motion.mode);
-        double derivatives[TDMF_STATE_COUNT];
-        tdmf_derivatives(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state, derivatives);
-        assert_close(derivatives[TDMF_ENERGY_FRICTION_LOSS], 0.5 * 0.1 * 0.2, 1e-14);
-    }
 }
 
 /* ---- rate of the vertical ground force -------------------------------------------------------------- */

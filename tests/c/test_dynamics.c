@@ -392,3 +392,15 @@ TEST(fallen_run_is_frozen) {
         }
     }
 }
+
+/* The torque is smooth while the clamp stands as it was last located: else a solver could not step up to the
+ * kink. */
+TEST(clamp_stays_as_located) {
+    for (int closed = 0; closed < 2; ++closed) {
+        runner runner = scene_in_flight(TDMF_PHASE_RETRACT, 0.1);
+        runner.motion.mode.clamp_closed = closed == 1;
+        runner.motion.state[TDMF_LEG_ANGLE_RATE] = closed ? -1e-11 : 1e-11;
+        const double torque = tdmf_hip_torque(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state);
+        assert_close(torque, closed ? 0.0 : -1e-12, closed ? 0.0 : 1e-16);
+    }
+}

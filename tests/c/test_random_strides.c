@@ -1,10 +1,11 @@
-/* The derivatives of strides of random runners against differences: whatever happens in a stride, it is
- * differentiated, and what is zero is no exception. */
+/* The derivatives of strides against differences: of random runners, and of gaits under a push. Whatever
+ * happens in a stride, it is differentiated, and what is zero is no exception. */
 #include "compare.h"
 #include "ranges.h"
 #include "reference_gaits.h"
 #include "sample.h"
 #include "scene.h"
+#include "simulation.h"
 #include "stride_results.h"
 
 #include <math.h>
@@ -12,7 +13,8 @@
 #include <string.h>
 
 enum {
-    RUNNERS = sample_of(120),
+    RUNNERS = TDMF_SAMPLE_DIVISOR < 10 ? sample_of(120) : 12,
+    GAIT_STEP = TDMF_SAMPLE_DIVISOR == 1 ? EVERY_OTHER : 5,
     PARAMETERS = TDMF_PARAMETER_COUNT,
     INPUTS = sizeof(tdmf_inputs) / sizeof(double),
     STRIBECK_VELOCITY =
@@ -92,14 +94,12 @@ static double *coordinate_of(start *start, int k) {
 
 static tdmf_return stride_of(const start *start, bool derivatives, const tdmf_seed *seed,
                              tdmf_event_log *log) {
-    tdmf_model model;
-    tdmf_solver solver = tdmf_solver_default();
-    solver.relative_tolerance = 1e-13;
+    const tdmf_model model = accepted_model(&start->parameters);
+    tdmf_solver solver = solver_to(1e-13);
     solver.log = log;
     log->count = 0;
-    assert_null(tdmf_model_create(&model, &start->parameters).variable);
-    return tdmf_return_map(&solver, (tdmf_system){&model, &start->inputs}, start->section, longest,
-                           derivatives, seed, seed ? 1 : 0);
+    return tdmf_measured_return_map(&solver, (tdmf_system){&model, &start->inputs}, start->section, longest,
+                                    derivatives, seed, seed ? 1 : 0);
 }
 
 /* The same events in the same order. */
@@ -236,17 +236,41 @@ static bool may_happen_in_a_stride(tdmf_guard guard) {
     }
 }
 
+/* Of so many in the whole sample. */
+#define PART(count) ((count)*RUNNERS / 120)
+
 static void assert_saw_everything(const tally *seen) {
-    assert_true(seen->compared > sample_of(1000) && seen->zeros > sample_of(50));
+    assert_true(seen->compared > PART(1000) && seen->zeros > PART(50));
     for (int g = 0; g < TDMF_GUARD_COUNT; ++g) {
-        assert_true(!may_happen_in_a_stride((tdmf_guard)g) || seen->guards[g] > sample_of(50));
+        assert_true(!may_happen_in_a_stride((tdmf_guard)g) || seen->guards[g] > PART(50));
     }
-    assert_true(seen->drives_without_torque > sample_of(20) && seen->sloped > sample_of(500));
+    assert_true(seen->drives_without_torque > PART(20) && seen->sloped > PART(500));
 }
 
 /* A share has seeds of its own, in which everything happens that happens in the whole sample. */
 static uint64_t seed_of(int runner) {
     return TDMF_SAMPLE_DIVISOR == 1 ? (uint64_t)runner : runner == 0 ? 84 : 48 + (uint64_t)runner;
+}
+
+/* Along each coordinate of the section, each parameter and each input, where neighbours do the same. */
+static void assert_stride_is_differentiated(const start *start, tally *seen) {
+    tdmf_event_log events;
+    if (stride_of(start, false, NULL, &events).outcome != TDMF_RETURN_CLOSED) {
+        return;
+    }
+    for (int k = 0; k < SEEDS; ++k) {
+        estimate estimate;
+        if (k == PATCH_BEGIN || k == PATCH_END) { /* with a patch there is no map of six coordinates */
+            continue;
+        }
+        if (k == STRIBECK_VELOCITY && start->parameters.ground.stribeck_velocity == 0.0) {
+            continue;
+        }
+        if (estimate_difference(start, &events, k, &estimate)) {
+            assert_is_differentiated(start, k, &estimate);
+            count_events(start, &events, k, seen);
+        }
+    }
 }
 
 TEST(every_stride_is_differentiated) {
@@ -255,23 +279,23 @@ TEST(every_stride_is_differentiated) {
     for (int runner = 0; runner < RUNNERS; ++runner) {
         random_source source = {seed_of(runner)};
         const start start = random_start(&source);
-        tdmf_event_log events;
-        if (stride_of(&start, false, NULL, &events).outcome != TDMF_RETURN_CLOSED) {
-            continue;
-        }
-        for (int k = 0; k < SEEDS; ++k) {
-            estimate estimate;
-            if (k == PATCH_BEGIN || k == PATCH_END) { /* with a patch there is no map of six coordinates */
-                continue;
-            }
-            if (k == STRIBECK_VELOCITY && start.parameters.ground.stribeck_velocity == 0.0) {
-                continue;
-            }
-            if (estimate_difference(&start, &events, k, &estimate)) {
-                assert_is_differentiated(&start, k, &estimate);
-                count_events(&start, &events, k, &seen);
-            }
-        }
+        assert_stride_is_differentiated(&start, &seen);
     }
     assert_saw_everything(&seen);
+}
+
+/* A push along the ground changes the centre of mass's speed while an apex that comes later is waited for. */
+TEST(gaits_are_differentiated_with_a_push_and_without) {
+    static const double pushes[] = {0.0, 1e-3};
+    tally seen;
+    memset(&seen, 0, sizeof seen);
+    for (int i = 0; i < 2 * REFERENCE_GAITS; i += GAIT_STEP) {
+        const reference_gait *gait = &reference_gaits[i / 2];
+        start start = {tdmf_default_parameters(), inputs_at_friction(gait->friction), {0.0}};
+        start.parameters.hip.swing_clamp = gait->swing_clamp;
+        start.inputs.body.external_fx = pushes[i % 2];
+        memcpy(start.section, &gait->apex, sizeof start.section);
+        assert_stride_is_differentiated(&start, &seen);
+    }
+    assert_true(seen.compared > 30 * 2 * REFERENCE_GAITS / GAIT_STEP);
 }

@@ -1,31 +1,15 @@
-/* The return map's exact derivatives against differences, and gaits by Newton's method against the reference.
- */
+/* The return map: what it leaves out, refuses and calls a fall, and gaits by Newton's method against the
+ * reference. (Its derivatives against differences: test_random_strides.c.) */
 #include "compare.h"
-#include "differentiate.h"
 #include "linear_equations.h"
 #include "reference_gaits.h"
 #include "sample.h"
 #include "scene.h"
 #include "simulation.h"
-#include "stride_results.h"
 #include "tdmf_slip/orbit.h"
 
 #include <math.h>
 #include <string.h>
-
-enum {
-    PARAMETERS = TDMF_PARAMETER_COUNT,
-    INPUTS = sizeof(tdmf_inputs) / sizeof(double),
-    COORDINATES = TDMF_SECTION_COUNT + PARAMETERS + INPUTS,
-    STRIBECK_VELOCITY =
-        TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.stribeck_velocity) / sizeof(double),
-    PATCH_BEGIN = TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.patch_begin) / sizeof(double),
-    PATCH_END = TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.patch_end) / sizeof(double),
-    THRUST = TDMF_SECTION_COUNT + offsetof(tdmf_parameters, leg.thrust) / sizeof(double),
-    CONTROL_THRUST = TDMF_SECTION_COUNT + PARAMETERS + offsetof(tdmf_inputs, control.thrust) / sizeof(double),
-    EXTERNAL_FX = TDMF_SECTION_COUNT + PARAMETERS + offsetof(tdmf_inputs, body.external_fx) / sizeof(double),
-    GROUND_HEIGHT = TDMF_SECTION_COUNT + PARAMETERS + offsetof(tdmf_inputs, ground.height) / sizeof(double)
-};
 
 static const double tight = 1e-13;
 static const double longest = 1e3;
@@ -44,15 +28,6 @@ static scene_at_apex at_gait(const reference_gait *gait) {
     return scene;
 }
 
-/* The k-th is a coordinate of the section, else a parameter, else an input. */
-static double *coordinate(scene_at_apex *scene, int k) {
-    if (k < TDMF_SECTION_COUNT) {
-        return &scene->section[k];
-    }
-    k -= TDMF_SECTION_COUNT;
-    return k < PARAMETERS ? (double *)&scene->parameters + k : (double *)&scene->inputs + (k - PARAMETERS);
-}
-
 static tdmf_return stride_of(const scene_at_apex *scene, bool derivatives, const tdmf_seed *seed) {
     tdmf_solver solver = solver_to(tight);
     const tdmf_model model = accepted_model(&scene->parameters);
@@ -61,52 +36,6 @@ static tdmf_return stride_of(const scene_at_apex *scene, bool derivatives, const
                                  derivatives, seed, seed ? 1 : 0);
     assert_true(stride.outcome == TDMF_RETURN_CLOSED);
     return stride;
-}
-
-typedef struct {
-    scene_at_apex scene;
-    int coordinate;
-} coordinate_line;
-
-static void results_on_line(long double t, const void *context, double results[]) {
-    coordinate_line moved = *(const coordinate_line *)context;
-    *coordinate(&moved.scene, moved.coordinate) += (double)t;
-    const tdmf_return stride = stride_of(&moved.scene, false, NULL);
-    results_of(&stride, results);
-}
-
-static void exact_derivatives(const scene_at_apex *scene, int k, double derivatives[RESULTS]) {
-    scene_at_apex unit;
-    memset(&unit, 0, sizeof unit);
-    *coordinate(&unit, k) = 1.0;
-    const tdmf_seed seed = {unit.parameters, unit.inputs};
-    const tdmf_return stride = stride_of(scene, true, &seed);
-    derivatives_of(k < TDMF_SECTION_COUNT ? &stride.variations[k] : &stride.variations[TDMF_SECTION_COUNT],
-                   derivatives);
-}
-
-/* Everything that is differentiated, to `tolerance` of the largest, or of 1. Errors: 1e-13 of the motion over
- * the step, and the step's eighth power times a ninth derivative. */
-static void assert_differentiated(const scene_at_apex *scene, int k, double step, double tolerance) {
-    const coordinate_line on = {*scene, k};
-    double exact[RESULTS], differences[RESULTS], size = 1.0;
-    exact_derivatives(scene, k, exact);
-    derivatives_at_zero(results_on_line, &on, (long double)step, RESULTS, differences);
-    for (int i = 0; i < RESULTS; ++i) {
-        size = fmax(size, fabs(exact[i]));
-    }
-    for (int i = 0; i < RESULTS; ++i) {
-        assert_close(exact[i], differences[i], tolerance * size);
-    }
-}
-
-TEST(the_jacobian_is_that_of_the_map) {
-    for (size_t i = 0; i < REFERENCE_GAITS; i += EVERY_OTHER) {
-        const scene_at_apex scene = at_gait(&reference_gaits[i]);
-        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
-            assert_differentiated(&scene, k, 1e-3, 1e-9);
-        }
-    }
 }
 
 /* The foot comes to rest on its leg in a hundredth of a flight. The eigenvalues' sum is known by differences
@@ -121,82 +50,10 @@ TEST(a_light_foot_on_a_damped_leg_has_the_jacobian_of_the_map) {
     memcpy(scene.section, gait, sizeof gait);
     const tdmf_return stride = stride_of(&scene, true, NULL);
     for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
-        assert_differentiated(&scene, k, 1e-5, 1e-7);
         assert_close(stride.apex[k], gait[k], 1e-9);
         trace += stride.variations[k].apex[k];
     }
     assert_close(trace, 0.897504 - 0.276227, 2e-6);
-}
-
-/* Where the coordinate is a parameter that the gait has the least of. */
-static void leave_minimum(scene_at_apex *scene, int k) {
-    scene_at_apex left = *scene;
-    scene_leave_minima(&left.parameters);
-    *coordinate(scene, k) = *coordinate(&left, k);
-}
-
-TEST(parameters_and_inputs_are_differentiated) {
-    for (size_t i = 0; i < REFERENCE_GAITS; i += EVERY_OTHER) {
-        for (int k = TDMF_SECTION_COUNT; k < COORDINATES; ++k) {
-            scene_at_apex scene = at_gait(&reference_gaits[i]);
-            if (k == PATCH_BEGIN || k == PATCH_END) { /* with a patch there is no map of six coordinates */
-                continue;
-            }
-            if (k == STRIBECK_VELOCITY) { /* of no effect where the ratio is 1 */
-                scene.parameters.ground.static_friction_ratio = 1.1;
-            }
-            if (k == THRUST || k == CONTROL_THRUST) { /* no less than 0 */
-                scene.parameters.leg.thrust = 0.01;
-            }
-            /* Nothing depends on where the ground is, so that its height may move far. */
-            const double unit = k == GROUND_HEIGHT ? 100.0 : 0.01;
-            leave_minimum(&scene, k);
-            const double step = 3e-5 * fmax(unit, fabs(*coordinate(&scene, k)));
-            assert_differentiated(&scene, k, step, 1e-7);
-        }
-    }
-}
-
-/* A push along the ground changes the centre of mass's speed while an apex that comes later is waited for. */
-TEST(under_a_push_along_the_ground_the_jacobian_is_that_of_the_map) {
-    static const double pushes[] = {-1e-3, 1e-3};
-    for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
-        scene_at_apex scene = at_gait(&reference_gaits[i]);
-        scene.inputs.body.external_fx = pushes[i % 2];
-        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
-            assert_differentiated(&scene, k, 1e-4, 1e-8);
-        }
-        assert_differentiated(&scene, EXTERNAL_FX, 1e-6, 1e-7);
-    }
-}
-
-/* No thrust is the least that there is, so that differences look ahead only: -11/6, 3, -3/2 and 1/3. */
-TEST(a_thrust_of_zero_is_differentiated) {
-    static const double weights[] = {-11.0 / 6.0, 3.0, -1.5, 1.0 / 3.0};
-    static const double step = 1e-4;
-    for (size_t i = 0; i < REFERENCE_GAITS; i += EVERY_OTHER) {
-        for (int input = 0; input < 2; ++input) {
-            scene_at_apex scene = at_gait(&reference_gaits[i]);
-            const int k = input ? CONTROL_THRUST : THRUST;
-            double exact[RESULTS], differences[RESULTS] = {0.0}, size = 1.0;
-            assert_true(*coordinate(&scene, k) == 0.0);
-            exact_derivatives(&scene, k, exact);
-            for (int ahead = 0; ahead < 4; ++ahead) {
-                const coordinate_line on = {scene, k};
-                double results[RESULTS];
-                results_on_line(ahead * step, &on, results);
-                for (int r = 0; r < RESULTS; ++r) {
-                    differences[r] += weights[ahead] * results[r] / step;
-                }
-            }
-            for (int r = 0; r < RESULTS; ++r) {
-                size = fmax(size, fabs(exact[r]));
-            }
-            for (int r = 0; r < RESULTS; ++r) {
-                assert_close(exact[r], differences[r], 1e-6 * size);
-            }
-        }
-    }
 }
 
 /* With a coarse solver the series find a touchdown where the model still sees the foot above the ground: it
