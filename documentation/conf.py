@@ -34,7 +34,6 @@ extensions = [
     "gallery",
     "glossary_page",
     "kernels",
-    "laws",
     "mathml",
     "navigation",
     "notebooks",

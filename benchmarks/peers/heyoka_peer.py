@@ -7,24 +7,21 @@ from typing import Any
 import heyoka as hy
 import numpy as np
 from numpy.typing import NDArray
-from tdmf_slip.equations import functions
 from tdmf_slip.library.section import Apex
 
 from . import equations as eq
 from . import sequence
 
-functions.serve(hy.expression, hy)
-
 
 def _system(name: str) -> tuple[list[Any], list[Any]]:
     """Equations of motion and guards of a mode."""
-    state = hy.make_vars(*eq.STATES)
-    parameters = [hy.par[i] for i in range(sequence.PARAMETERS)]
-    torque = sequence.torque_of(name, state, parameters)
-    accelerations = eq.accelerations(sequence.mode_of(name), state, torque, parameters[1])
-    rates = [*state[4:], *accelerations]
-    guards = sequence.guards_of(name, state, parameters)
-    return [(state[i], rates[i]) for i in sequence.MOVING[name]], guards
+    state, count = hy.make_vars(*eq.names_of(name)), eq.MOVING[name]
+    parameters = [hy.par[i] for i in range(len(eq.PARAMETERS))]
+    rates, guards = (
+        eq.values_of(eq.written(law, name, hy), size, state, parameters)
+        for law, size in ((eq.rates, count), (eq.guards, len(eq.EVENTS[name])))
+    )
+    return list(zip(state[:count], [x + hy.expression(0.0) for x in rates], strict=True)), guards
 
 
 class Peer:
@@ -50,18 +47,15 @@ class Peer:
 
     def _run(self, name: str, state: Sequence[float], parameters: Sequence[float]) -> tuple[list[float], int]:
         """The state at the first event of a mode, and which it was."""
-        integrator, moving = self._integrators[name], sequence.MOVING[name]
+        integrator, moving = self._integrators[name], eq.MOVING[name]
         integrator.time = 0.0
-        integrator.state[:] = [state[i] for i in moving]
+        integrator.state[:] = state[:moving]
         integrator.pars[:] = parameters[: len(integrator.pars)]
         integrator.reset_cooldowns()
         begin = time.perf_counter()
         outcome = int(integrator.propagate_until(sequence.LONGEST)[0])
         self.seconds += time.perf_counter() - begin
-        reached = list(state)
-        for i, value in zip(moving, integrator.state, strict=True):
-            reached[i] = value
-        return reached, -outcome - 1
+        return [*integrator.state, *state[moving:]], -outcome - 1
 
     def stride(self, section: Apex) -> NDArray[np.float64]:
         """The apex after one stride from an apex."""
@@ -94,10 +88,10 @@ class BatchPeer:
         self, name: str, state: Sequence[Any], parameters: Sequence[Any]
     ) -> tuple[list[Any], NDArray[np.int64]]:
         """States at each runner's first event of a mode, and which it was."""
-        integrator, moving = self._integrators[name], sequence.MOVING[name]
+        integrator, moving = self._integrators[name], eq.MOVING[name]
         integrator.set_time([0.0] * self.lanes)
-        for row, i in enumerate(moving):
-            integrator.state[row] = state[i]
+        for row in range(moving):
+            integrator.state[row] = state[row]
         for row in range(len(integrator.pars)):
             integrator.pars[row] = parameters[row]
         integrator.reset_cooldowns()
@@ -109,12 +103,9 @@ class BatchPeer:
             integrator.propagate_until(list(targets))
             self.seconds += time.perf_counter() - begin
             outcomes = np.array([int(result[0]) for result in integrator.propagate_res])
-            stopped = (guards < 0) & (outcomes < 0) & (outcomes > -sequence.PARAMETERS - 1)
+            stopped = (guards < 0) & (outcomes < 0) & (outcomes >= -eq.MOST_GUARDS)
             guards[stopped] = -outcomes[stopped] - 1
-        reached = list(state)
-        for row, i in enumerate(moving):
-            reached[i] = integrator.state[row].copy()
-        return reached, guards
+        return [*integrator.state.copy(), *state[moving:]], guards
 
     def strides(self, sections: NDArray[np.float64]) -> NDArray[np.float64]:
         """The apices after one stride, one to a row; as many as there are lanes."""

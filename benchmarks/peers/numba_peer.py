@@ -12,8 +12,6 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import DOP853
-from tdmf_slip.equations.derive.c import c_text
-from tdmf_slip.equations.derive.expressions import begin_anew, lift, symbol, trace
 from tdmf_slip.library.section import Apex
 
 from . import equations as eq
@@ -21,7 +19,8 @@ from . import sequence
 
 A, B, C, E3, E5 = (np.ascontiguousarray(x) for x in (DOP853.A, DOP853.B, DOP853.C, DOP853.E3, DOP853.E5))
 STAGES = DOP853.n_stages
-NAMES = tuple(sequence.MOVING)
+NAMES = tuple(eq.MODES)
+MOST_GUARDS, STATES = eq.MOST_GUARDS, max(eq.MOVING.values())
 EVENT_LIMIT = 60
 STEP_LIMIT = 100000
 SAFETY, SHRINK, GROW = 0.9, 0.2, 10.0
@@ -33,26 +32,11 @@ Vector: TypeAlias = NDArray[np.float64]
 _jit = numba.njit(cache=False, error_model="numpy", fastmath=False)
 
 
-def _written(name: str, of_mode: Any) -> Any:
-    """A function of one mode, (state, parameters, out), written from the equations and compiled."""
-    begin_anew()
-    state = [symbol(f"s[{i}]", read) for i, read in enumerate(eq.STATES)]
-    parameters = [symbol(f"p[{i}]", f"p{i}") for i in range(sequence.PARAMETERS)]
-    results = [lift(result) for result in trace(of_mode, name, state, parameters)]
-    text = "".join(f" out[{i}] = {c_text(result, lambda _: None)}\n" for i, result in enumerate(results))
-    names: dict[str, Any] = {}
-    exec(f"def of_mode(s, p, out):\n{text} return {len(results)}", {"sin": math.sin, "cos": math.cos}, names)
-    return _jit(names["of_mode"])
-
-
-def _rates_of(name: str, state: Sequence[Any], parameters: Sequence[Any]) -> list[Any]:
-    torque = sequence.torque_of(name, state, parameters)
-    return [*state[4:], *eq.accelerations(sequence.mode_of(name), state, torque, parameters[1])]
-
-
 def _compiled_modes(of_mode: Any) -> Any:
     """The function of all modes, by the number of the mode in `NAMES`."""
-    place, retract, clamped, stick, slip, graze = (_written(name, of_mode) for name in NAMES)
+    place, retract, released, rest, stick, slip, graze = (
+        _jit(eq.written(of_mode, name, math)) for name in NAMES
+    )
 
     @_jit
     def of_number(mode: int, s: Vector, p: Vector, out: Vector) -> int:
@@ -61,15 +45,17 @@ def _compiled_modes(of_mode: Any) -> Any:
         if mode == 1:
             return int(retract(s, p, out))
         if mode == 2:
-            return int(clamped(s, p, out))
+            return int(released(s, p, out))
         if mode == 3:
+            return int(rest(s, p, out))
+        if mode == 4:
             return int(stick(s, p, out))
-        return int(slip(s, p, out)) if mode == 4 else int(graze(s, p, out))
+        return int(slip(s, p, out)) if mode == 5 else int(graze(s, p, out))
 
     return of_number
 
 
-_rates, _guards = _compiled_modes(_rates_of), _compiled_modes(sequence.guards_of)
+_rates, _guards = _compiled_modes(eq.rates), _compiled_modes(eq.guards)
 
 
 @_jit
@@ -83,12 +69,12 @@ def _step(
 ) -> None:
     """One step of length h; k[0] holds the rates at its start."""
     for stage in range(1, STAGES):
-        for i in range(8):
+        for i in range(STATES):
             reached[i] = s[i]
             for j in range(stage):
                 reached[i] += h * A[stage, j] * k[j, i]
         _rates(mode, reached, p, k[stage])
-    for i in range(8):
+    for i in range(STATES):
         reached[i] = s[i]
         for j in range(STAGES):
             reached[i] += h * B[j] * k[j, i]
@@ -99,7 +85,7 @@ def _step(
 def _error(s: Vector, reached: Vector, k: Vector, h: float, tolerance: float) -> float:
     """As in SciPy's DOP853."""
     fifth, third = 0.0, 0.0
-    for i in range(8):
+    for i in range(STATES):
         scale = tolerance + tolerance * max(abs(s[i]), abs(reached[i]))
         e5, e3 = 0.0, 0.0
         for j in range(STAGES + 1):
@@ -109,7 +95,7 @@ def _error(s: Vector, reached: Vector, k: Vector, h: float, tolerance: float) ->
         third += (e3 / scale) ** 2
     if fifth == 0.0 and third == 0.0:
         return 0.0
-    return float(abs(h) * fifth / np.sqrt((fifth + 0.01 * third) * 8.0))
+    return float(abs(h) * fifth / np.sqrt((fifth + 0.01 * third) * STATES))
 
 
 @_jit
@@ -123,8 +109,8 @@ def _first_fallen(before: Vector, after: Vector, count: int) -> int:
 @_jit
 def _run_mode(mode: int, s: Vector, p: Vector, tolerance: float, longest: float) -> tuple[int, int]:
     """Takes s to the first guard that falls to zero; which, and how many steps that took."""
-    k = np.empty((STAGES + 1, 8))
-    reached, before, after = np.empty(8), np.empty(4), np.empty(4)
+    k = np.zeros((STAGES + 1, STATES))
+    reached, before, after = np.empty(STATES), np.empty(MOST_GUARDS), np.empty(MOST_GUARDS)
     t, h = 0.0, 0.1
     _rates(mode, s, p, k[0])
     count = _guards(mode, s, p, before)
@@ -166,7 +152,7 @@ def _end_at_event(
     low, high = 0.0, h
     fired = _first_fallen(before, after, count)
     g_low, g_high = before[fired], after[fired]
-    trial = np.empty(4)
+    trial = np.empty(MOST_GUARDS)
     for _ in range(EVENT_LIMIT):
         if high - low <= CLOSE * h or g_high == 0.0:
             break
@@ -202,12 +188,13 @@ class Peer:
         """Evaluations of the right-hand side so far, without event location."""
 
     def _run(self, name: str, state: Sequence[float], parameters: Sequence[float]) -> tuple[list[float], int]:
-        now = np.array(state, dtype=float)
+        now = np.zeros(STATES)
+        now[: len(state)] = state
         guard, steps = _run_mode(
             NAMES.index(name), now, np.array(parameters, dtype=float), self._tolerance, sequence.LONGEST
         )
         self.evaluations = (self.evaluations or 0) + STAGES * steps
-        return now.tolist(), guard
+        return now[: len(state)].tolist(), guard
 
     def stride(self, section: Apex) -> Vector:
         """The apex after one stride from an apex."""

@@ -1,6 +1,6 @@
 """The stride as one writes it by SciPy: solve_ivp with terminal events, a call for each mode."""
 
-from collections.abc import Sequence
+import math
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,9 @@ from tdmf_slip.library.section import Apex
 
 from . import equations as eq
 from . import sequence
+from .equations import State
+
+RATES, GUARDS = ({name: eq.written(law, name, math) for name in eq.MODES} for law in (eq.rates, eq.guards))
 
 
 class Peer:
@@ -25,26 +28,20 @@ class Peer:
         self.evaluations: int | None = 0
         """Evaluations of the right-hand side so far."""
 
-    def _run(self, name: str, state: Sequence[float], parameters: Sequence[float]) -> tuple[list[float], int]:
-        mode = sequence.mode_of(name)
+    def _run(self, name: str, state: State, parameters: State) -> tuple[list[float], int]:
+        count, guards = len(state), len(eq.EVENTS[name])
 
         def rates(_: float, now: NDArray[np.float64]) -> list[float]:
-            at = now.tolist()
-            torque = sequence.torque_of(name, at, parameters)
-            return [
-                *at[4:],
-                *eq.accelerations(mode, at, torque, parameters[1]),
-            ]
+            return eq.values_of(RATES[name], count, now.tolist(), parameters)
 
         def guard(number: int) -> Any:
             def value(_: float, now: NDArray[np.float64]) -> Any:
-                return sequence.guards_of(name, now.tolist(), parameters)[number]
+                return eq.values_of(GUARDS[name], guards, now.tolist(), parameters)[number]
 
             event: Any = value
             event.terminal, event.direction = True, -1.0
             return event
 
-        count = len(sequence.guards_of(name, state, parameters))
         run = solve_ivp(
             rates,
             (0.0, sequence.LONGEST),
@@ -52,7 +49,7 @@ class Peer:
             method="DOP853",
             rtol=self._tolerance,
             atol=self._tolerance,
-            events=[guard(number) for number in range(count)],
+            events=[guard(number) for number in range(guards)],
         )
         self.evaluations = (self.evaluations or 0) + int(run.nfev)
         fired = next(number for number, times in enumerate(run.t_events) if len(times))

@@ -49,8 +49,11 @@ class Friction(Model):
         """Friction coefficient of a slipping foot."""
         if r.law == "constant":
             return r.friction_along(r.way)
-        fading = exp(-r.way * r.foot_vx / r.stribeck_velocity)
-        return r.friction_along(r.way) * (1 + (r.static_ratio - 1) * fading)
+        return r.friction_along(r.way) * (1 + (r.static_ratio - 1) * r.fading())
+
+    def fading(r):
+        """Share of the excess of static friction that is left at the slip speed."""
+        return exp(-r.way * r.foot_vx / r.stribeck_velocity)
 
     def friction_falls(r):
         """Whether friction falls with the slip speed."""
@@ -80,10 +83,22 @@ class Friction(Model):
     def speed_after_impact(r, speed, normal_speed, friction):
         """Speed of the foot along the ground after an impact, 0 where friction stops it  (4)-(6)."""
         lost = friction * normal_speed
-        after = select(speed <= r.static_ratio * lost, 0, speed - lost)
+        return select(speed <= r.stopped_speed(lost), 0, r.speed_left(speed, lost))
+
+    def stopped_speed(r, lost):
+        """Speed of the foot up to which friction stops it in an impact in which slip would lose `lost`."""
         if not r.friction_falls():
-            return after
+            return r.static_ratio * lost
+        return lost + r.stribeck_velocity * log1p(r.gained(lost))
+
+    def speed_left(r, speed, lost):
+        """Speed of the foot after an impact that does not stop it."""
+        if not r.friction_falls():
+            return speed - lost
         scale = r.stribeck_velocity
-        more = -(r.static_ratio - 1) * expm1(-lost / scale)
-        left = speed - lost + scale * log1p(-more * exp(-(speed - lost) / scale))
-        return select(speed <= lost + scale * log1p(more), 0, select(left > 0, left, 0))
+        left = speed - lost + scale * log1p(-r.gained(lost) * exp(-(speed - lost) / scale))
+        return select(left > 0, left, 0)
+
+    def gained(r, lost):
+        """Change of exp(speed/v_s) in an impact that stops the foot."""
+        return -(r.static_ratio - 1) * expm1(-lost / r.stribeck_velocity)

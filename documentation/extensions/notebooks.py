@@ -2,7 +2,7 @@
 
 A line `% needs ../../examples/runner.py` in a guide becomes a cell, not shown on the page, that writes this
 file; guides are executed in an empty folder. In notebooks for download directives become what any notebook
-shows: pictures go along as attachments, equations are TeX, programs are in the cells that write them, and
+shows: pictures go along as attachments, programs are in the cells that write them, and
 links between pages are the pages' titles, or addresses where the site has one (`html_baseurl`).
 """
 
@@ -14,7 +14,6 @@ import subprocess
 from collections.abc import Callable
 from typing import Any
 
-import laws
 from myst_nb.core import render
 from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
@@ -122,8 +121,6 @@ class Notebook:
             path = self.folder / argument
             text = path.read_text(encoding="utf-8").rstrip()
             return "" if path.name in self.written else f"```{options.get('language', '')}\n{text}\n```"
-        if name == "law":
-            return f"$$\n{laws.written(argument.split()[0])}\n$$"
         if name == "graphviz":
             drawing = re.sub(r"^:.*\n", "", content, flags=re.MULTILINE)
             made = subprocess.run(["dot", "-Tsvg"], input=drawing.encode(), capture_output=True, check=True)

@@ -1,6 +1,6 @@
 """Strides of the paper's runner by SciPy, written from the equations for two point masses.
 
-Table 1 in units m = k = l0 = 1, on level ground. Nothing here comes from the pages of `c_core/equations`.
+Table 1 in units m = k = l0 = 1, on level ground. Nothing here comes from the pages in `c_core/pages`.
 Body and foot are points in the plane, pushed apart along the leg by F_s and across it by tau/r  (8)-(10).
 The stance torque, the spring and the friction may follow laws of one's own.
 """

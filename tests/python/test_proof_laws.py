@@ -1,263 +1,130 @@
-"""The laws that proofs are made with, against the C library's at random points."""
+"""The laws of proofs, in the leg's length and angle, against the runner's page in the page's coordinates."""
 
 import math
+from types import SimpleNamespace as Record
 
 import numpy as np
 import pytest
-from tdmf_slip.library.binding import c, ffi
-from tdmf_slip.library.runner import Runner
-from tdmf_slip.variables.table import STATES
 
 pytest.importorskip("flint")
 
-from types import SimpleNamespace as Record
-
 from flint import arb, ctx
-from tdmf_slip.proof import laws
-from tdmf_slip.proof.flow import fall, with_helpers
+from tdmf_slip.library.members import MOVING
+from tdmf_slip.library.runner import Runner
+from tdmf_slip.pages import RunnerOnOneLine
+from tdmf_slip.proof.flow import rates, with_helpers
 from tdmf_slip.proof.given import exact_values
-from tdmf_slip.proof.guards import FUNCTIONS, watched
-from tdmf_slip.proof.parameters import Mode, Parameters, names_of
+from tdmf_slip.proof.guards import EVENTS, guard_of, watched
+from tdmf_slip.proof.parameters import NAMES_ON_PAGE, Mode, Parameters, at
 from tdmf_slip.proof.transitions import Transition
 
-POINTS = 1000
-CONTACTS = {
-    "flight": c.TDMF_CONTACT_FLIGHT,
-    "stick": c.TDMF_CONTACT_STICK,
-    "graze": c.TDMF_CONTACT_GRAZE,
-    1: c.TDMF_CONTACT_SLIP_POSITIVE,
-    -1: c.TDMF_CONTACT_SLIP_NEGATIVE,
-}
-GUARDS = {
-    "touchdown": (c.TDMF_GUARD_TOUCHDOWN, "length"),
-    "apex": (c.TDMF_GUARD_APEX, "speed"),
-    "clamp": (c.TDMF_GUARD_CLAMP, "energy"),
-    "lift-off": (c.TDMF_GUARD_LIFT_OFF, "force"),
-    "slip onset forwards": (c.TDMF_GUARD_SLIP_ONSET_POSITIVE, "force"),
-    "slip onset backwards": (c.TDMF_GUARD_SLIP_ONSET_NEGATIVE, "force"),
-    "end of slip": (c.TDMF_GUARD_SLIP_VELOCITY_ZERO, "speed"),
-    "mid-stance": (c.TDMF_GUARD_MID_STANCE, None),
-    "greatest compression": (c.TDMF_GUARD_GREATEST_COMPRESSION, "speed"),
-    "load": (c.TDMF_GUARD_GRAZE_TO_CONTACT, "force"),
-    "flight": (c.TDMF_GUARD_GRAZE_TO_FLIGHT, "force"),
-    "the body's height": (c.TDMF_GUARD_BODY_DOWN, "length"),
-    "the leg's length": (c.TDMF_GUARD_LEG_TOO_SHORT, "length"),
-}
+POINTS = 60
+"""Random points of each mode."""
+GIVEN = {
+    "body.mass": (0.5, 2), "foot.mass": (0.01, 1), "leg.stiffness": (0.5, 2), "leg.damping": (0, 1),
+    "gravity": (0.01, 1), "hip.stance_torque": (-0.5, 0.5), "hip.touchdown_angle": (-1, 1),
+    "hip.kp": (0.01, 1), "hip.kd": (0.01, 1), "hip.liftoff_angle_factor": (0, 2),
+    "hip.retraction_rate": (-0.5, 0.5), "leg.thrust": (0, 0.2), "ground.static_friction_ratio": (1, 2),
+    "ground.friction": (0.05, 0.9), "ground.slope": (-0.4, 0.4), "hip.external_torque": (-0.1, 0.1),
+    "leg.extension": (-0.1, 0.1), "body.external_fx": (-0.1, 0.1), "body.external_fy": (-0.1, 0.1),
+    "control.touchdown_angle": (-0.2, 0.2), "control.stance_torque": (-0.1, 0.1), "control.thrust": (0, 0.1),
+}  # fmt: skip
+MOTION = {
+    "length": (0.5, 1.4), "angle": (-1, 1), "length_rate": (-1, 1), "angle_rate": (-1, 1),
+    "liftoff_angle": (-1, 1), "placing": (0, 2), "clearance": (0.8, 2), "along": (-1, 1), "off": (-1, 1),
+}  # fmt: skip
 
 
-@pytest.fixture(autouse=True)
-def quadruple():
-    with ctx.workprec(113):
-        yield
+def point(rng, contact):
+    """A random runner in a mode: as proofs have it, and on the page in floats."""
+    given = {name: rng.uniform(*ends) for name, ends in GIVEN.items()}
+    given |= {"ground.stribeck_velocity": rng.choice([0.0, 0.7]), "hip.swing_clamp": True}
+    runner = Runner(given)
+    balls = Parameters(exact_values({name: runner[name] for name in MOVING}, {})).balls()
+    v = {name: rng.uniform(*ends) for name, ends in MOTION.items()}
+    off, sign = contact in ("flight", "graze"), int(rng.choice([-1, 1]))
+    v["foot_vx"] = sign * rng.uniform(0.01, 1) if contact in ("slip", "graze") else 0.0
+    places = bool(off and rng.random() < 0.5)
+    mode = Mode(
+        contact, sign if contact == "slip" else 0, places, drives=not off and bool(rng.random() < 0.5),
+        clamped=off and not places and bool(rng.random() < 0.5), rises=off and not places,
+        thrusts=not off and bool(rng.random() < 0.5),
+    )  # fmt: skip
+    values = with_helpers(balls, mode, {name: arb(x) for name, x in v.items()})
+    slope = given["ground.slope"]
+    sine, cosine, turn = (
+        math.sin(v["angle"] - slope),
+        math.cos(v["angle"] - slope),
+        v["length"] * v["angle_rate"],
+    )
+    ground = {
+        "x": -v["length"] * sine, "y": v["length"] * cosine, "vx": -v["length_rate"] * sine - turn * cosine,
+        "vy": v["length_rate"] * cosine - turn * sine, "winding": slope, "foot_vx": v["foot_vx"],
+    }  # fmt: skip
+    flight = {
+        "length": v["length"], "angle": v["angle"], "length_rate": v["length_rate"],
+        "momentum": v["length"] * turn, "com_y": v["clearance"] / math.cos(slope),
+        "com_vx": v["along"] * math.cos(slope) - v["off"] * math.sin(slope),
+        "com_vy": v["along"] * math.sin(slope) + v["off"] * math.cos(slope),
+    }  # fmt: skip
+    motion = at(balls, mode, values)
+    held = {name: getattr(motion, name) for name in ("swing", "driving", "thrusting", "way", "law")}
+    held |= {name: v[name] for name in ("liftoff_angle", "placing")} | {"slope": slope, "wind": "pushed"}
+    own = {NAMES_ON_PAGE[name]: runner[name] for name in MOVING}
+    page = RunnerOnOneLine.at(contact, **own, **held, **(flight if contact == "flight" else ground))
+    return Record(balls=balls, mode=mode, values=values, motion=motion, page=page, sine=sine, cosine=cosine)
 
 
-class Point:
-    """A random runner in a random mode, as both texts take it."""
-
-    def __init__(self, rng, contact=None, sign=0):
-        draw = rng.uniform
-        self.given = {
-            "body.mass": draw(0.5, 2),
-            "foot.mass": draw(0.01, 1),
-            "leg.stiffness": draw(0.5, 2),
-            "leg.damping": draw(0, 1),
-            "gravity": draw(0.01, 1),
-            "hip.stance_torque": draw(-0.5, 0.5),
-            "hip.touchdown_angle": draw(-1, 1),
-            "hip.kp": draw(0.01, 1),
-            "hip.kd": draw(0.01, 1),
-            "hip.liftoff_angle_factor": draw(0, 2),
-            "hip.retraction_rate": draw(-0.5, 0.5),
-            "leg.thrust": draw(0, 0.2),
-            "ground.static_friction_ratio": draw(1, 2),
-            "ground.stribeck_velocity": rng.choice([0.0, draw(0.1, 2)]),
-            "ground.friction": draw(0.05, 0.9),
-            "ground.slope": draw(-0.4, 0.4),
-            "hip.external_torque": draw(-0.1, 0.1),
-            "leg.extension": draw(-0.1, 0.1),
-            "body.external_fx": draw(-0.1, 0.1),
-            "body.external_fy": draw(-0.1, 0.1),
-            "control.touchdown_angle": draw(-0.2, 0.2),
-            "control.stance_torque": draw(-0.1, 0.1),
-            "control.thrust": draw(0, 0.1),
-            "hip.swing_clamp": bool(rng.random() < 0.5),
-        }
-        self.runner = Runner(self.given)
-        values = {name: self.runner[name] for name in exact_names(self.runner)}
-        self.balls = Parameters(exact_values(values, {})).balls()
-        self.contact = contact or rng.choice(["flight", "stick", "slip", "graze"])
-        self.sign = sign or int(rng.choice([-1, 1]))
-        off = self.contact in ("flight", "graze")
-        self.mode = Mode(
-            contact=self.contact,
-            sign=self.sign if self.contact == "slip" else 0,
-            places=(places := bool(off and rng.random() < 0.5)),
-            rises=off and not places,
-            drives=bool(rng.random() < 0.5),
-            thrusts=bool(rng.random() < 0.5),
-        )
-        self.values = {
-            "length": draw(0.5, 1.4),
-            "angle": draw(-1, 1),
-            "length_rate": draw(-1, 1),
-            "angle_rate": draw(-1, 1),
-            "foot_speed": self.sign * draw(0.01, 1),
-            "latched_angle": draw(-1, 1),
-            "clock": draw(0, 2),
-            "height": draw(0.8, 2),
-            "along": draw(-1, 1),
-            "off": draw(-1, 1),
-        }
-        whole = with_helpers(self.balls, self.mode, {n: arb(v) for n, v in self.values.items()})
-        if off and not self.mode.places and self.given["hip.swing_clamp"]:
-            clamped = laws.servo_torque(self.balls, self.mode, Record(**whole)) < 0
-            self.mode = Mode(**{**vars(self.mode), "clamped": bool(clamped)})
-        self.at = Record(**whole)
-        self._fill()
-
-    def _fill(self):
-        v, slope = self.values, self.given["ground.slope"]
-        tangent, normal = (math.cos(slope), math.sin(slope)), (-math.sin(slope), math.cos(slope))
-        if self.contact == "flight":
-            foot = laws.foot_velocity(self.balls, self.at)
-            height, along, off = (
-                float(x) for x in (laws.foot_height(self.balls, self.at), foot.along, foot.off)
-            )
-        else:
-            height, along, off = 0.0, 0.0 if self.contact == "stick" else v["foot_speed"], 0.0
-        self.motion = ffi.new("tdmf_motion *")
-        state = {
-            "foot.x": height * normal[0],
-            "foot.y": height * normal[1],
-            "leg.length": v["length"],
-            "leg.angle": v["angle"],
-            "foot.vx": along * tangent[0] + off * normal[0],
-            "foot.vy": along * tangent[1] + off * normal[1],
-            "leg.length_rate": v["length_rate"],
-            "leg.angle_rate": v["angle_rate"],
-        }
-        self.motion.state[0 : len(STATES)] = [state[name] for name in STATES]
-        self.motion.state[c.TDMF_HIP_PLACE_TIME] = v["clock"]
-        mode = self.motion.mode
-        mode.contact = CONTACTS[self.sign if self.contact == "slip" else self.contact]
-        if self.contact in ("flight", "graze"):
-            mode.phase = c.TDMF_PHASE_PLACE if self.mode.places else c.TDMF_PHASE_RETRACT
-        else:
-            mode.phase = c.TDMF_PHASE_DRIVE if self.mode.drives else c.TDMF_PHASE_COAST
-        mode.liftoff_angle, mode.mid_stance_pending = v["latched_angle"], self.mode.drives
-        mode.clamp_closed, mode.thrusts = self.mode.clamped, self.mode.thrusts
-        mode.rises = not self.mode.places
-        mode.ground = c.tdmf_ground_line_of(0.0, slope)
-        self.tangent, self.normal = tangent, normal
-
-    def numbers(self):
-        return {name: arb(self.values[name]) for name in names_of(self.balls, self.mode)}
+def close(one, other):
+    return abs(float(one) - float(other)) <= 1e-12 * max(1.0, abs(float(other)))
 
 
-def exact_names(runner):
-    from tdmf_slip.library.members import MOVING
-
-    return [name for name in MOVING if name in runner]
-
-
-def close(one, other, scale=1.0):
-    return abs(float(one) - float(other)) <= 2e-13 * max(scale, abs(float(other)))
-
-
-def test_rates_are_those_of_the_library():
+@pytest.fixture(params=["flight", "stick", "slip", "graze"])
+def points(request):
     rng = np.random.default_rng(27)
-    seen, falls = set(), 0
-    for _ in range(POINTS):
-        point = Point(rng)
-        if point.contact == "graze" and abs(float(point.at.sine)) < 0.05:
+    with ctx.workprec(113):
+        yield [p for p in (point(rng, request.param) for _ in range(POINTS)) if abs(p.sine) > 0.05]
+
+
+def test_rates_are_those_of_the_page(points):
+    for p in points:
+        found, page = rates(p.balls, p.mode, p.values), p.page
+        wanted = getattr(page, p.mode.contact)()
+        r, w, v = (float(p.values[name]) for name in ("length", "angle_rate", "length_rate"))
+        along, across = float(found["length_rate"]) - r * w * w, r * float(found["angle_rate"]) + 2 * v * w
+        if p.mode.contact == "flight":
+            fall = page.on_line(wanted["com_vx"], wanted["com_vy"])
+            assert close(found["length_rate"], wanted["length_rate"])
+            assert close(across * r, wanted["momentum"])
+            assert close(p.balls.fall().along, fall.along) and close(p.balls.fall().off, fall.off)
+        else:
+            assert close(-along * p.sine - across * p.cosine, wanted["vx"])
+            assert close(along * p.cosine - across * p.sine, wanted["vy"])
+            assert close(found.get("foot_vx", 0), wanted["foot_vx"])
+        assert close(p.motion.torque(), page.torque())
+
+
+def test_guards_are_those_of_the_page(points):
+    seen = set()
+    for p in points:
+        for name in watched(p.balls, p.mode):
+            event = "release" if name == "clamp" and p.mode.clamped else EVENTS[name]
+            assert close(guard_of(name, p.motion), p.page.marked("is_event")[event].when(p.page)), name
+            seen.add(name)
+    assert len(seen) >= 5
+
+
+@pytest.mark.parametrize("points", ["flight"], indirect=True)
+def test_impacts_are_those_of_the_page(points):
+    slides = 0
+    for p in points:
+        foot = p.motion.foot()
+        if not foot.off < 0:
             continue
-        derivatives = ffi.new("double[]", c.TDMF_STATE_COUNT)
-        c.tdmf_derivatives(
-            point.runner.c_system,
-            ffi.addressof(point.motion.mode),
-            point.motion.state,
-            derivatives,
-        )
-        found = laws.rates(point.balls, point.mode, point.at)
-        size = max(abs(x) for x in derivatives)
-        assert close(found["length_rate"], derivatives[c.TDMF_LEG_LENGTH_RATE], size)
-        assert close(found["angle_rate"], derivatives[c.TDMF_LEG_ANGLE_RATE], size)
-        x, y = derivatives[c.TDMF_FOOT_VX], derivatives[c.TDMF_FOOT_VY]
-        if point.contact in ("slip", "graze"):
-            assert close(found["foot_speed"], x * point.tangent[0] + y * point.tangent[1], size)
-        torque = c.tdmf_hip_torque(
-            point.runner.c_system, ffi.addressof(point.motion.mode), point.motion.state
-        )
-        assert close(laws.torque(point.balls, point.mode, point.at), torque, size)
-        seen.add((point.contact, point.mode.places, point.mode.drives, point.mode.clamped))
-        falls += point.contact == "slip" and point.given["ground.stribeck_velocity"] > 0
-    assert len(seen) >= 16
-    assert falls > 50
-
-
-def test_the_centre_of_mass_falls_as_in_the_library():
-    rng = np.random.default_rng(5)
-    for _ in range(100):
-        point = Point(rng, "flight")
-        derivatives = ffi.new("double[]", c.TDMF_STATE_COUNT)
-        c.tdmf_derivatives(
-            point.runner.c_system,
-            ffi.addressof(point.motion.mode),
-            point.motion.state,
-            derivatives,
-        )
-        given = point.given
-        total = given["body.mass"] + given["foot.mass"]
-        x, y = given["body.external_fx"] / total, given["body.external_fy"] / total - given["gravity"]
-        along, off = fall(point.balls)
-        assert close(along, x * point.tangent[0] + y * point.tangent[1])
-        assert close(off, x * point.normal[0] + y * point.normal[1])
-
-
-def test_guards_are_those_of_the_library():
-    rng = np.random.default_rng(11)
-    compared = dict.fromkeys(GUARDS, 0)
-    for _ in range(2 * POINTS):  # the clamp is watched at one point in sixteen
-        point = Point(rng)
-        guards = ffi.new("double[]", c.TDMF_GUARD_COUNT)
-        model = point.runner.c_model
-        c.tdmf_guards(point.runner.c_system, ffi.addressof(point.motion.mode), point.motion.state, guards)
-        for name in watched(point.balls, point.mode):
-            if (name, point.contact) == ("clamp", "graze"):
-                continue  # there the library goes by the servo as it is now
-            index, scale = GUARDS[name]
-            value = float(FUNCTIONS[name](point.balls, point.mode, point.at))
-            value /= getattr(model.scales, scale) if scale else 1.0
-            margin = 2e-12  # of the library's guards
-            assert abs(guards[index] - value) < 1e-12 * abs(value) + margin, (name, point.mode)
-            compared[name] += 1
-    assert min(compared.values()) > 100, compared
-
-
-def test_impacts_are_those_of_the_library():
-    rng = np.random.default_rng(3)
-    sticks = slides = 0
-    for _ in range(POINTS):
-        point = Point(rng, "flight")
-        point.values["height"] = float(point.balls.model.body_share * point.at.length * point.at.cosine)
-        point.at.height = arb(point.values["height"])
-        point._fill()
-        if float(laws.foot_velocity(point.balls, point.at).off) >= 0:
-            continue
-        before = np.array(list(point.motion.state))
-        c.tdmf_impact(
-            point.runner.c_system,
-            ffi.addressof(point.motion.mode.ground),
-            point.motion.state,
-        )
-        state = point.motion.state
-        speed = state[c.TDMF_FOOT_VX] * point.tangent[0] + state[c.TDMF_FOOT_VY] * point.tangent[1]
-        transition = Transition(point.balls, point.mode, point.numbers())
-        transition.impact()
-        assert close(transition.speed, speed)
-        assert close(transition.at.length_rate, state[c.TDMF_LEG_LENGTH_RATE])
-        assert close(transition.at.angle_rate, state[c.TDMF_LEG_ANGLE_RATE])
-        assert not np.array_equal(before, list(state))
-        sticks, slides = sticks + (abs(speed) < 1e-14), slides + (abs(speed) >= 1e-14)
-    assert sticks > 50
-    assert slides > 50
+        transition, landed = Transition(p.balls, p.mode, p.values), p.page.land(was_placed=0)
+        slides += transition.impact()
+        after = transition.values
+        assert close(after["foot_vx"], landed.foot_vx)
+        assert close(after["length_rate"], landed.leg().length_rate)
+        assert close(after["angle_rate"], landed.leg().angle_rate)
+    assert 5 < slides < len(points) - 5

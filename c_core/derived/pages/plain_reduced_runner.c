@@ -544,35 +544,37 @@ static int react_flight_touchdown(const real *parameters, const real *states, co
     const real vy = x->length_rate * cosine - turn * sine;
     const real off = x->com_vy - share * vy;
     const real friction_times_off = x->friction * off;
-    const real lost = -friction_times_off;
-    const real after_2 = select(way_times_along <= lost, 0.0, way_times_along + friction_times_off);
-    const real way_times_after = way * after_2;
+    const real stopped_speed = -friction_times_off;
+    const real speed_left = way_times_along + friction_times_off;
+    const real speed_after_impact = select(way_times_along <= stopped_speed, 0.0, speed_left);
+    const real after_2 = way * speed_after_impact;
     const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
     const real length_times_sine = x->length * sine;
     const real sum_2 = x->com_x + share * length_times_sine;
     const real x_2 = -length_times_sine;
     const real y_2 = x->length * cosine;
-    const real vx_plus_along_minus_way_times_after = vx + along - way_times_after;
+    const real vx_plus_along_minus_after = vx + along - after_2;
     const real vy_plus_off = vy + off;
     const real angle_minus_length_times_sineatan2_of_y = x->angle - real_atan2(length_times_sine, y_2);
-    const real speeds = along * along + off * off - way_times_after * way_times_after;
-    const real sum_3 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
+    const real speeds = along * along + off * off - after_2 * after_2;
+    const real lost = 0.5 * (p->foot_mass * speeds);
+    const real impact_loss_plus_lost = x->impact_loss + lost;
     const real by_1_or_by_0 = select(x->angle >= 0.0, 1.0, 0.0);
     y->touchdowns_so_far = touchdowns_so_far_plus_by_1;
     y->slid_from = sum_2;
     y->bar_is_due = 1.0;
     y->x_ = x_2;
     y->y_ = y_2;
-    y->vx = vx_plus_along_minus_way_times_after;
+    y->vx = vx_plus_along_minus_after;
     y->vy = vy_plus_off;
     y->foot_x = sum_2;
-    y->foot_vx = way_times_after;
+    y->foot_vx = after_2;
     y->winding = angle_minus_length_times_sineatan2_of_y;
-    y->impact_loss = sum_3;
+    y->impact_loss = impact_loss_plus_lost;
     y->driving = by_1_or_by_0;
     y->placing = 0.0;
     y->touchdown_time = x->time;
-    if (way * way_times_after > 0.0) {
+    if (way * after_2 > 0.0) {
         y->way = way;
         return next[0]; /* slip */
     }
@@ -600,9 +602,10 @@ static void vary_react_flight_touchdown(const real *parameters, const real *stat
     const real vy = x->length_rate * cosine - turn * sine;
     const real off = x->com_vy - share * vy;
     const real friction_times_off = x->friction * off;
-    const real lost = -friction_times_off;
-    const real after_2 = select(way_times_along <= lost, 0.0, way_times_along + friction_times_off);
-    const real way_times_after = way * after_2;
+    const real stopped_speed = -friction_times_off;
+    const real speed_left = way_times_along + friction_times_off;
+    const real speed_after_impact = select(way_times_along <= stopped_speed, 0.0, speed_left);
+    const real after_2 = way * speed_after_impact;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real length_times_sine = x->length * sine;
     const real d_sine = cosine * dx->angle;
@@ -618,34 +621,33 @@ static void vary_react_flight_touchdown(const real *parameters, const real *stat
     const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
         + turn * d_sine);
     const real d_off = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_after = select(way_times_along <= lost, 0.0, way * d_along + (dx->friction * off
-        + x->friction * d_off));
-    const real way_times_d_after = way * d_after;
-    const real sum_3 = d_vx + d_along - way_times_d_after;
+    const real d_speed_left = way * d_along + (dx->friction * off + x->friction * d_off);
+    const real d_speed_after_impact = select(way_times_along <= stopped_speed, 0.0, d_speed_left);
+    const real d_after = way * d_speed_after_impact;
+    const real d_vx_plus_d_along_minus_d_after = d_vx + d_along - d_after;
     const real d_vy_plus_d_off = d_vy + d_off;
     const real y_2 = x->length * cosine;
-    const real sum_4 = dx->angle - (y_2 * sum_2
+    const real sum_3 = dx->angle - (y_2 * sum_2
         - length_times_sine * d_y) / (length_times_sine * length_times_sine + y_2 * y_2);
-    const real speeds = along * along + off * off - way_times_after * way_times_after;
-    const real d_speeds = 2.0 * (along * d_along) + 2.0 * (off * d_off)
-        - 2.0 * (way_times_after * way_times_d_after);
-    const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss + 0.5 * (dp->foot_mass * speeds
-        + p->foot_mass * d_speeds);
+    const real speeds = along * along + off * off - after_2 * after_2;
+    const real d_speeds = 2.0 * (along * d_along) + 2.0 * (off * d_off) - 2.0 * (after_2 * d_after);
+    const real d_lost = 0.5 * (dp->foot_mass * speeds + p->foot_mass * d_speeds);
+    const real impact_loss_plus_d_lost = dx->impact_loss + d_lost;
     y->touchdowns_so_far = dx->touchdowns_so_far;
     y->slid_from = com_x_plus_sum;
     y->bar_is_due = 0.0;
     y->x_ = d_x;
     y->y_ = d_y;
-    y->vx = sum_3;
+    y->vx = d_vx_plus_d_along_minus_d_after;
     y->vy = d_vy_plus_d_off;
     y->foot_x = com_x_plus_sum;
-    y->foot_vx = way_times_d_after;
-    y->winding = sum_4;
-    y->impact_loss = impact_loss_plus_by_0_5_times_sum;
+    y->foot_vx = d_after;
+    y->winding = sum_3;
+    y->impact_loss = impact_loss_plus_d_lost;
     y->driving = 0.0;
     y->placing = 0.0;
     y->touchdown_time = dx->time;
-    if (way * way_times_after > 0.0) {
+    if (way * after_2 > 0.0) {
         y->way = 0.0;
         return;
     }

@@ -33,35 +33,35 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
         const real way = select(x->seen_vx >= 0.0, 1.0, -1.0);
         const real way_times_seen_vx = way * x->seen_vx;
         const real friction_times_seen_vy = x->friction * x->seen_vy;
-        const real lost = -friction_times_seen_vy;
-        const real after_2 = select(way_times_seen_vx <= lost, 0.0, way_times_seen_vx
-            + friction_times_seen_vy);
-        const real way_times_after = way * after_2;
+        const real stopped_speed = -friction_times_seen_vy;
+        const real speed_left = way_times_seen_vx + friction_times_seen_vy;
+        const real speed_after_impact = select(way_times_seen_vx <= stopped_speed, 0.0, speed_left);
+        const real after_2 = way * speed_after_impact;
         const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
         const real x_2 = -length_times_sine;
-        const real vx_plus_seen_vx_minus_way_times_after = vx + x->seen_vx - way_times_after;
+        const real vx_plus_seen_vx_minus_after = vx + x->seen_vx - after_2;
         const real vy_plus_seen_vy = vy + x->seen_vy;
         const real angle_minus_length_times_sineatan2_of_y = x->angle - real_atan2(length_times_sine, y_2);
-        const real speeds = x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy
-            - way_times_after * way_times_after;
-        const real sum_2 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
+        const real speeds = x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy - after_2 * after_2;
+        const real lost = 0.5 * (p->foot_mass * speeds);
+        const real impact_loss_plus_lost = x->impact_loss + lost;
         const real by_1_or_by_0 = select(x->angle >= 0.0, 1.0, 0.0);
         y->touchdowns_so_far = touchdowns_so_far_plus_by_1;
         y->slid_from = x->seen_x;
         y->bar_is_due = 1.0;
         y->x_ = x_2;
         y->y_ = y_2;
-        y->vx = vx_plus_seen_vx_minus_way_times_after;
+        y->vx = vx_plus_seen_vx_minus_after;
         y->vy = vy_plus_seen_vy;
         y->foot_x = x->seen_x;
-        y->foot_vx = way_times_after;
+        y->foot_vx = after_2;
         y->winding = angle_minus_length_times_sineatan2_of_y;
-        y->impact_loss = sum_2;
+        y->impact_loss = impact_loss_plus_lost;
         y->driving = by_1_or_by_0;
         y->touchdown_time = x->time;
         y->was_placed = 0.0;
         y->placed_for = x->placing;
-        if (way * way_times_after > 0.0) {
+        if (way * after_2 > 0.0) {
             y->way = way;
             return next[0]; /* slip */
         }
@@ -146,40 +146,39 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
         const real way = select(x->seen_vx >= 0.0, 1.0, -1.0);
         const real way_times_seen_vx = way * x->seen_vx;
         const real friction_times_seen_vy = x->friction * x->seen_vy;
-        const real lost = -friction_times_seen_vy;
-        const real after_2 = select(way_times_seen_vx <= lost, 0.0, way_times_seen_vx
-            + friction_times_seen_vy);
-        const real way_times_after = way * after_2;
+        const real stopped_speed = -friction_times_seen_vy;
+        const real speed_left = way_times_seen_vx + friction_times_seen_vy;
+        const real speed_after_impact = select(way_times_seen_vx <= stopped_speed, 0.0, speed_left);
+        const real after_2 = way * speed_after_impact;
         const real d_x = -sum_2;
-        const real d_after = select(way_times_seen_vx <= lost, 0.0, way * dx->seen_vx
-            + (dx->friction * x->seen_vy + x->friction * dx->seen_vy));
-        const real way_times_d_after = way * d_after;
-        const real sum_3 = d_vx + dx->seen_vx - way_times_d_after;
+        const real d_speed_left = way * dx->seen_vx + (dx->friction * x->seen_vy + x->friction * dx->seen_vy);
+        const real d_speed_after_impact = select(way_times_seen_vx <= stopped_speed, 0.0, d_speed_left);
+        const real d_after = way * d_speed_after_impact;
+        const real d_vx_plus_seen_vx_minus_d_after = d_vx + dx->seen_vx - d_after;
         const real d_vy_plus_seen_vy = d_vy + dx->seen_vy;
-        const real sum_4 = dx->angle - (y_2 * sum_2
+        const real sum_3 = dx->angle - (y_2 * sum_2
             - length_times_sine * d_y) / (length_times_sine * length_times_sine + y_2 * y_2);
-        const real speeds = x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy
-            - way_times_after * way_times_after;
+        const real speeds = x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy - after_2 * after_2;
         const real d_speeds = 2.0 * (x->seen_vx * dx->seen_vx) + 2.0 * (x->seen_vy * dx->seen_vy)
-            - 2.0 * (way_times_after * way_times_d_after);
-        const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss + 0.5 * (dp->foot_mass * speeds
-            + p->foot_mass * d_speeds);
+            - 2.0 * (after_2 * d_after);
+        const real d_lost = 0.5 * (dp->foot_mass * speeds + p->foot_mass * d_speeds);
+        const real impact_loss_plus_d_lost = dx->impact_loss + d_lost;
         y->touchdowns_so_far = dx->touchdowns_so_far;
         y->slid_from = dx->seen_x;
         y->bar_is_due = 0.0;
         y->x_ = d_x;
         y->y_ = d_y;
-        y->vx = sum_3;
+        y->vx = d_vx_plus_seen_vx_minus_d_after;
         y->vy = d_vy_plus_seen_vy;
         y->foot_x = dx->seen_x;
-        y->foot_vx = way_times_d_after;
-        y->winding = sum_4;
-        y->impact_loss = impact_loss_plus_by_0_5_times_sum;
+        y->foot_vx = d_after;
+        y->winding = sum_3;
+        y->impact_loss = impact_loss_plus_d_lost;
         y->driving = 0.0;
         y->touchdown_time = dx->time;
         y->was_placed = 0.0;
         y->placed_for = dx->placing;
-        if (way * way_times_after > 0.0) {
+        if (way * after_2 > 0.0) {
             y->way = 0.0;
             return;
         }
@@ -1492,19 +1491,21 @@ static int react_flight_calm_touchdown(const real *parameters, const real *state
     const real vy = x->length_rate * cosine - turn * sine;
     const real off = x->com_vy - share * vy;
     const real friction_times_off = x->friction * off;
-    const real lost = -friction_times_off;
-    const real after_2 = select(way_times_along <= lost, 0.0, way_times_along + friction_times_off);
-    const real way_times_after = way * after_2;
+    const real stopped_speed = -friction_times_off;
+    const real speed_left = way_times_along + friction_times_off;
+    const real speed_after_impact = select(way_times_along <= stopped_speed, 0.0, speed_left);
+    const real after_2 = way * speed_after_impact;
     const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
     const real length_times_sine = x->length * sine;
     const real sum_2 = x->com_x + share * length_times_sine;
     const real x_2 = -length_times_sine;
     const real y_2 = x->length * cosine;
-    const real vx_plus_along_minus_way_times_after = vx + along - way_times_after;
+    const real vx_plus_along_minus_after = vx + along - after_2;
     const real vy_plus_off = vy + off;
     const real angle_minus_length_times_sineatan2_of_y = x->angle - real_atan2(length_times_sine, y_2);
-    const real speeds = along * along + off * off - way_times_after * way_times_after;
-    const real sum_3 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
+    const real speeds = along * along + off * off - after_2 * after_2;
+    const real lost = 0.5 * (p->foot_mass * speeds);
+    const real impact_loss_plus_lost = x->impact_loss + lost;
     const real by_1_or_by_0 = select(x->angle >= 0.0, 1.0, 0.0);
     const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     y->touchdowns_so_far = touchdowns_so_far_plus_by_1;
@@ -1512,18 +1513,18 @@ static int react_flight_calm_touchdown(const real *parameters, const real *state
     y->bar_is_due = 1.0;
     y->x_ = x_2;
     y->y_ = y_2;
-    y->vx = vx_plus_along_minus_way_times_after;
+    y->vx = vx_plus_along_minus_after;
     y->vy = vy_plus_off;
     y->foot_x = sum_2;
-    y->foot_vx = way_times_after;
+    y->foot_vx = after_2;
     y->winding = angle_minus_length_times_sineatan2_of_y;
-    y->impact_loss = sum_3;
+    y->impact_loss = impact_loss_plus_lost;
     y->driving = by_1_or_by_0;
     y->placing = 0.0;
     y->touchdown_time = x->time;
     y->was_placed = is_placing;
     y->placed_for = x->placing;
-    if (way * way_times_after > 0.0) {
+    if (way * after_2 > 0.0) {
         y->way = way;
         return next[0]; /* slip */
     }
@@ -1551,9 +1552,10 @@ static void vary_react_flight_calm_touchdown(const real *parameters, const real 
     const real vy = x->length_rate * cosine - turn * sine;
     const real off = x->com_vy - share * vy;
     const real friction_times_off = x->friction * off;
-    const real lost = -friction_times_off;
-    const real after_2 = select(way_times_along <= lost, 0.0, way_times_along + friction_times_off);
-    const real way_times_after = way * after_2;
+    const real stopped_speed = -friction_times_off;
+    const real speed_left = way_times_along + friction_times_off;
+    const real speed_after_impact = select(way_times_along <= stopped_speed, 0.0, speed_left);
+    const real after_2 = way * speed_after_impact;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real length_times_sine = x->length * sine;
     const real d_sine = cosine * dx->angle;
@@ -1569,36 +1571,35 @@ static void vary_react_flight_calm_touchdown(const real *parameters, const real 
     const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
         + turn * d_sine);
     const real d_off = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_after = select(way_times_along <= lost, 0.0, way * d_along + (dx->friction * off
-        + x->friction * d_off));
-    const real way_times_d_after = way * d_after;
-    const real sum_3 = d_vx + d_along - way_times_d_after;
+    const real d_speed_left = way * d_along + (dx->friction * off + x->friction * d_off);
+    const real d_speed_after_impact = select(way_times_along <= stopped_speed, 0.0, d_speed_left);
+    const real d_after = way * d_speed_after_impact;
+    const real d_vx_plus_d_along_minus_d_after = d_vx + d_along - d_after;
     const real d_vy_plus_d_off = d_vy + d_off;
     const real y_2 = x->length * cosine;
-    const real sum_4 = dx->angle - (y_2 * sum_2
+    const real sum_3 = dx->angle - (y_2 * sum_2
         - length_times_sine * d_y) / (length_times_sine * length_times_sine + y_2 * y_2);
-    const real speeds = along * along + off * off - way_times_after * way_times_after;
-    const real d_speeds = 2.0 * (along * d_along) + 2.0 * (off * d_off)
-        - 2.0 * (way_times_after * way_times_d_after);
-    const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss + 0.5 * (dp->foot_mass * speeds
-        + p->foot_mass * d_speeds);
+    const real speeds = along * along + off * off - after_2 * after_2;
+    const real d_speeds = 2.0 * (along * d_along) + 2.0 * (off * d_off) - 2.0 * (after_2 * d_after);
+    const real d_lost = 0.5 * (dp->foot_mass * speeds + p->foot_mass * d_speeds);
+    const real impact_loss_plus_d_lost = dx->impact_loss + d_lost;
     y->touchdowns_so_far = dx->touchdowns_so_far;
     y->slid_from = com_x_plus_sum;
     y->bar_is_due = 0.0;
     y->x_ = d_x;
     y->y_ = d_y;
-    y->vx = sum_3;
+    y->vx = d_vx_plus_d_along_minus_d_after;
     y->vy = d_vy_plus_d_off;
     y->foot_x = com_x_plus_sum;
-    y->foot_vx = way_times_d_after;
-    y->winding = sum_4;
-    y->impact_loss = impact_loss_plus_by_0_5_times_sum;
+    y->foot_vx = d_after;
+    y->winding = sum_3;
+    y->impact_loss = impact_loss_plus_d_lost;
     y->driving = 0.0;
     y->placing = 0.0;
     y->touchdown_time = dx->time;
     y->was_placed = 0.0;
     y->placed_for = dx->placing;
-    if (way * way_times_after > 0.0) {
+    if (way * after_2 > 0.0) {
         y->way = 0.0;
         return;
     }

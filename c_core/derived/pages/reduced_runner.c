@@ -819,36 +819,35 @@ static int react_flight_touchdown(const real *parameters, const real *states, co
     if (p->stribeck_velocity > 0.0 && p->static_ratio > 1.0) {
         const real product_2 = (p->static_ratio
             - 1.0) * real_expm1(friction_times_off / p->stribeck_velocity);
-        const real more = -product_2;
+        const real gained = -product_2;
+        const real stopped_speed = p->stribeck_velocity * real_log1p(gained) - friction_times_off;
         const real left = way_times_along_plus_friction_times_off
             + p->stribeck_velocity * real_log1p(product_2 * real_exp(-(way_times_along_plus_friction_times_off
             / p->stribeck_velocity)));
-        const real speed_after_impact = select(way_times_along <= p->stribeck_velocity * real_log1p(more)
-            - friction_times_off, 0.0, select(left > 0.0, left, 0.0));
-        const real way_times_speed_after_impact = way * speed_after_impact;
-        const real sum_4 = sum_plus_along - way_times_speed_after_impact;
-        const real speeds = along_times_along_plus_off_times_off
-            - way_times_speed_after_impact * way_times_speed_after_impact;
-        const real sum_5 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
-        y->vx = sum_4;
-        y->foot_vx = way_times_speed_after_impact;
-        y->impact_loss = sum_5;
-        if (way * way_times_speed_after_impact > 0.0) {
+        const real speed_left = select(left > 0.0, left, 0.0);
+        const real speed_after_impact = select(way_times_along <= stopped_speed, 0.0, speed_left);
+        const real after_2 = way * speed_after_impact;
+        const real sum_plus_along_minus_after = sum_plus_along - after_2;
+        const real speeds = along_times_along_plus_off_times_off - after_2 * after_2;
+        const real sum_4 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
+        y->vx = sum_plus_along_minus_after;
+        y->foot_vx = after_2;
+        y->impact_loss = sum_4;
+        if (way * after_2 > 0.0) {
             y->way = way;
             return next[0]; /* slip */
         }
         return next[1]; /* stick */
     }
-    const real after_2 = select(way_times_along <= -(p->static_ratio * friction_times_off), 0.0,
-        way_times_along_plus_friction_times_off);
-    const real way_times_after = way * after_2;
-    const real sum_plus_along_minus_way_times_after = sum_plus_along - way_times_after;
+    const real way_times_select = way * select(way_times_along <= -(p->static_ratio * friction_times_off),
+        0.0, way_times_along_plus_friction_times_off);
+    const real sum_plus_along_minus_way_times_select = sum_plus_along - way_times_select;
     const real sum_4 = x->impact_loss + 0.5 * (p->foot_mass * (along_times_along_plus_off_times_off
-        - way_times_after * way_times_after));
-    y->vx = sum_plus_along_minus_way_times_after;
-    y->foot_vx = way_times_after;
+        - way_times_select * way_times_select));
+    y->vx = sum_plus_along_minus_way_times_select;
+    y->foot_vx = way_times_select;
     y->impact_loss = sum_4;
-    if (way * way_times_after > 0.0) {
+    if (way * way_times_select > 0.0) {
         y->way = way;
         return next[0]; /* slip */
     }
@@ -938,15 +937,16 @@ static void vary_react_flight_touchdown(const real *parameters, const real *stat
         const real ratio = friction_times_off / p->stribeck_velocity;
         const real expm1_of_ratio = real_expm1(ratio);
         const real product_2 = static_ratio_minus_by_1 * expm1_of_ratio;
-        const real more = -product_2;
-        const real sum_11 = p->stribeck_velocity * real_log1p(more) - friction_times_off;
+        const real gained = -product_2;
+        const real stopped_speed = p->stribeck_velocity * real_log1p(gained) - friction_times_off;
         const real ratio_2 = way_times_along_plus_friction_times_off / p->stribeck_velocity;
         const real exp_of_minus_ratio = real_exp(-ratio_2);
         const real product_times_exp_of_minus_ratio = product_2 * exp_of_minus_ratio;
         const real log1p_2 = real_log1p(product_times_exp_of_minus_ratio);
         const real left = way_times_along_plus_friction_times_off + p->stribeck_velocity * log1p_2;
-        const real speed_after_impact = select(way_times_along <= sum_11, 0.0, select(left > 0.0, left, 0.0));
-        const real way_times_speed_after_impact = way * speed_after_impact;
+        const real speed_left = select(left > 0.0, left, 0.0);
+        const real speed_after_impact = select(way_times_along <= stopped_speed, 0.0, speed_left);
+        const real after_2 = way * speed_after_impact;
         const real d_left = way_times_d_along_plus_sum + (dp->stribeck_velocity * log1p_2
             + p->stribeck_velocity * (((dp->static_ratio * expm1_of_ratio
             + static_ratio_minus_by_1 * ((expm1_of_ratio + 1.0) * ((sum_7
@@ -954,37 +954,36 @@ static void vary_react_flight_touchdown(const real *parameters, const real *stat
             - product_2 * (exp_of_minus_ratio * ((way_times_d_along_plus_sum
             - ratio_2 * dp->stribeck_velocity) / p->stribeck_velocity))) / (1.0
             + product_times_exp_of_minus_ratio)));
-        const real d_speed_after_impact = select(way_times_along <= sum_11, 0.0, select(left > 0.0, d_left,
-            0.0));
-        const real way_times_d_speed_after_impact = way * d_speed_after_impact;
-        const real sum_12 = sum_plus_sum_plus_d_along - way_times_d_speed_after_impact;
-        const real speeds = along_times_along_plus_off_times_off
-            - way_times_speed_after_impact * way_times_speed_after_impact;
-        const real d_speeds = sum_10 - 2.0 * (way_times_speed_after_impact * way_times_d_speed_after_impact);
+        const real d_speed_left = select(left > 0.0, d_left, 0.0);
+        const real d_speed_after_impact = select(way_times_along <= stopped_speed, 0.0, d_speed_left);
+        const real d_after = way * d_speed_after_impact;
+        const real sum_plus_sum_plus_d_along_minus_d_after = sum_plus_sum_plus_d_along - d_after;
+        const real speeds = along_times_along_plus_off_times_off - after_2 * after_2;
+        const real d_speeds = sum_10 - 2.0 * (after_2 * d_after);
         const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss + 0.5 * (dp->foot_mass * speeds
             + p->foot_mass * d_speeds);
-        y->vx = sum_12;
-        y->foot_vx = way_times_d_speed_after_impact;
+        y->vx = sum_plus_sum_plus_d_along_minus_d_after;
+        y->foot_vx = d_after;
         y->impact_loss = impact_loss_plus_by_0_5_times_sum;
-        if (way * way_times_speed_after_impact > 0.0) {
+        if (way * after_2 > 0.0) {
             y->way = 0.0;
             return;
         }
         return;
     }
     const real negative = -(p->static_ratio * friction_times_off);
-    const real after_2 = select(way_times_along <= negative, 0.0, way_times_along_plus_friction_times_off);
-    const real way_times_after = way * after_2;
-    const real d_after = select(way_times_along <= negative, 0.0, way_times_d_along_plus_sum);
-    const real way_times_d_after = way * d_after;
-    const real sum_11 = sum_plus_sum_plus_d_along - way_times_d_after;
+    const real way_times_select = way * select(way_times_along <= negative, 0.0,
+        way_times_along_plus_friction_times_off);
+    const real product_2 = way * select(way_times_along <= negative, 0.0, way_times_d_along_plus_sum);
+    const real sum_plus_sum_plus_d_along_minus_product = sum_plus_sum_plus_d_along - product_2;
     const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss
-        + 0.5 * (dp->foot_mass * (along_times_along_plus_off_times_off - way_times_after * way_times_after)
-        + p->foot_mass * (sum_10 - 2.0 * (way_times_after * way_times_d_after)));
-    y->vx = sum_11;
-    y->foot_vx = way_times_d_after;
+        + 0.5 * (dp->foot_mass * (along_times_along_plus_off_times_off
+        - way_times_select * way_times_select) + p->foot_mass * (sum_10
+        - 2.0 * (way_times_select * product_2)));
+    y->vx = sum_plus_sum_plus_d_along_minus_product;
+    y->foot_vx = product_2;
     y->impact_loss = impact_loss_plus_by_0_5_times_sum;
-    if (way * way_times_after > 0.0) {
+    if (way * way_times_select > 0.0) {
         y->way = 0.0;
         return;
     }

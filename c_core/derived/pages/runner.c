@@ -241,20 +241,20 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
         if (p->stribeck_velocity > 0.0 && p->static_ratio > 1.0) {
             const real product_2 = (p->static_ratio
                 - 1.0) * real_expm1(friction_along_times_off / p->stribeck_velocity);
-            const real more = -product_2;
+            const real gained = -product_2;
+            const real stopped_speed = p->stribeck_velocity * real_log1p(gained) - friction_along_times_off;
             const real left = sum_4
                 + p->stribeck_velocity * real_log1p(product_2 * real_exp(-(sum_4 / p->stribeck_velocity)));
-            const real speed_after_impact = select(way_times_along <= p->stribeck_velocity * real_log1p(more)
-                - friction_along_times_off, 0.0, select(left > 0.0, left, 0.0));
-            const real way_times_speed_after_impact = way * speed_after_impact;
-            const real sum_minus_way_times_speed_after_impact = sum_9 - way_times_speed_after_impact;
-            const real speeds = along_times_along_plus_off_times_off
-                - way_times_speed_after_impact * way_times_speed_after_impact;
+            const real speed_left = select(left > 0.0, left, 0.0);
+            const real speed_after_impact = select(way_times_along <= stopped_speed, 0.0, speed_left);
+            const real after_2 = way * speed_after_impact;
+            const real sum_minus_after = sum_9 - after_2;
+            const real speeds = along_times_along_plus_off_times_off - after_2 * after_2;
             const real sum_11 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
-            y->vx = sum_minus_way_times_speed_after_impact;
-            y->foot_vx = way_times_speed_after_impact;
+            y->vx = sum_minus_after;
+            y->foot_vx = after_2;
             y->impact_loss = sum_11;
-            if (way * way_times_speed_after_impact > 0.0) {
+            if (way * after_2 > 0.0) {
                 y->segment = sum_6;
                 y->segment_begin = begin_2;
                 y->segment_end = end_2;
@@ -269,16 +269,15 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
             y->friction_behind = friction_2;
             return next[1]; /* stick */
         }
-        const real after_2 = select(way_times_along <= -(p->static_ratio * friction_along_times_off), 0.0,
-            sum_4);
-        const real way_times_after = way * after_2;
-        const real sum_minus_way_times_after = sum_9 - way_times_after;
+        const real way_times_by_0_or_sum = way * select(way_times_along <= -(p->static_ratio *
+            friction_along_times_off), 0.0, sum_4);
+        const real sum_minus_way_times_by_0_or_sum = sum_9 - way_times_by_0_or_sum;
         const real sum_11 = x->impact_loss + 0.5 * (p->foot_mass * (along_times_along_plus_off_times_off
-            - way_times_after * way_times_after));
-        y->vx = sum_minus_way_times_after;
-        y->foot_vx = way_times_after;
+            - way_times_by_0_or_sum * way_times_by_0_or_sum));
+        y->vx = sum_minus_way_times_by_0_or_sum;
+        y->foot_vx = way_times_by_0_or_sum;
         y->impact_loss = sum_11;
-        if (way * way_times_after > 0.0) {
+        if (way * way_times_by_0_or_sum > 0.0) {
             y->segment = sum_6;
             y->segment_begin = begin_2;
             y->segment_end = end_2;
@@ -473,16 +472,16 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
             const real ratio = friction_along_times_off / p->stribeck_velocity;
             const real expm1_of_ratio = real_expm1(ratio);
             const real product_2 = static_ratio_minus_by_1 * expm1_of_ratio;
-            const real more = -product_2;
-            const real sum_12 = p->stribeck_velocity * real_log1p(more) - friction_along_times_off;
+            const real gained = -product_2;
+            const real stopped_speed = p->stribeck_velocity * real_log1p(gained) - friction_along_times_off;
             const real sum_over_stribeck_velocity = sum_5 / p->stribeck_velocity;
             const real exp_of_minus_sum_over_stribeck_velocity = real_exp(-sum_over_stribeck_velocity);
             const real product_3 = product_2 * exp_of_minus_sum_over_stribeck_velocity;
             const real log1p_of_product = real_log1p(product_3);
             const real left = sum_5 + p->stribeck_velocity * log1p_of_product;
-            const real speed_after_impact = select(way_times_along <= sum_12, 0.0, select(left > 0.0, left,
-                0.0));
-            const real way_times_speed_after_impact = way * speed_after_impact;
+            const real speed_left = select(left > 0.0, left, 0.0);
+            const real speed_after_impact = select(way_times_along <= stopped_speed, 0.0, speed_left);
+            const real after_2 = way * speed_after_impact;
             const real d_left = way_times_d_along_plus_sum + (dp->stribeck_velocity * log1p_of_product
                 + p->stribeck_velocity * (((dp->static_ratio * expm1_of_ratio
                 + static_ratio_minus_by_1 * ((expm1_of_ratio + 1.0) * ((sum_8
@@ -491,20 +490,18 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
                 - product_2 * (exp_of_minus_sum_over_stribeck_velocity * ((way_times_d_along_plus_sum
                 - sum_over_stribeck_velocity * dp->stribeck_velocity) / p->stribeck_velocity))) / (1.0
                 + product_3)));
-            const real d_speed_after_impact = select(way_times_along <= sum_12, 0.0, select(left > 0.0,
-                d_left, 0.0));
-            const real way_times_d_speed_after_impact = way * d_speed_after_impact;
-            const real sum_13 = sum_plus_d_along - way_times_d_speed_after_impact;
-            const real speeds = along_times_along_plus_off_times_off
-                - way_times_speed_after_impact * way_times_speed_after_impact;
-            const real d_speeds = sum_11
-                - 2.0 * (way_times_speed_after_impact * way_times_d_speed_after_impact);
+            const real d_speed_left = select(left > 0.0, d_left, 0.0);
+            const real d_speed_after_impact = select(way_times_along <= stopped_speed, 0.0, d_speed_left);
+            const real d_after = way * d_speed_after_impact;
+            const real sum_plus_d_along_minus_d_after = sum_plus_d_along - d_after;
+            const real speeds = along_times_along_plus_off_times_off - after_2 * after_2;
+            const real d_speeds = sum_11 - 2.0 * (after_2 * d_after);
             const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss + 0.5 * (dp->foot_mass * speeds
                 + p->foot_mass * d_speeds);
-            y->vx = sum_13;
-            y->foot_vx = way_times_d_speed_after_impact;
+            y->vx = sum_plus_d_along_minus_d_after;
+            y->foot_vx = d_after;
             y->impact_loss = impact_loss_plus_by_0_5_times_sum;
-            if (way * way_times_speed_after_impact > 0.0) {
+            if (way * after_2 > 0.0) {
                 y->segment = dx->segment;
                 y->segment_begin = d_begin_2;
                 y->segment_end = d_end_2;
@@ -520,19 +517,18 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
             return;
         }
         const real minus_product = -(p->static_ratio * friction_along_times_off);
-        const real after_2 = select(way_times_along <= minus_product, 0.0, sum_5);
-        const real way_times_after = way * after_2;
-        const real d_after = select(way_times_along <= minus_product, 0.0, way_times_d_along_plus_sum);
-        const real way_times_d_after = way * d_after;
-        const real sum_12 = sum_plus_d_along - way_times_d_after;
+        const real way_times_by_0_or_sum = way * select(way_times_along <= minus_product, 0.0, sum_5);
+        const real product_2 = way * select(way_times_along <= minus_product, 0.0,
+            way_times_d_along_plus_sum);
+        const real sum_plus_d_along_minus_product = sum_plus_d_along - product_2;
         const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss
             + 0.5 * (dp->foot_mass * (along_times_along_plus_off_times_off
-            - way_times_after * way_times_after) + p->foot_mass * (sum_11
-            - 2.0 * (way_times_after * way_times_d_after)));
-        y->vx = sum_12;
-        y->foot_vx = way_times_d_after;
+            - way_times_by_0_or_sum * way_times_by_0_or_sum) + p->foot_mass * (sum_11
+            - 2.0 * (way_times_by_0_or_sum * product_2)));
+        y->vx = sum_plus_d_along_minus_product;
+        y->foot_vx = product_2;
         y->impact_loss = impact_loss_plus_by_0_5_times_sum;
-        if (way * way_times_after > 0.0) {
+        if (way * way_times_by_0_or_sum > 0.0) {
             y->segment = dx->segment;
             y->segment_begin = d_begin_2;
             y->segment_end = d_end_2;
@@ -4034,20 +4030,20 @@ static int react_flight_calm_touchdown(const real *parameters, const real *state
     if (p->stribeck_velocity > 0.0 && p->static_ratio > 1.0) {
         const real product_2 = (p->static_ratio
             - 1.0) * real_expm1(friction_along_times_off / p->stribeck_velocity);
-        const real more = -product_2;
+        const real gained = -product_2;
+        const real stopped_speed = p->stribeck_velocity * real_log1p(gained) - friction_along_times_off;
         const real left = sum_6
             + p->stribeck_velocity * real_log1p(product_2 * real_exp(-(sum_6 / p->stribeck_velocity)));
-        const real speed_after_impact = select(way_times_along <= p->stribeck_velocity * real_log1p(more)
-            - friction_along_times_off, 0.0, select(left > 0.0, left, 0.0));
-        const real way_times_speed_after_impact = way * speed_after_impact;
-        const real sum_10 = sum_plus_along - way_times_speed_after_impact;
-        const real speeds = along_times_along_plus_off_times_off
-            - way_times_speed_after_impact * way_times_speed_after_impact;
-        const real sum_11 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
-        y->vx = sum_10;
-        y->foot_vx = way_times_speed_after_impact;
-        y->impact_loss = sum_11;
-        if (way * way_times_speed_after_impact > 0.0) {
+        const real speed_left = select(left > 0.0, left, 0.0);
+        const real speed_after_impact = select(way_times_along <= stopped_speed, 0.0, speed_left);
+        const real after_2 = way * speed_after_impact;
+        const real sum_plus_along_minus_after = sum_plus_along - after_2;
+        const real speeds = along_times_along_plus_off_times_off - after_2 * after_2;
+        const real sum_10 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
+        y->vx = sum_plus_along_minus_after;
+        y->foot_vx = after_2;
+        y->impact_loss = sum_10;
+        if (way * after_2 > 0.0) {
             y->segment = sum_7;
             y->segment_begin = begin_2;
             y->segment_end = end_2;
@@ -4062,15 +4058,15 @@ static int react_flight_calm_touchdown(const real *parameters, const real *state
         y->friction_behind = friction_2;
         return next[1]; /* stick */
     }
-    const real after_2 = select(way_times_along <= -(p->static_ratio * friction_along_times_off), 0.0, sum_6);
-    const real way_times_after = way * after_2;
-    const real sum_plus_along_minus_way_times_after = sum_plus_along - way_times_after;
-    const real sum_10 = x->impact_loss + 0.5 * (p->foot_mass * (along_times_along_plus_off_times_off
-        - way_times_after * way_times_after));
-    y->vx = sum_plus_along_minus_way_times_after;
-    y->foot_vx = way_times_after;
-    y->impact_loss = sum_10;
-    if (way * way_times_after > 0.0) {
+    const real way_times_by_0_or_sum = way * select(way_times_along <= -(p->static_ratio *
+        friction_along_times_off), 0.0, sum_6);
+    const real sum_10 = sum_plus_along - way_times_by_0_or_sum;
+    const real sum_11 = x->impact_loss + 0.5 * (p->foot_mass * (along_times_along_plus_off_times_off
+        - way_times_by_0_or_sum * way_times_by_0_or_sum));
+    y->vx = sum_10;
+    y->foot_vx = way_times_by_0_or_sum;
+    y->impact_loss = sum_11;
+    if (way * way_times_by_0_or_sum > 0.0) {
         y->segment = sum_7;
         y->segment_begin = begin_2;
         y->segment_end = end_2;
@@ -4214,15 +4210,16 @@ static void vary_react_flight_calm_touchdown(const real *parameters, const real 
         const real ratio = friction_along_times_off / p->stribeck_velocity;
         const real expm1_of_ratio = real_expm1(ratio);
         const real product_2 = static_ratio_minus_by_1 * expm1_of_ratio;
-        const real more = -product_2;
-        const real sum_17 = p->stribeck_velocity * real_log1p(more) - friction_along_times_off;
+        const real gained = -product_2;
+        const real stopped_speed = p->stribeck_velocity * real_log1p(gained) - friction_along_times_off;
         const real sum_over_stribeck_velocity = sum_6 / p->stribeck_velocity;
         const real exp_of_minus_sum_over_stribeck_velocity = real_exp(-sum_over_stribeck_velocity);
         const real product_3 = product_2 * exp_of_minus_sum_over_stribeck_velocity;
         const real log1p_of_product = real_log1p(product_3);
         const real left = sum_6 + p->stribeck_velocity * log1p_of_product;
-        const real speed_after_impact = select(way_times_along <= sum_17, 0.0, select(left > 0.0, left, 0.0));
-        const real way_times_speed_after_impact = way * speed_after_impact;
+        const real speed_left = select(left > 0.0, left, 0.0);
+        const real speed_after_impact = select(way_times_along <= stopped_speed, 0.0, speed_left);
+        const real after_2 = way * speed_after_impact;
         const real d_left = way_times_d_along_plus_sum + (dp->stribeck_velocity * log1p_of_product
             + p->stribeck_velocity * (((dp->static_ratio * expm1_of_ratio
             + static_ratio_minus_by_1 * ((expm1_of_ratio + 1.0) * ((sum_13
@@ -4231,19 +4228,18 @@ static void vary_react_flight_calm_touchdown(const real *parameters, const real 
             - product_2 * (exp_of_minus_sum_over_stribeck_velocity * ((way_times_d_along_plus_sum
             - sum_over_stribeck_velocity * dp->stribeck_velocity) / p->stribeck_velocity))) / (1.0
             + product_3)));
-        const real d_speed_after_impact = select(way_times_along <= sum_17, 0.0, select(left > 0.0, d_left,
-            0.0));
-        const real way_times_d_speed_after_impact = way * d_speed_after_impact;
-        const real sum_18 = sum_plus_sum_plus_d_along - way_times_d_speed_after_impact;
-        const real speeds = along_times_along_plus_off_times_off
-            - way_times_speed_after_impact * way_times_speed_after_impact;
-        const real d_speeds = sum_16 - 2.0 * (way_times_speed_after_impact * way_times_d_speed_after_impact);
+        const real d_speed_left = select(left > 0.0, d_left, 0.0);
+        const real d_speed_after_impact = select(way_times_along <= stopped_speed, 0.0, d_speed_left);
+        const real d_after = way * d_speed_after_impact;
+        const real sum_plus_sum_plus_d_along_minus_d_after = sum_plus_sum_plus_d_along - d_after;
+        const real speeds = along_times_along_plus_off_times_off - after_2 * after_2;
+        const real d_speeds = sum_16 - 2.0 * (after_2 * d_after);
         const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss + 0.5 * (dp->foot_mass * speeds
             + p->foot_mass * d_speeds);
-        y->vx = sum_18;
-        y->foot_vx = way_times_d_speed_after_impact;
+        y->vx = sum_plus_sum_plus_d_along_minus_d_after;
+        y->foot_vx = d_after;
         y->impact_loss = impact_loss_plus_by_0_5_times_sum;
-        if (way * way_times_speed_after_impact > 0.0) {
+        if (way * after_2 > 0.0) {
             y->segment = dx->segment;
             y->segment_begin = d_begin_2;
             y->segment_end = d_end_2;
@@ -4259,18 +4255,17 @@ static void vary_react_flight_calm_touchdown(const real *parameters, const real 
         return;
     }
     const real minus_product = -(p->static_ratio * friction_along_times_off);
-    const real after_2 = select(way_times_along <= minus_product, 0.0, sum_6);
-    const real way_times_after = way * after_2;
-    const real d_after = select(way_times_along <= minus_product, 0.0, way_times_d_along_plus_sum);
-    const real way_times_d_after = way * d_after;
-    const real sum_17 = sum_plus_sum_plus_d_along - way_times_d_after;
+    const real way_times_by_0_or_sum = way * select(way_times_along <= minus_product, 0.0, sum_6);
+    const real product_2 = way * select(way_times_along <= minus_product, 0.0, way_times_d_along_plus_sum);
+    const real sum_plus_sum_plus_d_along_minus_product = sum_plus_sum_plus_d_along - product_2;
     const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss
-        + 0.5 * (dp->foot_mass * (along_times_along_plus_off_times_off - way_times_after * way_times_after)
-        + p->foot_mass * (sum_16 - 2.0 * (way_times_after * way_times_d_after)));
-    y->vx = sum_17;
-    y->foot_vx = way_times_d_after;
+        + 0.5 * (dp->foot_mass * (along_times_along_plus_off_times_off
+        - way_times_by_0_or_sum * way_times_by_0_or_sum) + p->foot_mass * (sum_16
+        - 2.0 * (way_times_by_0_or_sum * product_2)));
+    y->vx = sum_plus_sum_plus_d_along_minus_product;
+    y->foot_vx = product_2;
     y->impact_loss = impact_loss_plus_by_0_5_times_sum;
-    if (way * way_times_after > 0.0) {
+    if (way * way_times_by_0_or_sum > 0.0) {
         y->segment = dx->segment;
         y->segment_begin = d_begin_2;
         y->segment_end = d_end_2;

@@ -119,9 +119,13 @@ class Dual:
     def _by(self, value: Number, slope: Callable[[], Number]) -> "Dual":
         return self._linear(value, slope()) if self.gradient else Dual(value, {})
 
-    def larger(self, other: Number) -> Number:
-        """The larger of it and another, where that is decided."""
-        return self if self.value >= value_of(other) else other
+    def __ge__(self, other: Number) -> bool:
+        """Whether it is proved not to be less than another."""
+        return bool(self.value >= value_of(other))
+
+    def __gt__(self, other: Number) -> bool:
+        """Whether it is proved to exceed another."""
+        return bool(self.value > value_of(other))
 
     def sin(self) -> "Dual":
         """The sine."""

@@ -11,24 +11,20 @@ and a ball R: it holds every function p(t) + t^(N+1) rho(t) with coefficients in
 The remainder is multiplied by t^(N+1), so that it may be large where the step is short, and a solution's
 tube starts at its initial set whatever R is.
 
-Taylor coefficients of a solution, one after the other.
-
-The laws are evaluated once over `Unfolding` numbers, which makes a graph of sums, products and quotients;
-each node then gives its k-th coefficient from those of lower order, as do the states from their rates,
-x_(k+1) = f_k / (k + 1).
+Taylor coefficients of a solution, one order after the other. The laws are evaluated once over `Series`, which
+makes a graph of sums, products and quotients. Each node then gives its next coefficient from those before.
 """
 
 from collections.abc import Callable, Mapping
 from operator import mul
-from types import SimpleNamespace as Record
 from typing import Any
 
 from flint import arb, arb_poly, ctx
 
-from ..equations import coordinates
 from .dual import UndecidedError
-from .laws import fades, fading_of, rates
-from .parameters import Mode, kept_names, moving_names, names_of
+from .parameters import Mode, at, kept_names, moving_names, names_of
+
+ZERO = arb(0)
 
 
 class Span:
@@ -69,28 +65,28 @@ class Tube:
         """The negative."""
         return Tube(self.span, -self.polynomial, -self.remainder)
 
-    def __add__(self, other: Any) -> "Tube":
+    def __add__(self, other: Any) -> Any:
         """The sum with a tube or a number."""
         if isinstance(other, Tube):
             return Tube(self.span, self.polynomial + other.polynomial, self.remainder + other.remainder)
         if isinstance(other, arb | int):
-            return Tube(self.span, self.polynomial + other, self.remainder)
+            return self if other == 0 else Tube(self.span, self.polynomial + other, self.remainder)
         return NotImplemented
 
     __radd__ = __add__
 
-    def __sub__(self, other: Any) -> "Tube":
+    def __sub__(self, other: Any) -> Any:
         """The difference."""
         return self.__add__(-other)
 
-    def __rsub__(self, other: Any) -> "Tube":
+    def __rsub__(self, other: Any) -> Any:
         """The difference."""
         return (-self).__add__(other)
 
-    def __mul__(self, other: Any) -> "Tube":
+    def __mul__(self, other: Any) -> Any:
         """The product: what exceeds the degree goes into the remainder."""
         if isinstance(other, arb | int):
-            return Tube(self.span, self.polynomial * other, self.remainder * other)
+            return ZERO if other == 0 else Tube(self.span, self.polynomial * other, self.remainder * other)
         if not isinstance(other, Tube):
             return NotImplemented
         span = self.span
@@ -113,11 +109,11 @@ class Tube:
         values = self.range + span.time_power * self.remainder
         return Tube(span, inverted, -(beyond + self.remainder * inverted(span.time)) / values)
 
-    def __rtruediv__(self, other: Any) -> "Tube":
+    def __rtruediv__(self, other: Any) -> Any:
         """A number over it."""
         return self.inverse().__mul__(other)
 
-    def __truediv__(self, other: Any) -> "Tube":
+    def __truediv__(self, other: Any) -> Any:
         """The quotient."""
         return self * (other.inverse() if isinstance(other, Tube) else 1 / arb(other))
 
@@ -131,74 +127,70 @@ def inverse_series(polynomial: arb_poly, terms: int) -> arb_poly:
     return inverted
 
 
-ZERO = arb(0)
+class Series:
+    """A power series of a graph, whose coefficients are computed order by order."""
 
+    __slots__ = ("graph", "next", "terms")
 
-class Unfolding:
-    """A power series that is known as far as it has been asked for."""
+    def __init__(self, graph: list["Series"], following: Callable[[int], arb]) -> None:
+        """The graph, in the order of computation, and how the k-th coefficient follows."""
+        self.graph, self.next, self.terms = graph, following, list[arb]()
+        graph.append(self)
 
-    __slots__ = ("_next", "terms")
-
-    def __init__(self, following: Callable[[int], arb] | None, terms: list[arb]) -> None:
-        """The coefficients that are known, and how the k-th follows."""
-        self._next, self.terms = following, terms
-
-    def to(self, order: int) -> list[arb]:
-        """All coefficients up to an order."""
-        following = self._next
-        while len(self.terms) <= order:
-            self.terms.append(ZERO if following is None else following(len(self.terms)))
-        return self.terms
-
-    def __neg__(self) -> "Unfolding":
+    def __neg__(self) -> Any:
         """The negative."""
         return self * -1
 
-    def __add__(self, other: Any) -> "Unfolding":
+    def __add__(self, other: Any) -> Any:
         """The sum with a series or a number."""
-        if isinstance(other, Unfolding):
-            return Unfolding(lambda k: self.to(k)[k] + other.to(k)[k], [])
+        a = self.terms
+        if isinstance(other, Series):
+            b = other.terms
+            return Series(self.graph, lambda k: a[k] + b[k])
         if isinstance(other, arb | int):
-            return Unfolding(lambda k: self.to(k)[k] if k else self.to(0)[0] + other, [])
+            return self if other == 0 else Series(self.graph, lambda k: a[k] if k else a[0] + other)
         return NotImplemented
 
     __radd__ = __add__
 
-    def __sub__(self, other: Any) -> "Unfolding":
+    def __sub__(self, other: Any) -> Any:
         """The difference."""
-        if isinstance(other, Unfolding):
-            return Unfolding(lambda k: self.to(k)[k] - other.to(k)[k], [])
+        a = self.terms
+        if isinstance(other, Series):
+            b = other.terms
+            return Series(self.graph, lambda k: a[k] - b[k])
         return self.__add__(-other)
 
-    def __rsub__(self, other: Any) -> "Unfolding":
+    def __rsub__(self, other: Any) -> Any:
         """The difference."""
         return (-self).__add__(other)
 
-    def __mul__(self, other: Any) -> "Unfolding":
+    def __mul__(self, other: Any) -> Any:
         """The product."""
+        a = self.terms
+        if isinstance(other, Series):
+            b = other.terms
+            return Series(self.graph, lambda k: sum(map(mul, a, b[k::-1]), ZERO))
         if isinstance(other, arb | int):
-            return Unfolding(lambda k: self.to(k)[k] * other, [])
-        if not isinstance(other, Unfolding):
-            return NotImplemented
-        return Unfolding(lambda k: sum(map(mul, self.to(k), other.to(k)[k::-1]), ZERO), [])
+            return ZERO if other == 0 else Series(self.graph, lambda k: a[k] * other)
+        return NotImplemented
 
     __rmul__ = __mul__
 
-    def __rtruediv__(self, other: Any) -> "Unfolding":
+    def __rtruediv__(self, other: Any) -> Any:
         """A number over this one; w_k follows from v w = 1."""
-        inverse = Unfolding(None, [])
+        a = self.terms
 
         def following(k: int) -> arb:
-            first = 1 / self.to(0)[0]
-            terms = inverse.terms
-            return -first * sum(map(mul, self.to(k)[1:], terms[::-1]), ZERO) if k else first
+            w = inverse.terms
+            return -w[0] * sum(map(mul, a[1:], w[::-1]), ZERO) if k else 1 / a[0]
 
-        inverse._next = following
+        inverse = Series(self.graph, following)
         return inverse.__mul__(other)
 
-    def __truediv__(self, other: Any) -> "Unfolding":
+    def __truediv__(self, other: Any) -> Any:
         """The quotient."""
-        return self * (1 / (other if isinstance(other, Unfolding) else arb(other)))
+        return self * (1 / (other if isinstance(other, Series) else arb(other)))
 
 
 Rates = Callable[[Mapping[str, Any]], Mapping[str, Any]]
@@ -208,16 +200,21 @@ Rates = Callable[[Mapping[str, Any]], Mapping[str, Any]]
 def coefficients(
     start: Mapping[str, arb], constant: Mapping[str, arb], rates: Rates, degree: int
 ) -> dict[str, list[arb]]:
-    """Taylor coefficients of a solution in time."""
-    states = {name: Unfolding(None, [value]) for name, value in start.items()}
+    """Taylor coefficients of a solution in time: x_(k+1) = f_k / (k + 1)."""
+    graph: list[Series] = []
+    states = {name: Series(graph, lambda k: ZERO) for name in start}
+    graph.clear()
     found = rates({**states, **constant})
     for name, state in states.items():
-        rate = found[name]
-        if not isinstance(rate, Unfolding):
-            state._next = lambda k, rate=rate: arb(rate) if k == 1 else ZERO
-        else:
-            state._next = lambda k, rate=rate: rate.to(k - 1)[k - 1] / k
-    return {name: state.to(degree)[: degree + 1] for name, state in states.items()}
+        state.terms.append(start[name])
+    for k in range(degree):
+        for node in graph:
+            node.terms.append(node.next(k))
+        for name, state in states.items():
+            rate = found[name]
+            own = rate.terms[k] if isinstance(rate, Series) else ZERO if k else arb(rate)
+            state.terms.append(own / (k + 1))
+    return {name: state.terms for name, state in states.items()}
 
 
 INCLUSIONS = 8
@@ -230,30 +227,36 @@ Values = dict[str, arb]
 
 def with_direction(runner: Any, values: Mapping[str, Any]) -> dict[str, Any]:
     """The numbers of a motion with the leg's sine and cosine over the ground."""
-    angle = values["angle"] - runner.line.slope
+    angle = values["angle"] - runner.slope
     return {**values, "sine": angle.sin(), "cosine": angle.cos()}
+
+
+def fades(runner: Any, mode: Mode) -> bool:
+    """Whether friction changes with the foot's speed."""
+    return bool(mode.contact == "slip" and runner.falls_with_speed)
 
 
 def with_helpers(runner: Any, mode: Mode, values: Mapping[str, Any]) -> dict[str, Any]:
     """All that the rates ask for beside the numbers of a motion: see `laws`."""
     whole = with_direction(runner, values)
     if fades(runner, mode):
-        whole["decay"] = (fading_of(runner, mode) * values["foot_speed"]).exp()
+        whole["decay"] = (at(runner, mode, {}).fading_rate() * values["foot_vx"]).exp()
     return whole
 
 
-def fall(runner: Any) -> tuple[Any, Any]:
-    """Acceleration of the centre of mass in flight, along the line and away from it."""
-    return runner.free_center.x, runner.free_center.y
+def rates(runner: Any, mode: Mode, values: Mapping[str, Any]) -> dict[str, Any]:
+    """Time derivatives of what moves in a mode, with those of its helpers."""
+    motion = at(runner, mode, values)
+    found: dict[str, Any] = getattr(motion, mode.contact)()
+    return found
 
 
 def speeds(runner: Any, mode: Mode, values: Values) -> Values:
     """Time derivatives of all numbers that describe the motion in a mode, at an instant."""
-    at = with_helpers(runner, mode, values)
-    found = rates(runner, mode, Record(**at))
+    found = rates(runner, mode, with_helpers(runner, mode, values))
     if mode.contact == "flight":
-        found["along"], found["off"] = fall(runner)
-        found["height"] = values["off"]
+        fall = runner.fall()
+        found |= {"clearance": values["off"], "along": fall.along, "off": fall.off}
     return {name: arb(found.get(name, 0)) for name in names_of(runner, mode)}
 
 
@@ -270,7 +273,7 @@ class Flow:
         self.kept = {name: start[name] for name in kept_names(runner, mode)}
         moving = (*moving_names(runner, mode), *(name for name in HELPERS if name in whole))
         begin = {name: whole[name] for name in moving}
-        terms = coefficients(begin, self.kept, lambda z: rates(runner, mode, Record(**z)), degree)
+        terms = coefficients(begin, self.kept, lambda z: rates(runner, mode, z), degree)
         if not all(term.is_finite() for row in terms.values() for term in row):
             raise UndecidedError(f"the motion in {mode.contact}")
         reach = longest(runner, terms)
@@ -299,7 +302,7 @@ class Flow:
 
         def inclusion(remainders: dict[str, arb]) -> dict[str, arb]:
             tubes = {name: Tube(self.span, p, remainders[name]) for name, p in polynomials.items()}
-            found = rates(self.runner, self.mode, Record(**tubes, **self.kept))
+            found = rates(self.runner, self.mode, tubes | self.kept)
             return {
                 name: rate.polynomial[degree] / (degree + 1) + step * rate.remainder / (degree + 2)
                 if isinstance(rate := found[name], Tube)
@@ -319,23 +322,21 @@ class Flow:
         return None
 
     def _add_ballistic(self) -> None:
-        along, off = fall(self.runner)
-        start, zero = self.start, arb(0)
+        fall, start, zero = self.runner.fall(), self.start, arb(0)
         rows = {
-            "height": [start["height"], start["off"], off / 2],
-            "along": [start["along"], along],
-            "off": [start["off"], off],
+            "clearance": [start["clearance"], start["off"], fall.off / 2],
+            "along": [start["along"], fall.along],
+            "off": [start["off"], fall.off],
         }
         self.tubes |= {name: Tube(self.span, arb_poly(row), zero) for name, row in rows.items()}
 
     def body_ahead_of_foot(self, time: arb) -> arb:
         """How far the body is along the line at a time more than the foot."""
-        at = Record(**{name: self.tubes[name].at(time) for name in ("length", "sine", "cosine")})
-        return arb(coordinates.way_from_foot(at.length, at).x)
+        return -self.tubes["length"].at(time) * self.tubes["sine"].at(time)
 
-    def record(self) -> Record:
-        """All tubes by name, and what is kept."""
-        return Record(**self.tubes, **self.kept)
+    def motion(self, runner: Any) -> Any:
+        """The runner with all tubes, and what is kept."""
+        return at(runner, self.mode, self.tubes | self.kept)
 
     def at(self, time: arb) -> Values:
         """The numbers of the motion at a time, or at any of a ball of times."""
@@ -352,7 +353,7 @@ def longest(runner: Any, terms: Mapping[str, list[arb]]) -> arb:
     """How long the series are exact to the working precision, by their last terms; no enclosure, a choice."""
     reach = float(runner.longest_step)
     for name, row in terms.items():
-        scale = runner.scales.get(name, 1.0)
+        scale = runner.sizes.get(name, 1.0)
         for k in (len(row) - 1, len(row) - 2):
             size = float(abs(row[k]).upper() / scale) if row[k].is_finite() else float("inf")
             if size > 0.0:

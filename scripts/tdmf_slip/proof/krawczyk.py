@@ -177,7 +177,7 @@ def refined(
     unknowns = len(jacobian)
     found = list(apex)
     with ctx.workprec(fineness.bits):
-        points = point_matrix(np.linalg.inv(jacobian))
+        points = point_inverse(jacobian)
         last = float("inf")
         for _ in range(MAX_STEPS):
             left = residual(Traveller(parameters, found, fineness, forced).stride(), found)[:unknowns]
@@ -195,10 +195,13 @@ def residual(stride: Stride, centre: Sequence[arb]) -> list[arb]:
     return [*(after - x for after, x in zip(stride.centre, centre, strict=False)), stride.margin]
 
 
-def point_matrix(matrix: NDArray[Any]) -> arb_mat:
-    """Doubles as they are."""
-    rows, columns = matrix.shape
-    return arb_mat(rows, columns, [arb(float(x)) for x in matrix.ravel()])
+def point_inverse(matrix: NDArray[Any]) -> arb_mat:
+    """Points near the inverse of a matrix."""
+    try:
+        inverse = np.linalg.inv(matrix)
+    except np.linalg.LinAlgError:
+        raise UndecidedError("the inverse of the stride's derivative") from None
+    return arb_mat(inverse.tolist())
 
 
 def slopes_of(stride: Stride, tilt: Sequence[arb] = ()) -> arb_mat:
@@ -275,7 +278,7 @@ class Inclusion:
     def _solve(self, starts: Starts, left: list[arb], slopes: arb_mat) -> None:
         unknowns = slopes.nrows()
         square = arb_mat(unknowns, unknowns, [slopes[i, j] for i in range(unknowns) for j in range(unknowns)])
-        inverse = point_matrix(np.linalg.inv(middle_of(square)))
+        inverse = point_inverse(middle_of(square))
         shift = -(inverse * arb_mat(unknowns, 1, left[:unknowns]))
         if slopes.ncols() > unknowns:  # G(m, q) lies in G(m, middle of q) + DG (q - middle)
             by = arb_mat(unknowns, 1, [slopes[i, unknowns] for i in range(unknowns)])

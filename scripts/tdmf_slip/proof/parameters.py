@@ -10,19 +10,19 @@ number, the margin of the event, vanishes.
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from types import SimpleNamespace as Record
 from typing import Any, Literal
 
 from flint import arb
 
-from ..equations import free_fall, ground_force, ground_line
-from ..equations.runner import derived
-from .dual import Dual, Number, value_of
+from ..pages import Runner
+from ..pages.hip import PLACE, REST, RETRACT
+from .dual import Dual, Number, UndecidedError, value_of
 from .given import Exact
+from .laws import Motion
 
 Contact = Literal["flight", "stick", "slip", "graze"]
 LEG = ("length", "angle", "length_rate", "angle_rate")
-BALLISTIC = ("height", "along", "off")
+BALLISTIC = ("clearance", "along", "off")
 """Centre of mass in flight: distance from the ground line, velocity along it and away from it."""
 PARAMETER = "parameter"
 """Name of the varied parameter, which is carried along like a constant state."""
@@ -62,9 +62,9 @@ def moving_names(runner: Any, mode: Mode) -> tuple[str, ...]:
     """Quantities that move along with the leg, by equations that are solved as series."""
     names: tuple[str, ...] = LEG
     if mode.contact in ("slip", "graze"):
-        names += ("foot_speed",)
+        names += ("foot_vx",)
     if not mode.touches and mode.places and runner.retracts:
-        names += ("clock",)
+        names += ("placing",)
     return names
 
 
@@ -72,8 +72,8 @@ def kept_names(runner: Any, mode: Mode) -> tuple[str, ...]:
     """Quantities that stay as they are and matter."""
     names: tuple[str, ...] = ()
     if not mode.touches and not mode.places:
-        names += ("latched_angle",)
-    return (*names, PARAMETER) if runner.varied else names
+        names += ("liftoff_angle",)
+    return (*names, PARAMETER) if runner.is_varied else names
 
 
 def names_of(runner: Any, mode: Mode) -> tuple[str, ...]:
@@ -118,82 +118,62 @@ class Parameters:
         self.values, self.varied = values, varied
 
     def balls(self, parameter: arb | None = None, *, dual: bool = False) -> Any:
-        """The record that the laws take."""
+        """The runner as a `Motion` without numbers of its motion: see `at`."""
         numbers: dict[str, Number] = {name: value.ball() for name, value in self.values.items()}
         if self.varied is not None:
             value = numbers[self.varied] if parameter is None else parameter
             numbers[self.varied] = Dual(value, {PARAMETER: arb(1)}) if dual else value
-        return _record(numbers, self.values, self.varied)
+        runner = Motion.at("flight", **{NAMES_ON_PAGE[name]: number for name, number in numbers.items()})
+        vars(runner).update(self._derived(runner))
+        return runner
+
+    def _matters(self, name: str, none: int = 0) -> bool:
+        """Whether a parameter is varied, or has another value than the one by which it does nothing."""
+        return name == self.varied or self.values[name] != Exact(Fraction(none))
+
+    def _derived(self, runner: Any) -> dict[str, Any]:
+        """What follows from the parameters alone."""
+        matters, thrust = self._matters, value_of(runner.thrust + runner.more_thrust)
+        if not (thrust > 0 or thrust <= 0):
+            raise UndecidedError("the sign of the leg's thrust")
+        mobility = 1 / value_of(runner.body_mass) + 1 / value_of(runner.foot_mass)
+        stiffness, damping = value_of(runner.stiffness), value_of(runner.damping)
+        swing = float((stiffness * mobility).sqrt())
+        time = float((value_of(runner.body_mass) / stiffness).sqrt())
+        length = float(value_of(runner.free_length))
+        has_servo = matters("hip.kp") or matters("hip.kd")
+        speed = length / time
+        return {
+            "slope": runner.ground_slope,
+            "has_thrust": bool(thrust > 0),
+            "falls_with_speed": matters("ground.stribeck_velocity"),
+            "is_stickier": matters("ground.static_friction_ratio", 1),
+            "retracts": matters("hip.retraction_rate"),
+            "has_servo": has_servo,
+            "has_clamp": has_servo and self.values["hip.swing_clamp"].rational != 0,
+            "is_varied": self.varied is not None,
+            "longest_step": min(LONGEST_STEP * time, MAX_LEG_ROTATION / (swing + float(damping * mobility))),
+            "swing_frequency": swing,
+            "energy_scale": runner.scales["J"](runner),
+            "sizes": {"length": length, "length_rate": speed, "angle_rate": 1.0 / time, "foot_vx": speed}
+            | {"clearance": length, "along": speed, "off": speed},
+        }
 
 
-def _record(of: Mapping[str, Number], exact: Mapping[str, Exact], varied: str | None) -> Any:
-    """The laws' names of the unit's variables, and what follows from them once."""
-
-    def matters(name: str, none: int = 0) -> bool:
-        return name == varied or exact[name] != Exact(Fraction(none))
-
-    has_servo = matters("hip.kp") or matters("hip.kd")
-    slope = of["ground.slope"]
-    line = Record(height=of["ground.height"], slope=slope, sine=slope.sin(), cosine=slope.cos())
-    masses = derived(of["body.mass"], of["foot.mass"])
-    model = Record(parameters=nested(of), **vars(masses))
-    inputs = model.parameters
-    push = free_fall.push_on_body(model, inputs)
-    weight = ground_force.foot_weight(model)
-    inverse_reduced_mass = value_of(masses.inverse_reduced_mass)
-    stiffness, damping = value_of(of["leg.stiffness"]), value_of(of["leg.damping"])
-    swing = float((stiffness * inverse_reduced_mass).sqrt())
-    time = float((value_of(of["body.mass"]) / stiffness).sqrt())
-    length = float(value_of(of["leg.free_length"]))
-
-    def along_line(vector: Any) -> Any:
-        """A vector in the axes of the ground."""
-        x, y = vector.x, vector.y
-        return Record(x=ground_line.along(line, x, y), y=ground_line.off(line, x, y))
-
-    return Record(
-        model=model,
-        inputs=inputs,
-        line=line,
-        has_thrust=bool(value_of(of["leg.thrust"] + of["control.thrust"]) > 0),
-        foot_weight_along=weight * line.sine,
-        foot_weight_off=weight * line.cosine,
-        push=along_line(push),
-        free_body=along_line(free_fall.of_body(model, push)),
-        free_center=along_line(free_fall.of_center(model, push)),
-        is_pushed=matters("body.external_fx") or matters("body.external_fy"),
-        friction_falls=matters("ground.stribeck_velocity"),
-        is_stickier=matters("ground.static_friction_ratio", 1),
-        retracts=matters("hip.retraction_rate"),
-        has_servo=has_servo,
-        has_clamp=has_servo and exact["hip.swing_clamp"].rational != 0,
-        varied=varied is not None,
-        longest_step=min(
-            LONGEST_STEP * time, MAX_LEG_ROTATION / (swing + float(damping * inverse_reduced_mass))
-        ),
-        swing=swing,
-        energy_scale=of["leg.stiffness"] * of["leg.free_length"] * of["leg.free_length"],
-        scales={
-            "length": length,
-            "length_rate": length / time,
-            "angle_rate": 1.0 / time,
-            "foot_speed": length / time,
-            "height": length,
-            "along": length / time,
-            "off": length / time,
-        },
-    )
+NAMES_ON_PAGE = {
+    Runner.public(name): name
+    for kind in ("parameter", "state")
+    for name, quantity in Runner.quantities(kind).items()
+    if kind == "parameter" or quantity.is_input
+}
+"""Names of parameters, settings and inputs on the page, by their names in the unit."""
 
 
-def nested(of: Mapping[str, Number]) -> Any:
-    """Numbers by the paths of their names, as the pages of laws take them."""
-    record = Record()
-    for name, number in of.items():
-        *path, last = name.split(".")
-        inner = record
-        for step in path:
-            if not hasattr(inner, step):
-                setattr(inner, step, Record())
-            inner = getattr(inner, step)
-        setattr(inner, last, number)
-    return record
+def at(runner: Any, mode: Mode, values: Mapping[str, Number]) -> Any:
+    """The runner at an instant of a mode, with these numbers of its motion."""
+    found: Any = object.__new__(Motion)
+    swing = PLACE if mode.places else REST if mode.clamped else RETRACT
+    vars(found).update(vars(runner), mode=mode.contact, way=mode.sign, swing=swing, **values)
+    vars(found).update(driving=int(mode.drives), thrusting=int(mode.thrusts))
+    vars(found).update(law="falling" if runner.falls_with_speed else "constant")
+    return found

@@ -94,7 +94,7 @@ def assumptions() -> list[str]:
     return [
         f"in the ball arithmetic of FLINT {flint.__FLINT_VERSION__} (python-flint {flint.__version__}), each "
         "ball contains the exact result",
-        "c_core/equations, tdmf_slip.proof.laws and tdmf_slip.proof.transitions state the model's laws",
+        "c_core/pages, tdmf_slip.proof.laws and tdmf_slip.proof.transitions state the model's laws",
         "Python executes the prover correctly",
     ]
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from flint import arb
 
-from ..equations import ground_line
+from ..hybrid import cos
 from .dual import Dual, Number
 from .parameters import PARAMETER
 
@@ -16,17 +16,18 @@ COORDINATES = ("com_height", "com_speed", "leg_length", "leg_angle", "leg_length
 def motion_at(runner: Any, apex: Sequence[Number], parameter: Number | None = None) -> dict[str, Number]:
     """The numbers of the motion in flight at an apex."""
     height, speed, length, angle, length_rate, angle_rate = apex
+    moves = runner.on_line(speed, 0)
     values: dict[str, Number] = {
         "length": length,
         "angle": angle,
         "length_rate": length_rate,
         "angle_rate": angle_rate,
-        "height": height * runner.line.cosine,
-        "along": ground_line.along(runner.line, speed, 0),
-        "off": ground_line.off(runner.line, speed, 0),
+        "clearance": height * cos(runner.slope),
+        "along": moves.along,
+        "off": moves.off,
     }
     if runner.retracts:
-        values["clock"] = arb(0)
+        values["placing"] = arb(0)
     if parameter is not None:
         values[PARAMETER] = parameter
     return values
@@ -35,8 +36,8 @@ def motion_at(runner: Any, apex: Sequence[Number], parameter: Number | None = No
 def apex_of(runner: Any, values: Mapping[str, Number]) -> list[Number]:
     """The coordinates of the section at an apex, where the centre of mass has no vertical velocity."""
     return [
-        values["height"] / runner.line.cosine,
-        ground_line.vector_on(runner.line, values["along"], values["off"]).x,
+        values["clearance"] / cos(runner.slope),
+        runner.in_world(values["along"], values["off"], 0, 0).x,
         *(values[name] for name in ("length", "angle", "length_rate", "angle_rate")),
     ]
 

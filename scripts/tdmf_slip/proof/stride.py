@@ -2,20 +2,17 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from types import SimpleNamespace as Record
 from typing import Any
 
 from flint import arb, arb_mat, ctx
 
-from ..equations import leg
-from . import laws
-from .dual import UndecidedError, slope_of
+from ..hybrid import cos
+from .dual import UndecidedError, slope_of, value_of
 from .flow import Flow, Tube, Values, speeds, with_direction
-from .guards import FUNCTIONS, Guard, watched
-from .laws import Entered
-from .parameters import Forced, Mode, Parameters, names_of
+from .guards import Guard, guard_of, watched
+from .parameters import Forced, Mode, Parameters, at, names_of
 from .starts import COORDINATES, Fineness, apex_of, motion_at, seeds
-from .transitions import Transition
+from .transitions import Entered, Transition
 
 
 class Ledger:
@@ -30,22 +27,22 @@ class Ledger:
 
     def add(self, flow: Flow, end: arb) -> None:
         """A part of a step."""
-        at, mode, runner = flow.record(), flow.mode, self.runner
+        motion, mode, runner = flow.motion(self.runner), flow.mode, self.runner
         if mode.contact == "flight":
-            self.along += integral(at.along, end)
+            self.along += integral(motion.along, end)
         else:
             begun, ended = (flow.body_ahead_of_foot(time) for time in (arb(0), end))
-            self.along += runner.model.body_share * (ended - begun)
+            self.along += runner.share() * (ended - begun)
             if mode.contact != "stick":
-                path = integral(at.foot_speed, end)
+                path = integral(motion.foot_vx, end)
                 self.along += path
                 if mode.contact == "slip":
                     self.slid += path * mode.sign
         if mode.touches:
             self.stance_time += end
-        torque = laws.torque(runner, mode, at)
+        torque = motion.torque()
         if isinstance(torque, Tube):
-            self.hip_work += integral(torque * at.angle_rate, end)
+            self.hip_work += integral(torque * motion.angle_rate, end)
         elif not (mode.contact == "flight" and torque == 0):
             self.hip_work += torque * (flow.at(end)["angle"] - flow.start["angle"])
 
@@ -54,17 +51,16 @@ class Ledger:
         after = entered.mode
         self.touchdowns += entered.impact
         if (before.touches or entered.impact) and not after.touches:
-            self.liftoff_angle = arb(getattr(entered.values["angle"], "value", entered.values["angle"]))
+            self.liftoff_angle = arb(value_of(entered.values["angle"]))
         if before.thrusts != after.thrusts:
-            length = entered.values["length"]
-            old, new = laws.rest_length(self.runner, before), laws.rest_length(self.runner, after)
-            self.leg_work += leg.work_of_jump(self.runner.model.parameters.leg.stiffness, length, old, new)
+            jumping = at(self.runner, before, {"length": entered.values["length"]})
+            self.leg_work += value_of(jumping.work_of_thrust(after.thrusts))
 
     def quantities(self, period: arb) -> dict[str, arb]:
         """Quantities of the stride by the names of the unit's group `stride`, and the angle at lift-off."""
         runner = self.runner
-        length = self.along * runner.line.cosine
-        weight = runner.model.total_mass * runner.model.parameters.gravity
+        length = self.along * cos(runner.slope)
+        weight = (runner.body_mass + runner.foot_mass) * runner.gravity
         work = self.hip_work + self.leg_work
         found = {
             "period": period,
@@ -97,7 +93,7 @@ class Event:
     """One of a stride."""
 
     name: str
-    """One of `guards.FUNCTIONS`."""
+    """One of `guards.EVENTS`."""
     time: arb
     """Since the apex, s, over all starts."""
     mode: Mode
@@ -212,9 +208,9 @@ class Traveller:
             end = times
 
     def _guards(self, flow: Flow) -> list[Guard]:
-        at = flow.record()
+        motion = flow.motion(self.wide)
         return [
-            Guard(name, FUNCTIONS[name](self.wide, self.mode, at), self.zeros.get(name, 0))
+            Guard(name, guard_of(name, motion), self.zeros.get(name, 0))
             for name in watched(self.wide, self.mode)
         ]
 
@@ -323,7 +319,7 @@ class Traveller:
 def gradient_of_guard(runner: Any, mode: Mode, name: str, values: Values) -> list[arb]:
     """Gradient of a guard by the numbers of the motion, in their order."""
     numbers = dict(zip(values, seeds(list(values.values()), list(values)), strict=True))
-    found = FUNCTIONS[name](runner, mode, Record(**with_direction(runner, numbers)))
+    found = guard_of(name, at(runner, mode, with_direction(runner, numbers)))
     return [arb(slope_of(found, of)) for of in values]
 
 

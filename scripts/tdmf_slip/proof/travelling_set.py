@@ -29,21 +29,19 @@ where H is what A V has beyond t^N and B is A's remainder.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from types import SimpleNamespace as Record
 from typing import Any
 
 import numpy as np
 from flint import arb, arb_mat, arb_poly, ctx
 
 from .dual import Dual, Number, UndecidedError, identity, middle, norm, slope_of, value_of
-from .flow import Flow, Tube, Values, fall, speeds
+from .flow import Flow, Tube, Values, fades, rates, speeds
 from .given import Radius, RunnerLike, ball_of, gait_of, radius_of
-from .guards import FUNCTIONS, Guard
-from .laws import Entered, fades, fading_of, rates, rise
-from .parameters import BALLISTIC, PARAMETER, Forced, Parameters, kept_names, moving_names
+from .guards import Guard, guard_of
+from .parameters import BALLISTIC, PARAMETER, Forced, Parameters, at, kept_names, moving_names
 from .starts import COORDINATES, Fineness, Starts, apex_of, motion_at, seeds
 from .stride import Ledger, Met, Stride, Traveller, gradient_of_guard
-from .transitions import Transition
+from .transitions import Entered, Transition
 
 OFTEN = 8
 """After so many factors the sum is taken, and at each event."""
@@ -147,7 +145,7 @@ class VariedFlow(Flow):
         numbers["cosine"] = Dual(tubes["cosine"], {name: -(tubes["sine"] * by) for name, by in turn.items()})
         if fades(self.runner, self.mode):
             numbers["decay"] = self._dual_decay()
-        found = rates(self.dual_runner, self.mode, Record(**numbers))
+        found = rates(self.dual_runner, self.mode, numbers)
         size, zero = len(self.active), arb(0)
         entries = [[slope_of(found.get(row, 0), column) for column in self.active] for row in self.active]
         rows = [[coefficients_of(entry) for entry in row] for row in entries]
@@ -160,17 +158,17 @@ class VariedFlow(Flow):
 
     def _dual_decay(self) -> Dual:
         """e^(-s v/v_s), by the foot's velocity and, where it is varied, by v_s."""
-        decay, fading = self.tubes["decay"], fading_of(self.dual_runner, self.mode)
-        gradient = {"foot_speed": decay * value_of(fading)}
+        decay, fading = self.tubes["decay"], at(self.dual_runner, self.mode, {}).fading_rate()
+        gradient = {"foot_vx": decay * value_of(fading)}
         by_parameter = slope_of(fading, PARAMETER)
         if by_parameter != 0:
-            gradient[PARAMETER] = decay * self.tubes["foot_speed"] * by_parameter
+            gradient[PARAMETER] = decay * self.tubes["foot_vx"] * by_parameter
         return Dual(decay, gradient)
 
     def _weights(self) -> list[arb]:
         """Weights of the moving numbers in the norm; a fast swing is then as large one way as the other."""
-        swing = arb(self.runner.swing)
-        return [swing if name.endswith(("_rate", "_speed")) else arb(1) for name in self.active]
+        swing = arb(self.runner.swing_frequency)
+        return [swing if name.endswith(("_rate", "_vx")) else arb(1) for name in self.active]
 
     def _solve(self, of_rates: tuple[list[arb_mat], arb]) -> None:
         matrices, rest = of_rates
@@ -203,19 +201,20 @@ class VariedFlow(Flow):
                     0, (error * weights[i] / weights[j]).upper()
                 )
         if self.mode.contact == "flight":
-            height, along, off = (names.index(name) for name in BALLISTIC)
-            whole[height, off] = time
+            clearance, along, off = (names.index(name) for name in BALLISTIC)
+            whole[clearance, off] = time
             if PARAMETER in names:
                 by = names.index(PARAMETER)
-                of_along, of_off = (slope_of(part, PARAMETER) for part in fall(self.dual_runner))
-                whole[height, by] = of_off * time * time / 2
+                fall = self.dual_runner.fall()
+                of_along, of_off = (slope_of(part, PARAMETER) for part in (fall.along, fall.off))
+                whole[clearance, by] = of_off * time * time / 2
                 whole[along, by], whole[off, by] = of_along * time, of_off * time
         return whole
 
 
 def slopes_of_slope(runner: Any) -> dict[str, arb]:
     """Change of the leg's angle from the ground's normal, by what is varied."""
-    slope = slope_of(runner.line.slope, PARAMETER)
+    slope = slope_of(runner.slope, PARAMETER)
     return {} if slope == 0 else {PARAMETER: -slope}
 
 
@@ -272,8 +271,8 @@ class SetTraveller(Traveller):
 
     def _check_gravity(self) -> None:
         """In flight the centre of mass falls."""
-        runner = self.wide
-        if not rise(runner, runner.free_center.x, runner.free_center.y) < 0:
+        fall = self.wide.fall()
+        if not self.wide.in_world(fall.along, fall.off, 0, 0).y < 0:
             raise UndecidedError("whether the centre of mass falls in flight", 0.0)
 
     @staticmethod
@@ -375,7 +374,7 @@ class SetTraveller(Traveller):
         """The centre at its own event, and just after it."""
         name, mode, times = met.guard.name, met.before, met.times
         with ctx.workprec(self.fine.bits):
-            own = Guard(name, FUNCTIONS[name](self.thin, mode, thin.record()), met.guard.order)
+            own = Guard(name, guard_of(name, thin.motion(self.thin)), met.guard.order)
             low, high = (arb(bound.mid()) for bound in (times.lower(), times.upper()))
             when = own.zero_after(low, high) if low < high else None
             when = times if when is None else when

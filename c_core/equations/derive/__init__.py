@@ -1,1 +1,0 @@
-"""Traces laws into expressions, by Python's standard library alone."""
