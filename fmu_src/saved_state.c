@@ -1,13 +1,16 @@
-/* Saved and serialized states. A saved state is the bytes of a run (see saved_fields.c) behind a header that
- * shows whether this unit wrote them. A serialized state has the same bytes. So it restores in any instance
- * and process, and everything in it is checked first. */
+/* Saved and serialized states: the plain data of a run behind a header that shows whether this unit wrote it.
+ * A serialized state has the same bytes as a saved one, so it restores in any instance and process. All of it
+ * is checked first, however it came about: whatever is accepted may be gone on with. */
 #include "guid.h"
-#include "saved_fields.h"
+#include "instance.h"
+#include "unit_instant.h"
 
+#include <float.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const uint32_t byte_order = 0x01020304; /* reads otherwise on a machine of another kind */
+enum { RUN_SIZE = offsetof(fmu, step_limit) };
 
 typedef struct {
     uint64_t zero; /* an importer that frees a state where its address is due frees a null pointer */
@@ -15,75 +18,288 @@ typedef struct {
     uint32_t byte_order;
     uint32_t size;
     uint64_t checksum; /* of what follows */
-} header;
+    int32_t interface, state;
+    unsigned char run[RUN_SIZE];
+} saved_state;
 
-static size_t saved_size(void) {
-    return sizeof(header) + saved_run_size();
-}
+static const uint32_t byte_order = 0x01020304; /* reads otherwise on a machine of another kind */
 
-static const unsigned char *content_of(const void *state) {
-    return (const unsigned char *)state + sizeof(header);
-}
+/* Largest sum along a run. It is beyond whatever is added up from states below fmu_largest_state, and far
+ * enough from overflow for differences and products. */
+static const double largest_sum = 1e200;
 
 /* FNV-1a */
-static uint64_t checksum_of(const void *state) {
-    const unsigned char *bytes = content_of(state);
-    const size_t size = saved_run_size();
+static uint64_t checksum_of(const saved_state *saved) {
+    const unsigned char *bytes = (const unsigned char *)saved;
     uint64_t hash = UINT64_C(14695981039346656037);
-    for (size_t i = 0; i < size; ++i) {
+    for (size_t i = offsetof(saved_state, interface); i < sizeof *saved; ++i) {
         hash = (hash ^ bytes[i]) * UINT64_C(1099511628211);
     }
     return hash;
 }
 
-static header header_of(const void *state) {
-    header header;
-    memset(&header, 0, sizeof header);
-    memcpy(header.guid, FMU_GUID, sizeof FMU_GUID);
-    header.byte_order = byte_order;
-    header.size = (uint32_t)saved_size();
-    header.checksum = checksum_of(state);
-    return header;
+static void write_header(saved_state *saved) {
+    saved->zero = 0;
+    memset(saved->guid, 0, sizeof saved->guid);
+    memcpy(saved->guid, FMU_GUID, sizeof FMU_GUID);
+    saved->byte_order = byte_order;
+    saved->size = sizeof *saved;
+    saved->checksum = checksum_of(saved);
 }
 
-/* NULL, and the run that the state holds; or why it is refused, perhaps written into `reason`. */
-static const char *read_state(const void *state, saved_run *run, char *reason, size_t capacity) {
-    header found;
-    memcpy(&found, state, sizeof found);
-    const header wanted = header_of(state);
-    if (found.byte_order != wanted.byte_order || found.size != wanted.size) {
+/* ---- what a run may hold ------------------------------------------------------------------------------- */
+
+/* NaN lies between nothing. */
+static bool lies_between(double value, double least, double most) {
+    return value >= least && value <= most;
+}
+
+/* The name of a parameter or a state: that of its variable, else the page's own. */
+static const char *name_of_number(int place) {
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
+        const fmu_variable *v = &fmu_variables[i];
+        const bool is_number =
+            v->storage == STORED_PARAMETER || v->storage == STORED_INPUT || v->storage == STORED_HELD;
+        const size_t offset = v->storage == STORED_STATE
+                                  ? (size_t)(UNIT_PARAMETER_COUNT + unit_states[v->offset].index)
+                                  : v->offset;
+        if ((is_number || v->storage == STORED_STATE) && v->type != VARIABLE_STRING &&
+            offset == (size_t)place) {
+            return v->name;
+        }
+    }
+    return place < UNIT_PARAMETER_COUNT ? unit_model->parameter_names[place]
+                                        : unit_model->state_names[place - UNIT_PARAMETER_COUNT];
+}
+
+/* Trial states of an importer's solver and states on their way to an event may be out of the range of starts.
+ */
+static double largest_of_state(int state) {
+    bool is_motion = unit_input_rates[state] >= 0;
+    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+        is_motion |= unit_states[i].index == state && unit_states[i].has_start;
+    }
+    return is_motion ? fmu_largest_state : largest_sum;
+}
+
+/* The name of a number that is out of range; NULL: there is none. */
+static const char *wrong_number(const double *numbers) {
+    for (int i = 0; i < UNIT_NUMBER_COUNT; ++i) {
+        const bool is_parameter = i < UNIT_PARAMETER_COUNT;
+        const double largest = is_parameter ? 0.0 : largest_of_state(i - UNIT_PARAMETER_COUNT);
+        if (!lies_between(numbers[i], is_parameter ? unit_model->parameter_least[i] : -largest,
+                          is_parameter ? unit_model->parameter_most[i] : largest)) {
+            return name_of_number(i);
+        }
+    }
+    return NULL;
+}
+
+/* Settings are in their ranges. Booleans, enumerations and counts are whole numbers. */
+static const char *wrong_setting(const fmu *fmu) {
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
+        const fmu_variable *v = &fmu_variables[i];
+        if (v->storage == STORED_SETTING || (v->storage == STORED_PARAMETER && v->type != VARIABLE_REAL)) {
+            const double value = fmu_get_number(fmu, NULL, v);
+            if (!lies_between(value, v->minimum, v->maximum) ||
+                (v->type != VARIABLE_REAL && value != floor(value))) {
+                return v->name;
+            }
+        }
+    }
+    return NULL;
+}
+
+static const char *wrong_motion(const page_motion *motion) {
+    const tdmf_mode_kind *modes = unit_model->modes;
+    const double digit = DBL_EPSILON * fabs(motion->time);
+    if (!fmu_is_time(motion->time)) {
+        return "the time";
+    }
+    if (!lies_between(motion->time_rest, -digit, digit)) {
+        return "the rest of the time";
+    }
+    if (!(motion->mode >= 0 && motion->mode < unit_model->mode_count)) {
+        return "the mode";
+    }
+    if (!(motion->chain >= 0 && motion->chain <= TDMF_PAGE_CHAIN_LIMIT + 1)) {
+        return "the chain of events";
+    }
+    const bool is_shown =
+        motion->shown >= 0 && motion->shown < unit_model->mode_count &&
+        (motion->shown == motion->mode || (modes[motion->mode].keeps_outputs && !modes[motion->shown].ends));
+    return is_shown ? NULL : "the mode that is shown";
+}
+
+static const char *wrong_call(const saved_state *saved, const fmu *fmu) {
+    if (!(saved->interface >= MODEL_EXCHANGE && saved->interface <= CO_SIMULATION_WITH_EVENT_MODE)) {
+        return "the interface";
+    }
+    if (fmu->has_begun != 0 && fmu->has_begun != 1) {
+        return "whether the run has begun";
+    }
+    if (fmu->has_jumped != 0 && fmu->has_jumped != 1) {
+        return "whether an input has jumped";
+    }
+    const bool may_wait = saved->interface == CO_SIMULATION_WITH_EVENT_MODE && fmu->has_begun;
+    if (!(fmu->event_is_pending == 0 || (fmu->event_is_pending == 1 && may_wait)) ||
+        !(fmu->event >= 0 && fmu->event <= UNIT_EVENT_COUNT)) {
+        return "the pending event";
+    }
+    const bool suits =
+        state_suits_interface((unsigned)saved->state, (interface_kind)saved->interface, fmu->has_begun);
+    return suits ? NULL : "the state of the call sequence";
+}
+
+/* Fields that no other one bounds. */
+static const char *wrong_field(const fmu *fmu) {
+    if (!lies_between(fmu->importer_tolerance, DBL_MIN * DBL_EPSILON, INFINITY)) {
+        return "the importer's tolerance";
+    }
+    if (!lies_between(fmu->stop_time, -DBL_MAX, INFINITY)) {
+        return "the stop time";
+    }
+    if (!fmu_is_time(fmu->time) || !fmu_is_time(fmu->epoch) || !fmu_is_time(fmu->accounted_time)) {
+        return "the time";
+    }
+    for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
+        if (!lies_between(fmu->starts[i], -largest_sum, largest_sum)) {
+            return unit_model->state_names[i];
+        }
+        if (!lies_between(fmu->accounted_rates[i], -DBL_MAX, DBL_MAX)) {
+            return "a rate";
+        }
+    }
+    for (int i = 0; i < UNIT_EVENT_COUNT; ++i) {
+        if (fmu->watch[i] > WATCH_RISING) {
+            return "how a guard was seen";
+        }
+    }
+    for (int i = 0; i < WORK_COUNT; ++i) { /* which no run brings near the end of the counter */
+        if (!(fmu->work[i] >= 0 && fmu->work[i] <= INT64_MAX / 2)) {
+            return "the work done";
+        }
+    }
+    return fmu->has_begun ? wrong_number(fmu->accounted) : NULL;
+}
+
+/* ---- what has to agree in a run that has begun --------------------------------------------------------- */
+
+/* In Co-Simulation the states in the world's coordinates follow from those of the mode. */
+static const char *wrong_coordinate(const fmu *fmu) {
+    struct fmu shown = *fmu;
+    const tdmf_page_instant at = instant_of(fmu);
+    show_to_world(&shown);
+    for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
+        const double value = states_of(fmu)[i], seen = states_of(&shown)[i];
+        if (!(fabs(value - seen) <= 1e-9 * (at.scales[i] + fabs(value)))) {
+            return name_of_number(UNIT_PARAMETER_COUNT + i);
+        }
+    }
+    return NULL;
+}
+
+/* A state that keeps the page's bounds no more, or holds a time that has not passed. */
+static const char *wrong_state(const fmu *fmu) {
+    const double *x = states_of(fmu);
+    for (int i = 0; i < UNIT_BOUND_COUNT; ++i) {
+        const unit_bound *row = &unit_bounds[i];
+        const double value = x[row->state];
+        if (!(fmu->is_exchange && row->moves) &&
+            !(lies_between(value, row->least, row->most) && (!row->is_whole || value == floor(value)))) {
+            return name_of_number(UNIT_PARAMETER_COUNT + row->state);
+        }
+    }
+    for (int i = 0; i < UNIT_STATE_COUNT && !fmu->is_exchange; ++i) {
+        if (unit_holds_time[i] && x[i] > fmu->motion.time) {
+            return name_of_number(UNIT_PARAMETER_COUNT + i);
+        }
+    }
+    return NULL;
+}
+
+static bool clocks_agree(const fmu *fmu) {
+    const double digit = 4.0 * DBL_EPSILON * fmax(fabs(fmu->time), fabs(fmu->epoch));
+    return fabs(fmu->time - fmu->epoch - fmu->motion.time) <= digit &&
+           (unit_clock < 0 || states_of(fmu)[unit_clock] == fmu->motion.time);
+}
+
+static bool rates_are_finite(const fmu *fmu) {
+    double derivatives[FMU_STATE_COUNT + 1];
+    bool finite = true;
+    fmu_derivatives(fmu, derivatives);
+    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+        finite &= fabs(derivatives[i]) < fmu_largest_state;
+    }
+    return finite;
+}
+
+static const char *wrong_run(const fmu *fmu) {
+    const char *wrong = clocks_agree(fmu) ? wrong_state(fmu) : "the time";
+    if (wrong == NULL && !fmu->is_exchange) {
+        wrong = wrong_coordinate(fmu);
+    }
+    return wrong == NULL && !fmu->is_exchange && !rates_are_finite(fmu) ? "a state, which has no finite rate"
+                                                                        : wrong;
+}
+
+/* ---- reading and writing ------------------------------------------------------------------------------- */
+
+/* Checks the bytes of a state and reads them into `saved` and `fmu`, which has working memory. NULL; or why
+ * they are refused, perhaps written into `text`. */
+static const char *read_state(const void *bytes, saved_state *saved, fmu *fmu, char text[FMU_TEXT]) {
+    memcpy(saved, bytes, sizeof *saved);
+    saved_state wanted = *saved;
+    write_header(&wanted);
+    if (saved->byte_order != wanted.byte_order || saved->size != wanted.size) {
         return "it was saved by another program or on another kind of machine";
     }
-    if (found.zero != wanted.zero || memcmp(found.guid, wanted.guid, sizeof found.guid) != 0) {
+    if (saved->zero != wanted.zero || memcmp(saved->guid, wanted.guid, sizeof wanted.guid) != 0) {
         return "it was saved by another version of the unit";
     }
-    if (found.checksum != wanted.checksum) {
+    if (saved->checksum != wanted.checksum) {
         return "its bytes have been changed";
     }
-    return read_saved_run(content_of(state), run, reason, capacity);
-}
-
-static void write_state(const instance *instance, unsigned char *state) {
-    saved_run run = {instance->interface, instance->state, instance->fmu};
-    write_saved_run(&run, state + sizeof(header));
-    const header header = header_of(state);
-    memcpy(state, &header, sizeof header);
+    memcpy(fmu, saved->run, RUN_SIZE);
+    fmu->is_exchange = saved->interface == MODEL_EXCHANGE;
+    const char *wrong = wrong_setting(fmu);
+    wrong = wrong == NULL ? wrong_motion(&fmu->motion) : wrong;
+    wrong = wrong == NULL ? wrong_number(fmu->motion.numbers) : wrong;
+    wrong = wrong == NULL ? wrong_field(fmu) : wrong;
+    wrong = wrong == NULL ? wrong_call(saved, fmu) : wrong;
+    if (wrong == NULL && fmu->has_begun) {
+        if (fmu_prepare(fmu, text) != NULL) {
+            return text;
+        }
+        if (fmu->is_exchange) {
+            take_from_world(fmu);
+        }
+        wrong = wrong_run(fmu);
+    }
+    if (wrong == NULL) {
+        return NULL;
+    }
+    snprintf(text, FMU_TEXT, "%s is out of range or contradicts the rest", wrong);
+    return text;
 }
 
 /* A place for a state: the importer's old one if it has one. */
-static unsigned char *room_for_state(void *old) {
-    return old != NULL ? old : malloc(saved_size());
+static void *room_for_state(void *old) {
+    return old != NULL ? old : malloc(sizeof(saved_state));
 }
 
 call_status save_state(instance *instance, const char *call, void **state) {
     if (!call_is_allowed(instance, call, ANYWHERE) || !array_is_given(instance, call, state, 1, 1)) {
         return CALL_ERROR;
     }
-    unsigned char *saved = room_for_state(*state);
+    saved_state *saved = room_for_state(*state);
     if (saved == NULL) {
         return fail(instance, call, "out of memory");
     }
-    write_state(instance, saved);
+    saved->interface = (int32_t)instance->interface;
+    saved->state = (int32_t)instance->state;
+    memcpy(saved->run, &instance->fmu, RUN_SIZE);
+    write_header(saved);
     *state = saved;
     return CALL_OK;
 }
@@ -93,19 +309,20 @@ call_status restore_state(instance *instance, const char *call, const void *stat
     if (!call_is_allowed(instance, call, ANYWHERE)) {
         return CALL_ERROR;
     }
-    saved_run run = {.fmu = instance->fmu};
     if (state == NULL) {
         return discard(instance, call, "the state is a null pointer");
     }
-    const char *reason = read_state(state, &run, text, sizeof text);
-    if (reason == NULL && run.interface != instance->interface) {
+    fmu fmu = instance->fmu;
+    saved_state saved;
+    const char *reason = read_state(state, &saved, &fmu, text);
+    if (reason == NULL && saved.interface != (int32_t)instance->interface) {
         reason = "it was saved in another interface";
     }
     if (reason != NULL) {
         return discard(instance, call, "the state is refused: %s", reason);
     }
-    instance->fmu = run.fmu;
-    instance->state = run.state;
+    instance->fmu = fmu;
+    instance->state = (call_state)saved.state;
     discard_view(instance);
     return CALL_OK;
 }
@@ -126,17 +343,17 @@ call_status measure_state(instance *instance, const char *call, const void *stat
         !array_is_given(instance, call, size, 1, 1)) {
         return CALL_ERROR;
     }
-    *size = saved_size();
+    *size = sizeof(saved_state);
     return CALL_OK;
 }
 
 call_status serialize_state(instance *instance, const char *call, const void *state, void *bytes,
                             size_t size) {
     if (!call_is_allowed(instance, call, ANYWHERE) || !array_is_given(instance, call, state, 1, 1) ||
-        !array_is_given(instance, call, bytes, size, saved_size())) {
+        !array_is_given(instance, call, bytes, size, sizeof(saved_state))) {
         return CALL_ERROR;
     }
-    memcpy(bytes, state, saved_size());
+    memcpy(bytes, state, sizeof(saved_state));
     return CALL_OK;
 }
 
@@ -147,20 +364,21 @@ call_status deserialize_state(instance *instance, const char *call, const void *
         !array_is_given(instance, call, state, 1, 1)) {
         return CALL_ERROR;
     }
-    saved_run run = {.fmu = instance->fmu};
-    if (size != saved_size()) {
+    if (size != sizeof(saved_state)) {
         return discard(instance, call, "%lu bytes are no state of this unit, which has %lu",
-                       (unsigned long)size, (unsigned long)saved_size());
+                       (unsigned long)size, (unsigned long)sizeof(saved_state));
     }
-    const char *reason = read_state(bytes, &run, text, sizeof text);
+    fmu fmu = instance->fmu;
+    saved_state saved;
+    const char *reason = read_state(bytes, &saved, &fmu, text);
     if (reason != NULL) {
         return discard(instance, call, "the bytes are refused: %s", reason);
     }
-    unsigned char *saved = room_for_state(*state);
-    if (saved == NULL) {
+    void *room = room_for_state(*state);
+    if (room == NULL) {
         return fail(instance, call, "out of memory");
     }
-    memcpy(saved, bytes, saved_size());
-    *state = saved;
+    memcpy(room, bytes, sizeof saved);
+    *state = room;
     return CALL_OK;
 }

@@ -42,7 +42,7 @@ tdmf_page_run run_of(fmu *fmu) {
                                .time_rest = motion->time_rest,
                                .mode = motion->mode,
                                .left = motion->shown,
-                               .chain = motion->chain,
+                               .chain = (int)motion->chain,
                                .taken = motion->taken,
                                .above = motion->above,
                                .late = motion->late,
@@ -50,7 +50,7 @@ tdmf_page_run run_of(fmu *fmu) {
                                .order = tdmf_page_order(tolerance),
                                .stop_event = -1,
                                .observes = TDMF_OBSERVE_USUAL,
-                               .step_limit = fmu->step_limit,
+                               .step_limit = (long)fmu->step_limit,
                                .event_limit = event_limit};
     return run;
 }
@@ -279,68 +279,56 @@ tdmf_run_outcome drive(fmu *fmu, double until, const fmu_observer *observer, lon
     return (is_by_cvode(fmu) ? drive_by_cvode : drive_native)(fmu, until, observer, events);
 }
 
-static void copy_states(struct fmu *to, const double *states) {
-    memcpy(states_of(to), states, UNIT_STATE_COUNT * sizeof *states);
-}
-
-static tdmf_run_outcome drive_native_to_event(fmu *fmu, double until, struct fmu *after,
-                                              tdmf_event_row *row) {
+static tdmf_run_outcome drive_native_to_event(fmu *fmu, double until, tdmf_event_row *row) {
     double states[UNIT_STATE_COUNT + 1];
-    long left = event_limit;
-    page_motion before;
-    tdmf_run_outcome outcome;
-    bool counted;
-    *after = *fmu;
-    do {
-        before = after->motion;
-        tdmf_page_run run = run_of(after);
+    tdmf_run_outcome outcome = TDMF_RUN_TOO_MANY_EVENTS;
+    for (long left = event_limit; outcome == TDMF_RUN_TOO_MANY_EVENTS && left > 0; --left) {
+        const page_motion before = fmu->motion;
+        tdmf_page_run run = run_of(fmu);
         run.log = row;
         run.log_states = states;
         run.log_size = 1;
         run.event_limit = 1;
-        outcome = drive_on(after, until, &run);
-        counted = run.log_count > 0 && is_counted(row);
-    } while (outcome == TDMF_RUN_TOO_MANY_EVENTS && !counted && --left > 0);
-    if (!counted) {
-        *fmu = *after;
-        return outcome;
+        outcome = drive_on(fmu, until, &run);
+        if (run.log_count > 0 && is_counted(row)) {
+            fmu->motion = before;
+            memcpy(states_of(fmu), states, UNIT_STATE_COUNT * sizeof *states);
+            fmu->motion.time = row->time;
+            fmu->motion.time_rest = 0.0;
+            fmu->motion.taken = 0;
+            fmu->motion.chain = 0;
+            fmu->motion.above |= (uint64_t)1 << row->event;
+            set_clock(fmu);
+            return TDMF_RUN_STOPPED;
+        }
     }
-    memcpy(fmu->work, after->work, sizeof fmu->work);
-    fmu->motion = before;
-    copy_states(fmu, states);
-    fmu->motion.time = row->time;
-    fmu->motion.time_rest = 0.0;
-    fmu->motion.taken = 0;
-    fmu->motion.chain = 0;
-    fmu->motion.above |= (uint64_t)1 << row->event;
-    set_clock(fmu);
-    return TDMF_RUN_STOPPED;
+    return outcome;
 }
 
-static tdmf_run_outcome drive_cvode_to_event(fmu *fmu, double until, struct fmu *after, tdmf_event_row *row) {
+static tdmf_run_outcome drive_cvode_to_event(fmu *fmu, double until, tdmf_event_row *row) {
     for (long left = event_limit; left > 0; --left) {
         const tdmf_run_outcome outcome = mode_of(fmu)->ends ? TDMF_RUN_ENDED : go_on_by_cvode(fmu, until);
+        struct fmu after = *fmu;
+        tdmf_page_run run = run_of(&after);
         tdmf_chain chain;
         if (outcome != TDMF_RUN_STOPPED) {
             return outcome;
         }
-        *after = *fmu;
-        tdmf_page_run run = run_of(after);
-        if (!tdmf_take_due_events(unit_model, &run, after->watch, memory_of_instant(after), &chain)) {
+        if (!tdmf_take_due_events(unit_model, &run, after.watch, memory_of_instant(&after), &chain)) {
             return TDMF_RUN_ENDLESS_CHAIN;
         }
-        keep_run(after, &run);
+        keep_run(&after, &run);
         *row = is_counted(&chain.first) ? chain.first : chain.last;
         if (chain.count > 0 && is_counted(row)) {
             return TDMF_RUN_STOPPED;
         }
-        *fmu = *after;
+        *fmu = after;
     }
     return TDMF_RUN_TOO_MANY_EVENTS;
 }
 
-tdmf_run_outcome drive_to_event(fmu *fmu, double until, struct fmu *after, tdmf_event_row *row) {
-    return (is_by_cvode(fmu) ? drive_cvode_to_event : drive_native_to_event)(fmu, until, after, row);
+tdmf_run_outcome drive_to_event(fmu *fmu, double until, tdmf_event_row *row) {
+    return (is_by_cvode(fmu) ? drive_cvode_to_event : drive_native_to_event)(fmu, until, row);
 }
 
 const char *message(fmu *fmu, tdmf_run_outcome outcome, char text[FMU_TEXT]) {

@@ -27,8 +27,8 @@ bool settle(fmu *fmu, const fmu_observer *observer, bool *changed);
 /* Goes on, and reports every event if there is an observer. `events` receives the number of events. */
 tdmf_run_outcome drive(fmu *fmu, double until, const fmu_observer *observer, long *events);
 
-/* Goes on up to the first event that counts: `fmu` stands before it then, and `after` after it. */
-tdmf_run_outcome drive_to_event(fmu *fmu, double until, struct fmu *after, tdmf_event_row *row);
+/* Goes on up to the first event that counts, and stands before it then. */
+tdmf_run_outcome drive_to_event(fmu *fmu, double until, tdmf_event_row *row);
 
 /* Writes in a sentence why a run has ended. */
 const char *message(fmu *fmu, tdmf_run_outcome outcome, char text[FMU_TEXT]);

@@ -184,43 +184,33 @@ void fmu_enter_event_mode(fmu *fmu) {
 
 /* ---- events ahead of Co-Simulation with event mode ----------------------------------------------------- */
 
-/* Takes the event at which the run stands, under what was set since it was found, unless that averts it. */
-static bool take_event_anew(fmu *fmu, tdmf_event_row *row) {
+/* Takes the event at which the run stands, unless what was set since it was found averts it. */
+static bool take_pending_event(fmu *fmu, const fmu_observer *observer) {
+    if (!fmu->event_is_pending) {
+        return false;
+    }
+    const bool is_changed = memcmp(fmu->motion.numbers, fmu->accounted, sizeof fmu->accounted) != 0;
+    fmu->event_is_pending = 0;
+    account_for_jumps(fmu);
     const tdmf_page_instant at = instant_of(fmu);
     for (int i = 0; i < at.mode->guard_count; ++i) {
         const tdmf_guard_kind *kind = &at.mode->guards[i];
         double value, rate;
         tdmf_page_guard(&at, i, &value, &rate);
-        if (kind->event == fmu->event && value <= rounding_at_event * at.event_scales[kind->event]) {
+        if (kind->event == fmu->event &&
+            (!is_changed || value <= rounding_at_event * at.event_scales[kind->event])) {
+            const page_motion before = fmu->motion;
             tdmf_page_run run = run_of(fmu);
-            *row = tdmf_take_event_now(unit_model, kind, &run, fmu->watch);
+            const tdmf_event_row row = tdmf_take_event_now(unit_model, kind, &run, fmu->watch);
             keep_run(fmu, &run);
+            account_for_all(fmu);
+            if (observer->on_event != NULL) {
+                report(fmu, observer, &row, before.numbers + UNIT_PARAMETER_COUNT, &row, states_of(fmu));
+            }
             return true;
         }
     }
     return false;
-}
-
-static bool take_pending_event(fmu *fmu, const fmu_observer *observer) {
-    if (!fmu->event_is_pending) {
-        return false;
-    }
-    const bool is_changed = memcmp(fmu->motion.numbers, fmu->event_numbers, sizeof fmu->event_numbers) != 0;
-    tdmf_event_row row = {fmu->motion.time, fmu->event, fmu->motion.mode, fmu->after_event.mode};
-    fmu->event_is_pending = false;
-    account_for_jumps(fmu);
-    const page_motion before = fmu->motion;
-    if (!is_changed) {
-        fmu->motion = fmu->after_event;
-        tdmf_note_taken(unit_model, fmu->event, fmu->watch);
-    } else if (!take_event_anew(fmu, &row)) {
-        return false;
-    }
-    account_for_all(fmu);
-    if (observer->on_event != NULL) {
-        report(fmu, observer, &row, before.numbers + UNIT_PARAMETER_COUNT, &row, states_of(fmu));
-    }
-    return true;
 }
 
 /* Gives states that an event has left without a number, because a trial state has none, their values before.
@@ -237,7 +227,7 @@ fmu_resolution fmu_update(fmu *fmu, const fmu_observer *observer) {
     double states[FMU_STATE_COUNT + 1];
     fmu_states(fmu, NULL, states);
     bool changed = take_pending_event(fmu, observer) | fmu->has_jumped;
-    fmu->has_jumped = false;
+    fmu->has_jumped = 0;
     changed |= account_for_jumps(fmu);
     if (fmu->is_exchange) {
         observe(fmu);
@@ -310,19 +300,16 @@ const char *fmu_advance(fmu *fmu, double until, const fmu_observer *observer, ch
 const char *fmu_advance_to_event(fmu *fmu, double until, const fmu_observer *observer, char text[FMU_TEXT]) {
     fmu_update(fmu, observer); /* an input may have jumped, which is no event of this step */
     const page_motion begun = fmu->motion;
-    struct fmu after;
     tdmf_event_row row;
-    const tdmf_run_outcome outcome = drive_to_event(fmu, until - fmu->epoch, &after, &row);
+    const tdmf_run_outcome outcome = drive_to_event(fmu, until - fmu->epoch, &row);
     if (outcome != TDMF_RUN_STOPPED) {
         return conclude(fmu, &begun, outcome, until, text);
     }
     fmu->time = fmu->epoch + fmu->motion.time;
     show_to_world(fmu);
     account_for_all(fmu);
-    fmu->event_is_pending = true;
+    fmu->event_is_pending = 1;
     fmu->event = row.event;
-    fmu->after_event = after.motion;
-    memcpy(fmu->event_numbers, fmu->motion.numbers, sizeof fmu->event_numbers);
     return NULL;
 }
 
@@ -351,7 +338,7 @@ const char *fmu_start(fmu *fmu, char text[FMU_TEXT]) {
     if (!has_arrived(outcome)) {
         return message(&ready, outcome, text);
     }
-    ready.has_begun = true;
+    ready.has_begun = 1;
     show_to_world(&ready);
     account_for_all(&ready);
     for (int i = 0; i < UNIT_EVENT_COUNT; ++i) {

@@ -30,13 +30,19 @@ typedef struct {
     double numbers[UNIT_NUMBER_COUNT + 1];
     double time, time_rest;
     uint64_t taken, above, late;
-    int mode, chain;
-    int shown; /* the mode whose outputs are shown: the one before where the run has ended and keeps them */
+    int64_t chain;
+    int32_t mode;
+    int32_t
+        shown; /* the mode whose outputs are shown: the one before where the run has ended and keeps them */
 } page_motion;
 
+/* Up to `step_limit` it is plain data without padding, of which saved states are copies. */
 typedef struct fmu {
-    bool is_exchange, has_begun;
-    bool has_jumped; /* an input, so that states changed, since the last update */
+    int32_t has_begun;        /* or 0, as in the next two */
+    int32_t event_is_pending; /* Co-Simulation with event mode: the run stands at an event that is not yet
+                                 taken */
+    int32_t has_jumped;       /* an input, so that states changed, since the last update */
+    int32_t event;            /* the pending one */
     page_motion motion;
     double time;  /* the importer's; that of the motion is the page's */
     double epoch; /* the importer's time at the page's time 0 */
@@ -48,16 +54,11 @@ typedef struct fmu {
     /* Numbers up to which jumps have changed other states; in Model Exchange with the rates of states there.
      */
     double accounted[UNIT_NUMBER_COUNT + 1], accounted_rates[UNIT_STATE_COUNT + 1], accounted_time;
-    unsigned char watch[UNIT_EVENT_COUNT + 1]; /* a watch_state for each event */
     int64_t work[WORK_COUNT];
-    /* Co-Simulation with event mode: the run stands at an event that is not yet taken. What comes of it, with
-     * the numbers as they are now. */
-    bool event_is_pending;
-    int event;
-    page_motion after_event;
-    double event_numbers[UNIT_NUMBER_COUNT + 1];
-    long step_limit; /* of a call; no part of the run */
-    double *memory;  /* working memory, of no content */
+    unsigned char watch[8 * (UNIT_EVENT_COUNT / 8 + 1)]; /* a watch_state for each event */
+    int64_t step_limit;                                  /* of a call; no part of the run */
+    double *memory;                                      /* working memory, of no content */
+    bool is_exchange;
 } fmu;
 
 /* Values that follow from a run, computed on request. */
