@@ -35,12 +35,14 @@ HANGS = 1200.0
 
 
 def pytest_collection_modifyitems(items):
-    """Leave most tests of the live page on a phone to a release, and run tests of the site last.
+    """Leave most tests of the live page on another screen to a release, and run tests of the site last.
 
+    They run at a desk by default, with the mark `on_phone` on a phone, and with `both_screens` on both.
     scripts/test still builds the site while the first tests run.
     """
     for item in items:
-        if "phone in the dark" in item.name and "both_screens" not in item.keywords:
+        other = "desk" if "on_phone" in item.keywords else "phone in the dark"
+        if f"[{other}" in item.name and "both_screens" not in item.keywords:
             item.add_marker(release)
     items.sort(key=lambda item: "site_build_ended" in item.fixturenames)
 

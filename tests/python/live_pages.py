@@ -76,14 +76,20 @@ def check_console(driver):
     assert [entry["message"] for entry in driver.get_log("browser")] == []
 
 
+def play(driver, runs):
+    """Let the runner run, or stand. Its pictures cost most of the browser's time."""
+    driver.execute_script("tdmfSlip.player.play(arguments[0])", runs)
+
+
 def open_defaults(driver, address):
     open_page(driver, address)
     driver.execute_script("document.querySelector('.region details').open = true")
+    play(driver, False)
 
 
 @pytest.fixture
 def page(driver, address):
-    """The page at its defaults."""
+    """The page at its defaults; the runner stands."""
     open_defaults(driver, address)
     yield driver
     driver.execute_script("localStorage.clear()")
@@ -92,11 +98,12 @@ def page(driver, address):
 
 @pytest.fixture
 def used_page(driver, address):
-    """The page at its defaults, but not loaded again: for tests that change only values."""
+    """The page at its defaults, not loaded again, for tests that change only values; the runner stands."""
     if not driver.execute_script("return globalThis.isUsed === true"):
         open_defaults(driver, address)
         driver.execute_script("globalThis.isUsed = true")
-    driver.execute_script("tdmfSlip.choose({ name: 'defaults', values: {} }); tdmfSlip.player.play(true)")
+    driver.execute_script("tdmfSlip.choose({ name: 'defaults', values: {} })")
+    play(driver, False)
     yield driver
     check_console(driver)
 
@@ -133,8 +140,7 @@ def value_shown(driver, ident, name):
 
 
 def find_gait(driver):
-    """The runner stands meanwhile: pictures cost time that nobody looks at."""
-    driver.execute_script("tdmfSlip.player.play(false)")
+    play(driver, False)
     press(driver, "find")
     wait(driver, "tdmfSlip.gaits.search.gait !== null", "the gait")
 

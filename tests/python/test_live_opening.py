@@ -3,6 +3,7 @@
 import live_pages
 import pytest
 import tdmf_slip
+from conftest import release
 from live_pages import (
     center,
     check_console,
@@ -33,7 +34,6 @@ SENTENCES = {
 }
 
 
-@pytest.mark.both_screens
 def test_the_first_pictures_stand_without_a_click(driver, address):
     open_page(driver, address, "?seen")
     wait(driver, f"{PAINTED}.includes(64)", "the region")
@@ -66,7 +66,7 @@ def test_no_picture_is_computed_while_the_page_is_hidden(page):
     assert "" not in region["fates"] and len(region["rows"]) == 32
 
 
-@pytest.mark.both_screens
+@pytest.mark.on_phone
 def test_the_word_lights_up_letter_by_letter_and_a_sentence_says_what_happens(used_page):
     used_page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(400))")
     letters, modes = [], set()
@@ -86,7 +86,7 @@ def test_the_word_lights_up_letter_by_letter_and_a_sentence_says_what_happens(us
     assert {"flight", "stick", "slip_positive", "slip_negative"} <= modes
 
 
-@pytest.mark.both_screens
+@pytest.mark.on_phone
 def test_the_large_slider_sets_the_friction_and_follows_it(used_page):
     slider = find(used_page, "friction-slider")
     center(used_page, slider)
@@ -111,7 +111,7 @@ def test_a_filter_shows_the_parameters_that_it_names(used_page):
     assert len(used_page.execute_script(shown)) > 30 and not find(used_page, "value-body.mass").is_displayed()
 
 
-@pytest.mark.both_screens
+@pytest.mark.on_phone
 def test_terms_are_explained_on_hover_and_tap(page):
     """Waits for figure 9, because a page that still grows moves words away from under the pointer."""
     show_curve(page)
@@ -128,7 +128,7 @@ def test_terms_are_explained_on_hover_and_tap(page):
         assert not note.is_displayed(), term
 
 
-@pytest.mark.both_screens
+@pytest.mark.on_phone
 def test_the_runner_stays_in_sight_while_figure_9_is_dragged_and_the_region_clicked(page):
     show_curve(page)
     for ident in ("friction", "region"):
@@ -145,7 +145,7 @@ def test_the_runner_stays_in_sight_while_figure_9_is_dragged_and_the_region_clic
     assert page.execute_script("return document.getElementById('scene').getBoundingClientRect().top >= 0")
 
 
-@pytest.mark.both_screens
+@pytest.mark.on_phone
 def test_a_phone_shows_the_runner_then_friction_then_figure_9(driver, address):
     open_page(driver, address)
     tops = driver.execute_script(
@@ -156,6 +156,7 @@ def test_a_phone_shows_the_runner_then_friction_then_figure_9(driver, address):
         assert tops == sorted(tops)
 
 
+@release
 def test_a_video_of_three_strides_is_saved(page):
     Select(find(page, "pace")).select_by_value("full")
     begun = page.execute_script("tdmfSlip.begin(tdmfSlip.state.values); return 0")

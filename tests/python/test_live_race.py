@@ -3,7 +3,8 @@
 import live_pages
 import pytest
 import tdmf_slip
-from live_pages import find, open_page, press, sentence, wait
+from conftest import release
+from live_pages import find, open_page, play, press, sentence, wait
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.select import Select
 
@@ -60,6 +61,7 @@ def test_a_race_by_address_is_shared_by_address(driver, address):
     wait(driver, "!location.hash.includes('race')", "the address without a race")
 
 
+@release
 def test_restart_begins_the_race_anew_and_its_button_ends_it(page):
     begin(page, "0.3", "1,2")
     wait(page, "tdmfSlip.race.on && tdmfSlip.race.rival.time > 3", "the race")
@@ -97,7 +99,9 @@ def test_a_race_against_no_number_is_refused_where_it_is_seen(page):
     assert 0 <= top < bottom <= height
 
 
+@release
 def test_a_race_without_a_gait_says_why_and_all_goes_on(page):
+    play(page, True)
     begin(page, "0.43", "-1")
     wait(page, "!document.getElementById('problem').hidden", "the reason")
     assert sentence(page).startswith("No race: ground.friction = -1 is refused")

@@ -1,6 +1,5 @@
 """The site that ./scripts/site builds: whole, with nothing fetched from elsewhere and nothing untold."""
 
-import html.parser
 import json
 import re
 import subprocess
@@ -10,31 +9,25 @@ import urllib.parse
 import pytest
 import tdmf_slip
 from conftest import ROOT
+from lxml import html
 from tdmf_slip.cli.main import COMMANDS
 
 SOURCES = ROOT / "documentation"
 sys.path.insert(0, str(SOURCES / "extensions"))
 pytest.importorskip("sphinx", reason="NOT TESTED: the site, Sphinx is not installed")
-LOADS = {"script": "src", "link": "href", "img": "src", "iframe": "src", "object": "data", "source": "src"}
-"""What a browser fetches by itself, and the attribute that says from where."""
+LOADS = (
+    "//script/@src|//link[not(@rel='canonical')]/@href|//img/@src|//iframe/@src|//object/@data|//source/@src"
+)
+"""What a browser fetches by itself."""
 
 
-class Page(html.parser.HTMLParser):
+class Page:
     """Links, anchors and what is loaded."""
 
     def __init__(self, path):
-        super().__init__()
-        self.links, self.anchors, self.loaded = [], set(), []
-        self.feed(path.read_text(encoding="utf-8"))
-
-    def handle_starttag(self, tag, attributes):
-        """Note what a tag refers to."""
-        values = dict(attributes)
-        self.anchors |= {values[name] for name in ("id", "name") if values.get(name)}
-        if tag == "a" and values.get("href"):
-            self.links.append(values["href"])
-        if tag in LOADS and values.get(LOADS[tag]) and values.get("rel") != "canonical":
-            self.loaded.append(values[LOADS[tag]])
+        page = html.document_fromstring(path.read_bytes())
+        self.links, self.loaded = (list(map(str, page.xpath(what))) for what in ("//a/@href", LOADS))
+        self.anchors = set(map(str, page.xpath("//@id|//@name")))
 
 
 @pytest.fixture(scope="module")
