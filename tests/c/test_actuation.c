@@ -11,43 +11,17 @@
 
 /* ---- a run --------------------------------------------------------------------------------------------- */
 
-typedef struct {
-    tdmf_model model;
-    tdmf_inputs inputs;
-    tdmf_motion motion;
-    tdmf_solver solver;
-    double start_energy;
-} run;
-
-static double energy_of(const run *run) {
-    return tdmf_mechanical_energy(SYSTEM_OF(run), &run->motion.mode, run->motion.state).total;
-}
-
-static run begin(double thrust, double tolerance) {
-    run run;
+static simulation begin(double thrust, double tolerance) {
+    simulation run = {.inputs = tdmf_default_inputs(), .solver = solver_to(tolerance)};
     tdmf_parameters parameters = tdmf_default_parameters();
-    memset(&run, 0, sizeof run);
     parameters.leg.thrust = thrust;
     run.model = accepted_model(&parameters);
-    run.inputs = tdmf_default_inputs();
-    run.solver = tdmf_solver_default();
-    run.solver.relative_tolerance = tolerance;
     tdmf_default_state(run.motion.state);
-    run.motion.time = 0.0;
-    assert_null(tdmf_start(SYSTEM_OF(&run), &run.motion).variable);
-    run.start_energy = energy_of(&run);
+    simulation_start(&run);
     return run;
 }
 
-/* What the ledger does not account for. */
-static double error_of_ledger(const run *run) {
-    const double *state = run->motion.state;
-    return energy_of(run) - run->start_energy - state[TDMF_HIP_WORK] - state[TDMF_LEG_WORK] -
-           state[TDMF_ENERGY_EXTERNAL_WORK] + state[TDMF_ENERGY_DAMPER_LOSS] +
-           state[TDMF_ENERGY_FRICTION_LOSS] + run->motion.record.impact_loss;
-}
-
-static void set_thrust(run *run, double thrust) {
+static void set_thrust(simulation *run, double thrust) {
     tdmf_parameters parameters = run->model.parameters;
     parameters.leg.thrust = thrust;
     run->model = accepted_model(&parameters);
@@ -68,9 +42,9 @@ static tdmf_inputs random_rates(random_source *source) {
 }
 
 /* Up and down again, so that the runner runs on. */
-static run ramped(uint64_t seed, solver_call *advance, double tolerance, double ledger_tolerance) {
+static simulation ramped(uint64_t seed, solver_call *advance, double tolerance, double ledger_tolerance) {
     random_source source = {seed};
-    run run = begin(0.03, tolerance);
+    simulation run = begin(0.03, tolerance);
     tdmf_inputs rates = {.ground = {.friction = 0.0}};
     for (int i = 0; i < PARTS; ++i) {
         const double until = run.motion.time + duration;
@@ -84,18 +58,18 @@ static run ramped(uint64_t seed, solver_call *advance, double tolerance, double 
         }
         assert_int_equal(advance(&run.solver, SYSTEM_OF(&run), &rates, until, &run.motion), TDMF_ARRIVED);
         run.inputs = tdmf_inputs_after(&run.inputs, &rates, duration);
-        assert_close(error_of_ledger(&run), 0.0, ledger_tolerance);
+        assert_close(simulation_ledger_error(&run), 0.0, ledger_tolerance);
     }
     return run;
 }
 
 TEST(ramps_of_every_input_close_the_ledger_and_agree_with_cvode) {
     for (uint64_t seed = 1; seed <= 6; ++seed) {
-        const run native = ramped(seed, tdmf_native_advance, 1e-12, 1e-11);
+        const simulation native = ramped(seed, tdmf_native_advance, 1e-12, 1e-11);
         assert_true(native.motion.record.stride.count >= 1);
         assert_true(native.motion.state[TDMF_LEG_WORK] != 0.0);
         if (tdmf_cvode_is_available()) {
-            const run other = ramped(seed, tdmf_cvode_advance, 1e-11, 1e-8);
+            const simulation other = ramped(seed, tdmf_cvode_advance, 1e-11, 1e-8);
             for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
                 assert_close(native.motion.state[i], other.motion.state[i], 1e-6);
             }
@@ -106,7 +80,7 @@ TEST(ramps_of_every_input_close_the_ledger_and_agree_with_cvode) {
 
 /* ---- jumps --------------------------------------------------------------------------------------------- */
 
-static void jump(random_source *source, run *run, double largest) {
+static void jump(random_source *source, simulation *run, double largest) {
     tdmf_inputs *inputs = &run->inputs;
     tdmf_observe((tdmf_system){&run->model, inputs}, &run->motion);
     set_thrust(run, random_chance(source, 0.3) ? 0.0 : random_uniform(source, 0.0, largest));
@@ -125,17 +99,16 @@ TEST(whatever_jumps_the_ledger_closes_and_chains_end) {
     random_source source = {20};
     int thrusts = 0, fell = 0, apices = 0;
     for (int i = 0; i < RUNS; ++i) {
-        run run = begin(0.02, 1e-11);
+        simulation run = begin(0.02, 1e-11);
         tdmf_outcome outcome = TDMF_ARRIVED;
         const double largest = i % 2 == 0 ? 0.1 : 0.6;
         double turnover = 1.0;
         for (int k = 0; k < JUMPS && outcome == TDMF_ARRIVED; ++k) {
             jump(&source, &run, largest);
-            outcome = tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL,
-                                          run.motion.time + random_uniform(&source, 0.1, 6.0), &run.motion);
+            outcome = simulation_advance(&run, run.motion.time + random_uniform(&source, 0.1, 6.0));
             assert_true(outcome == TDMF_ARRIVED || outcome == TDMF_FELL);
-            turnover = fmax(turnover, fabs(energy_of(&run)) + fabs(run.motion.state[TDMF_LEG_WORK]));
-            assert_close(error_of_ledger(&run), 0.0, 1e-9 * turnover);
+            turnover = fmax(turnover, fabs(simulation_energy(&run)) + fabs(run.motion.state[TDMF_LEG_WORK]));
+            assert_close(simulation_ledger_error(&run), 0.0, 1e-9 * turnover);
             thrusts += run.motion.mode.thrusts;
         }
         fell += outcome == TDMF_FELL;
@@ -197,21 +170,19 @@ TEST(a_thrust_of_zero_is_noted_and_acts_where_it_is_set) {
 
 /* Along a stance of the native solver, in which nothing asks for the flag. */
 TEST(the_native_solver_notes_a_thrust_of_zero) {
-    run run = begin(0.0, 1e-11);
+    simulation run = begin(0.0, 1e-11);
     while (!tdmf_in_contact(&run.motion.mode) || run.motion.state[TDMF_LEG_LENGTH_RATE] < 0.0) {
         assert_false(run.motion.mode.thrusts);
-        assert_int_equal(
-            tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, run.motion.time + 0.05, &run.motion),
-            TDMF_ARRIVED);
+        assert_int_equal(simulation_advance(&run, run.motion.time + 0.05), TDMF_ARRIVED);
     }
     assert_true(run.motion.mode.thrusts);
     while (tdmf_in_contact(&run.motion.mode)) {
-        tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, run.motion.time + 0.01, &run.motion);
+        simulation_advance(&run, run.motion.time + 0.01);
     }
     assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_GRAZE);
     assert_true(run.motion.mode.thrusts);
     while (run.motion.mode.contact == TDMF_CONTACT_GRAZE) {
-        tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, run.motion.time + 0.01, &run.motion);
+        simulation_advance(&run, run.motion.time + 0.01);
     }
     assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_FLIGHT);
     assert_false(run.motion.mode.thrusts);
@@ -251,25 +222,25 @@ TEST(graze_keeps_thrust_and_does_not_start_it) {
 
 /* Lifted in place, the runner rises; let go, it passes a second apex, with a word that is empty. */
 TEST(who_is_lifted_in_place_passes_a_second_apex) {
-    run run = begin(0.0, 1e-11);
+    simulation run = begin(0.0, 1e-11);
     run.inputs.body.external_fy = 0.05;
-    tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, 6.0, &run.motion);
+    simulation_advance(&run, 6.0);
     assert_int_equal(run.motion.mode.phase, TDMF_PHASE_PLACE);
     assert_true(tdmf_center_of_mass(&run.model, run.motion.state).vy > 0.1);
     assert_int_equal(run.motion.record.stride.count, 0);
     run.inputs.body.external_fy = 0.0;
-    tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, 30.0, &run.motion);
+    simulation_advance(&run, 30.0);
     assert_int_equal(run.motion.record.stride.count, 1);
     assert_string_equal(run.motion.record.stride.word, "");
     assert_close(run.motion.state[TDMF_HIP_PLACE_TIME], 30.0 - run.motion.record.apex.time, 1e-12);
-    assert_close(error_of_ledger(&run), 0.0, 1e-12);
+    assert_close(simulation_ledger_error(&run), 0.0, 1e-12);
 }
 
 /* By a push that grows and fades, within one call: the solver has to see the rise and the apex itself. */
 TEST(a_push_that_ramps_may_lift_and_drop_in_place) {
     const tdmf_inputs grows = {.body = {.external_fy = 0.02}}, fades = {.body = {.external_fy = -0.02}};
     for (int i = 0; i < 2; ++i) {
-        run run = begin(0.0, 1e-11);
+        simulation run = begin(0.0, 1e-11);
         solver_call *const advance = i == 0 ? tdmf_native_advance : tdmf_cvode_advance;
         if (i == 1 && !tdmf_cvode_is_available()) {
             continue;
@@ -293,13 +264,12 @@ TEST(the_extremes_of_every_range_are_survived) {
     for (int i = 0; i < 5 * 16; ++i) {
         const double end = ends[i % 5], length = fmin(fabs(end), 1e6) * (end < 0.0 ? -1.0 : 1.0);
         const int which = i / 5;
-        run run = begin(which & 8 ? fabs(length) : 0.0, 1e-10);
+        simulation run = begin(which & 8 ? fabs(length) : 0.0, 1e-10);
         run.inputs.body.external_fx = which & 1 ? end : 0.0;
         run.inputs.body.external_fy = which & 2 ? end : 0.0;
         run.inputs.leg.extension = which & 4 ? length : 0.0;
         run.solver.step_limit = run.solver.event_limit = 30000;
-        const tdmf_outcome outcome =
-            tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, 40.0, &run.motion);
+        const tdmf_outcome outcome = simulation_advance(&run, 40.0);
         ++counts[outcome];
         for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
             assert_true(isfinite(run.motion.state[k]));
@@ -311,8 +281,8 @@ TEST(the_extremes_of_every_range_are_survived) {
 
 /* ---- stops --------------------------------------------------------------------------------------------- */
 
-static run actuated(void) {
-    run run = begin(0.05, 1e-12);
+static simulation actuated(void) {
+    simulation run = begin(0.05, 1e-12);
     run.inputs.body.external_fx = -3e-4;
     run.inputs.body.external_fy = 1e-3;
     run.inputs.leg.extension = 0.01;
@@ -321,17 +291,14 @@ static run actuated(void) {
 
 TEST(stops_make_no_difference) {
     const double end = 60.0;
-    run whole = actuated(), stepped = actuated(), events = actuated();
-    tdmf_event_log log = {0};
-    whole.solver.log = &log;
-    tdmf_native_advance(&whole.solver, SYSTEM_OF(&whole), NULL, end, &whole.motion);
+    simulation whole = actuated(), stepped = actuated(), events = actuated();
+    simulation_advance(&whole, end);
     for (int i = 1; i <= 200; ++i) {
-        tdmf_native_advance(&stepped.solver, SYSTEM_OF(&stepped), NULL, end * i / 200.0, &stepped.motion);
+        simulation_advance(&stepped, end * i / 200.0);
     }
-    assert_true(log.count > 15 && log.count <= TDMF_EVENT_CAPACITY);
-    for (int i = 0; i <= log.count; ++i) {
-        tdmf_native_advance(&events.solver, SYSTEM_OF(&events), NULL,
-                            i < log.count ? log.events[i].time : end, &events.motion);
+    assert_true(whole.log.count > 15 && whole.log.count <= TDMF_EVENT_CAPACITY);
+    for (int i = 0; i <= whole.log.count; ++i) {
+        simulation_advance(&events, i < whole.log.count ? whole.log.events[i].time : end);
     }
     for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
         assert_close(stepped.motion.state[k], whole.motion.state[k], 1e-9);
@@ -367,7 +334,7 @@ TEST(lanes_follow_the_native_solver) {
     tdmf_ensemble_end one_by_one[RUNNERS], ends[RUNNERS];
     random_source source = {31};
     for (int i = 0; i < RUNNERS; ++i) {
-        run run = begin(0.0, 1e-11);
+        simulation run = begin(0.0, 1e-11);
         double section[TDMF_SECTION_COUNT];
         read_apex(&run.motion.record, section);
         jump(&source, &run, 0.05);

@@ -16,55 +16,20 @@
 
 /* ---- a run --------------------------------------------------------------------------------------------- */
 
-typedef struct {
-    tdmf_model model;
-    tdmf_inputs inputs, rates;
-    tdmf_motion motion;
-    tdmf_solver solver;
-    tdmf_event_log log;
-} run;
-
 /* There is neither torque nor damping. */
-static run run_without_losses(double foot_mass) {
-    run run;
+static simulation run_without_losses(double foot_mass) {
+    simulation run = {.inputs = tdmf_default_inputs(), .solver = tdmf_solver_default()};
     tdmf_parameters parameters = tdmf_default_parameters();
-    memset(&run, 0, sizeof run);
     parameters.foot.mass = foot_mass;
     parameters.leg.damping = 0.0;
     parameters.hip.stance_torque = parameters.hip.kp = parameters.hip.kd = 0.0;
     run.model = accepted_model(&parameters);
-    run.inputs = tdmf_default_inputs();
-    run.solver = tdmf_solver_default();
     run.motion.state[TDMF_LEG_LENGTH] = parameters.leg.free_length;
     return run;
 }
 
-static void start(run *run) {
-    run->motion.time = 0.0;
-    assert_null(tdmf_start(SYSTEM_OF(run), &run->motion).variable);
-}
-
-static tdmf_outcome advance(run *run, double until) {
-    run->log.count = 0;
-    run->solver.log = &run->log;
-    const tdmf_outcome outcome =
-        tdmf_native_advance(&run->solver, SYSTEM_OF(run), &run->rates, until, &run->motion);
-    run->solver.log = NULL;
-    return outcome;
-}
-
-/* The first event of a kind in the log, or NULL. */
-static const tdmf_event *event_of(const run *run, tdmf_guard guard) {
-    for (int i = 0; i < run->log.count; ++i) {
-        if (run->log.events[i].guard == (int)guard) {
-            return &run->log.events[i];
-        }
-    }
-    return NULL;
-}
-
-static double time_of(const run *run, tdmf_guard guard) {
-    const tdmf_event *event = event_of(run, guard);
+static double time_of(const simulation *run, tdmf_guard guard) {
+    const tdmf_event *event = simulation_event(run, guard);
     return event != NULL ? event->time : INFINITY;
 }
 
@@ -95,7 +60,7 @@ static double zero_between(const cubic *p, double from, double to) {
 }
 
 /* The leg is as long as the push, F_0 + F_1 t, makes it; the centre of mass begins at `height`, at `rate`. */
-static cubic fly_under_ramp(run *run, double height, double rate, double push, double push_rate) {
+static cubic fly_under_ramp(simulation *run, double height, double rate, double push, double push_rate) {
     const tdmf_model *model = &run->model;
     const tdmf_parameters *p = &model->parameters;
     const double stretch = p->foot.mass / (p->leg.stiffness * model->total_mass);
@@ -122,13 +87,13 @@ TEST(a_ramped_push_moves_touchdown) {
     static const double foot_masses[] = {0.05, 1.0, 10.0};
     static const double pushes[] = {-2e-4, 2e-4, -2e-3};
     for (int i = 0; i < 9; ++i) {
-        run run = run_without_losses(foot_masses[i / 3]);
+        simulation run = run_without_losses(foot_masses[i / 3]);
         const double mass = run.model.total_mass;
         const cubic foot = fly_under_ramp(&run, 3.0, 0.0, 0.0, pushes[i % 3] * mass);
         const double touchdown = zero_between(&foot, 0.0, 40.0);
-        start(&run);
+        simulation_start(&run);
         assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_FLIGHT);
-        assert_int_equal(advance(&run, touchdown + 0.01), TDMF_ARRIVED);
+        assert_int_equal(simulation_advance(&run, touchdown + 0.01), TDMF_ARRIVED);
         assert_close(time_of(&run, TDMF_GUARD_TOUCHDOWN), touchdown, 1e-10);
     }
 }
@@ -138,7 +103,7 @@ TEST(a_push_that_ramps_along_a_leaning_leg_moves_touchdown) {
     static const double angles[] = {-0.6, 0.3, 1.2};
     static const double slopes[] = {-0.3, 0.0, 0.2};
     for (int i = 0; i < 18; ++i) {
-        run run = run_without_losses(0.5);
+        simulation run = run_without_losses(0.5);
         const tdmf_model *model = &run.model;
         const tdmf_parameters *p = &model->parameters;
         const double angle = angles[i % 3], slope = slopes[i / 3 % 3];
@@ -155,15 +120,15 @@ TEST(a_push_that_ramps_along_a_leaning_leg_moves_touchdown) {
         of[TDMF_FOOT_Y] = height - share * p->leg.free_length * cos(angle);
         of[TDMF_FOOT_VX] = share * stretch_rate * sin(angle);
         of[TDMF_FOOT_VY] = -share * stretch_rate * cos(angle);
-        start(&run);
+        simulation_start(&run);
         const double along_normal = cos(angle - slope);
         const cubic foot = {{height * cos(slope) - share * p->leg.free_length * along_normal,
                              -share * stretch_rate * along_normal, -0.5 * p->gravity * cos(slope),
                              jerk / 6.0 * along_normal}};
         const double touchdown = zero_between(&foot, 0.0, 45.0);
-        assert_int_equal(advance(&run, touchdown + 0.01), TDMF_ARRIVED);
+        assert_int_equal(simulation_advance(&run, touchdown + 0.01), TDMF_ARRIVED);
         assert_close(time_of(&run, TDMF_GUARD_TOUCHDOWN), touchdown, 1e-9);
-        assert_close(event_of(&run, TDMF_GUARD_TOUCHDOWN)->state[TDMF_LEG_ANGLE], angle, 1e-9);
+        assert_close(simulation_event(&run, TDMF_GUARD_TOUCHDOWN)->state[TDMF_LEG_ANGLE], angle, 1e-9);
     }
 }
 
@@ -171,17 +136,17 @@ TEST(a_push_that_ramps_along_a_leaning_leg_moves_touchdown) {
 TEST(a_ramped_push_lifts_the_foot_when_it_carries_the_weight) {
     static const double slopes[] = {-0.2, 0.0, 0.2};
     for (int i = 0; i < 3; ++i) {
-        run run = run_without_losses(0.3);
+        simulation run = run_without_losses(0.3);
         const tdmf_parameters *p = &run.model.parameters;
         const double push_rate = 2e-3;
         run.inputs.ground.slope = slopes[i];
         run.rates.body.external_fy = push_rate;
         run.motion.state[TDMF_LEG_LENGTH] = p->leg.free_length - p->body.mass * p->gravity / p->leg.stiffness;
         run.motion.state[TDMF_LEG_LENGTH_RATE] = push_rate / p->leg.stiffness;
-        start(&run);
+        simulation_start(&run);
         assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_STICK);
         const double lift_off = run.model.total_mass * p->gravity / push_rate;
-        assert_int_equal(advance(&run, lift_off + 0.01), TDMF_ARRIVED);
+        assert_int_equal(simulation_advance(&run, lift_off + 0.01), TDMF_ARRIVED);
         assert_close(time_of(&run, TDMF_GUARD_LIFT_OFF), lift_off, 1e-8);
         assert_true(time_of(&run, TDMF_GUARD_SLIP_ONSET_POSITIVE) > lift_off - 1e-6);
         assert_true(time_of(&run, TDMF_GUARD_SLIP_ONSET_NEGATIVE) > lift_off - 1e-6);
@@ -192,32 +157,32 @@ TEST(a_ramped_push_lifts_the_foot_when_it_carries_the_weight) {
 TEST(a_ramped_push_moves_the_apex) {
     static const double push_rates[] = {-3e-3, -3e-4, 3e-4};
     for (int i = 0; i < 3; ++i) {
-        run run = run_without_losses(0.5);
+        simulation run = run_without_losses(0.5);
         const cubic foot = fly_under_ramp(&run, 3.0, 0.1, 0.0, push_rates[i] * run.model.total_mass);
         cubic rise = rate_of(&foot);
         rise.c[0] = 0.1; /* of the centre of mass, which all else moves with */
         const double apex = zero_between(&rise, 0.0, 20.0);
-        start(&run);
+        simulation_start(&run);
         assert_true(run.motion.mode.rises);
-        assert_int_equal(advance(&run, apex + 0.01), TDMF_ARRIVED);
+        assert_int_equal(simulation_advance(&run, apex + 0.01), TDMF_ARRIVED);
         assert_close(time_of(&run, TDMF_GUARD_APEX), apex, 1e-10);
     }
 }
 
 /* A push that lifts and falls off: the runner falls, rises and falls again, and has an apex. */
 TEST(a_runner_that_is_lifted_in_its_fall_has_an_apex) {
-    run run = run_without_losses(0.5);
+    simulation run = run_without_losses(0.5);
     const double mass = run.model.total_mass, gravity = run.model.parameters.gravity;
     const cubic foot = fly_under_ramp(&run, 3.0, -0.01, 3.0 * gravity * mass, -1e-3 * mass);
     cubic rise = rate_of(&foot);
     rise.c[0] = -0.01;
     const double rises = zero_between(&rise, 0.0, 10.0);
     const double apex = zero_between(&rise, 10.0, 60.0);
-    start(&run);
-    assert_int_equal(advance(&run, 0.5 * rises), TDMF_ARRIVED);
+    simulation_start(&run);
+    assert_int_equal(simulation_advance(&run, 0.5 * rises), TDMF_ARRIVED);
     assert_false(run.motion.mode.rises);
     run.inputs = tdmf_inputs_after(&run.inputs, &run.rates, 0.5 * rises);
-    assert_int_equal(advance(&run, apex + 0.01), TDMF_ARRIVED);
+    assert_int_equal(simulation_advance(&run, apex + 0.01), TDMF_ARRIVED);
     assert_close(time_of(&run, TDMF_GUARD_APEX), apex, 1e-9);
 }
 
@@ -225,13 +190,13 @@ TEST(a_runner_that_is_lifted_in_its_fall_has_an_apex) {
 TEST(a_ramped_push_moves_the_ground_that_waits) {
     static const double push_rates[] = {-5e-4, 5e-4};
     for (int i = 0; i < 2; ++i) {
-        run run = run_without_losses(0.5);
+        simulation run = run_without_losses(0.5);
         cubic foot = fly_under_ramp(&run, 3.0, 0.15, 0.0, push_rates[i] * run.model.total_mass);
-        start(&run);
+        simulation_start(&run);
         run.inputs.ground.height = foot.c[0] + 0.5;
         foot.c[0] = -0.5;
         const double passed = zero_between(&foot, 0.0, 7.0);
-        assert_int_equal(advance(&run, passed + 0.01), TDMF_ARRIVED);
+        assert_int_equal(simulation_advance(&run, passed + 0.01), TDMF_ARRIVED);
         assert_close(time_of(&run, TDMF_GUARD_NEW_GROUND), passed, 1e-9);
     }
 }
@@ -242,13 +207,13 @@ TEST(a_ramped_push_moves_the_ground_that_waits) {
 TEST(a_light_body_below_its_foot_falls_when_it_is_down) {
     static const double foot_masses[] = {1.0, 10.0, 1000.0};
     for (int i = 0; i < 3; ++i) {
-        run run = run_without_losses(foot_masses[i]);
+        simulation run = run_without_losses(foot_masses[i]);
         const double height = 0.05;
         const double down = sqrt(2.0 * height / run.model.parameters.gravity);
         run.motion.state[TDMF_LEG_ANGLE] = acos(-1.0);
         run.motion.state[TDMF_FOOT_Y] = height + run.model.parameters.leg.free_length;
-        start(&run);
-        assert_int_equal(advance(&run, down + 0.5), TDMF_FELL);
+        simulation_start(&run);
+        assert_int_equal(simulation_advance(&run, down + 0.5), TDMF_FELL);
         assert_close(run.motion.time, down, 1e-9);
     }
 }
@@ -262,7 +227,7 @@ TEST(a_foot_slips_when_friction_has_fallen_to_the_slope) {
     static const double dips[] = {0.0, 0.1}; /* of a body at rest, and of one that bobs */
     int slipped = 0;
     for (int i = 0; i < 8; ++i) {
-        run run = run_without_losses(0.05);
+        simulation run = run_without_losses(0.05);
         tdmf_parameters parameters = run.model.parameters;
         const double slope = i & 1 ? 0.2 : -0.2, dip = dips[i >> 2];
         parameters.ground.static_friction_ratio = ratios[i >> 1 & 1];
@@ -275,9 +240,9 @@ TEST(a_foot_slips_when_friction_has_fallen_to_the_slope) {
         run.motion.state[TDMF_LEG_LENGTH] =
             parameters.leg.free_length -
             parameters.body.mass * parameters.gravity / parameters.leg.stiffness - dip;
-        start(&run);
+        simulation_start(&run);
         assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_STICK);
-        assert_int_equal(advance(&run, slip + 1e-3), TDMF_ARRIVED);
+        assert_int_equal(simulation_advance(&run, slip + 1e-3), TDMF_ARRIVED);
         assert_close(
             time_of(&run, slope > 0.0 ? TDMF_GUARD_SLIP_ONSET_NEGATIVE : TDMF_GUARD_SLIP_ONSET_POSITIVE),
             slip, 1e-9);
@@ -288,7 +253,7 @@ TEST(a_foot_slips_when_friction_has_fallen_to_the_slope) {
 
 /* ---- variations of a motion that is simpler than they are ---------------------------------------------- */
 
-static tdmf_variation varied_until(run *run, double until, int varied) {
+static tdmf_variation varied_until(simulation *run, double until, int varied) {
     static const tdmf_seed none = {0};
     tdmf_variation variation = {0};
     variation.state[varied] = 1.0;
@@ -304,13 +269,13 @@ static tdmf_variation varied_until(run *run, double until, int varied) {
 TEST(a_change_of_a_resting_leg_swings_in_flight) {
     static const double foot_masses[] = {0.01, 0.3, 3.0};
     for (int i = 0; i < 3; ++i) {
-        run run = run_without_losses(foot_masses[i]);
+        simulation run = run_without_losses(foot_masses[i]);
         const tdmf_model *model = &run.model;
         const double until = 60.0;
         const double pulsation = sqrt(model->parameters.leg.stiffness * model->inverse_reduced_mass);
         run.motion.state[TDMF_FOOT_Y] = 10.0;
         run.motion.state[TDMF_FOOT_VY] = 1.0;
-        start(&run);
+        simulation_start(&run);
         const tdmf_variation varied = varied_until(&run, until, TDMF_LEG_LENGTH);
         assert_close(varied.state[TDMF_LEG_LENGTH], cos(pulsation * until), 1e-8);
         assert_close(varied.state[TDMF_LEG_LENGTH_RATE], -pulsation * sin(pulsation * until),
@@ -325,7 +290,7 @@ TEST(a_change_of_a_resting_leg_swings_in_flight) {
 TEST(a_change_of_a_placed_leg_swings_in_flight) {
     static const double foot_masses[] = {0.01, 0.3};
     for (int i = 0; i < 2; ++i) {
-        run run = run_without_losses(foot_masses[i]);
+        simulation run = run_without_losses(foot_masses[i]);
         tdmf_parameters parameters = run.model.parameters;
         parameters.hip.kp = 1.0;
         parameters.hip.touchdown_angle = 0.5;
@@ -335,7 +300,7 @@ TEST(a_change_of_a_placed_leg_swings_in_flight) {
             sqrt(parameters.hip.kp * run.model.inverse_reduced_mass) / parameters.leg.free_length;
         run.motion.state[TDMF_FOOT_Y] = 10.0;
         run.motion.state[TDMF_LEG_ANGLE] = 0.5;
-        start(&run);
+        simulation_start(&run);
         assert_int_equal(run.motion.mode.phase, TDMF_PHASE_PLACE);
         const tdmf_variation varied = varied_until(&run, until, TDMF_LEG_ANGLE);
         assert_close(varied.state[TDMF_LEG_ANGLE], cos(pulsation * until), 1e-8);
@@ -347,11 +312,11 @@ TEST(a_change_of_a_placed_leg_swings_in_flight) {
 
 /* The same of a leg that stands, balanced: it would stand in one step. */
 TEST(a_change_of_a_standing_leg_swings) {
-    run run = run_without_losses(0.05);
+    simulation run = run_without_losses(0.05);
     const tdmf_parameters *p = &run.model.parameters;
     const double until = 60.0, pulsation = sqrt(p->leg.stiffness / p->body.mass);
     run.motion.state[TDMF_LEG_LENGTH] = p->leg.free_length - p->body.mass * p->gravity / p->leg.stiffness;
-    start(&run);
+    simulation_start(&run);
     assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_STICK);
     const tdmf_variation varied = varied_until(&run, until, TDMF_LEG_LENGTH);
     assert_close(varied.state[TDMF_LEG_LENGTH], cos(pulsation * until), 1e-8);

@@ -1,6 +1,7 @@
 /* Times of events: that of a guard's zero, in every solver, however weak gravity is. */
 #include "compare.h"
 #include "extended_strides.h"
+#include "simulation.h"
 #include "system_of.h"
 
 #include "tdmf_slip/cvode.h"
@@ -15,81 +16,57 @@ static const double tightest = 1e-13;
 
 /* ---- a stride, by whichever solver --------------------------------------------------------------------- */
 
-typedef struct {
-    tdmf_model model;
-    tdmf_inputs inputs;
-    tdmf_solver solver;
-    tdmf_motion motion;
-    tdmf_event_log log;
-} run;
-
-static void start(run *run, const tdmf_parameters *parameters, double friction, double tolerance,
+static void start(simulation *run, const tdmf_parameters *parameters, double friction, double tolerance,
                   const double apex[TDMF_SECTION_COUNT]) {
-    memset(run, 0, sizeof *run);
-    run->inputs = tdmf_default_inputs();
-    run->inputs.ground.friction = friction;
-    run->solver = tdmf_solver_default();
-    run->solver.relative_tolerance = tolerance;
-    assert_null(tdmf_model_create(&run->model, parameters).variable);
-    tdmf_section_state(SYSTEM_OF(run), apex, run->motion.state);
-    run->motion.time = 0.0;
-    assert_null(tdmf_start(SYSTEM_OF(run), &run->motion).variable);
+    tdmf_inputs inputs = tdmf_default_inputs();
+    inputs.ground.friction = friction;
+    *run = simulation_from(parameters, &inputs, apex, tolerance);
 }
 
-static void stride(run *run) {
-    run->log.count = 0;
-    run->solver.log = &run->log;
-    assert_true(tdmf_native_stride(&run->solver, SYSTEM_OF(run), 1e4, &run->motion).closed);
-    run->solver.log = NULL;
-}
-
-static void start_on_gait(run *run, const proved_gait *gait, double tolerance) {
+static void start_on_gait(simulation *run, const proved_gait *gait, double tolerance) {
     tdmf_parameters parameters = tdmf_default_parameters();
     parameters.hip.swing_clamp = true; /* as it was proved */
     start(run, &parameters, gait->friction, tolerance, gait->apex);
 }
 
-static void assert_relative(double actual, double expected, double tolerance) {
-    assert_close(actual, expected, tolerance * fabs(expected));
-}
-
-static void assert_event_times(const run *run, const proved_event *events, int count, double tolerance) {
+static void assert_event_times(const simulation *run, const proved_event *events, int count,
+                               double tolerance) {
     assert_int_equal(run->log.count, count);
     for (int i = 0; i < count; ++i) {
         assert_int_equal(run->log.events[i].guard, events[i].guard);
-        assert_relative(run->log.events[i].time, events[i].time, tolerance);
+        assert_relatively_close(run->log.events[i].time, events[i].time, tolerance);
     }
 }
 
 /* ---- against proved values ----------------------------------------------------------------------------- */
 
 TEST(events_of_the_published_gaits_have_the_proved_times) {
-    run run;
+    simulation run;
     for (int i = 0; i < PROVED_GAITS; ++i) {
         const proved_gait *gait = &proved_gaits[i];
         start_on_gait(&run, gait, tightest);
-        stride(&run);
+        simulation_stride(&run);
         assert_event_times(&run, gait->events, gait->event_count, 3e-15);
-        assert_relative(run.motion.record.stride.period, gait->period, 3e-15);
-        assert_relative(run.motion.record.stride.length, gait->length, 1e-14);
-        assert_relative(run.motion.record.apex.com_height, gait->apex[0], 1e-14);
+        assert_relatively_close(run.motion.record.stride.period, gait->period, 3e-15);
+        assert_relatively_close(run.motion.record.stride.length, gait->length, 1e-14);
+        assert_relatively_close(run.motion.record.apex.com_height, gait->apex[0], 1e-14);
     }
 }
 
 /* A tolerance bounds what steps err by; events add nothing to that. */
 TEST(events_add_nothing_to_the_error_of_any_tolerance) {
-    run run;
+    simulation run;
     for (double tolerance = 1e-12; tolerance < 1e-7; tolerance *= 10.0) {
         for (int i = 0; i < PROVED_GAITS; ++i) {
             start_on_gait(&run, &proved_gaits[i], tolerance);
-            stride(&run);
-            assert_relative(run.motion.record.stride.period, proved_gaits[i].period, 0.1 * tolerance);
+            simulation_stride(&run);
+            assert_relatively_close(run.motion.record.stride.period, proved_gaits[i].period, 0.1 * tolerance);
         }
     }
 }
 
 TEST(a_search_finds_the_proved_gaits) {
-    run run;
+    simulation run;
     for (int i = 0; i < PROVED_GAITS; ++i) {
         const proved_gait *gait = &proved_gaits[i];
         double guess[TDMF_SECTION_COUNT];
@@ -98,22 +75,22 @@ TEST(a_search_finds_the_proved_gaits) {
         start_on_gait(&run, gait, 1e-12);
         const tdmf_orbit orbit = tdmf_find_orbit(&run.solver, SYSTEM_OF(&run), guess, NULL, 0);
         assert_int_equal(orbit.outcome, TDMF_ORBIT_FOUND);
-        assert_relative(orbit.stride.stride.period, gait->period, 1e-13);
-        assert_relative(orbit.apex[0], gait->apex[0], 1e-13);
+        assert_relatively_close(orbit.stride.stride.period, gait->period, 1e-13);
+        assert_relatively_close(orbit.apex[0], gait->apex[0], 1e-13);
     }
 }
 
 TEST(the_clock_of_a_run_goes_with_its_gait) {
     enum { STRIDES = 100 };
-    run run;
+    simulation run;
     start_on_gait(&run, &proved_gaits[2], 1e-12);
     for (int i = 0; i < STRIDES; ++i) {
-        stride(&run);
+        simulation_stride(&run);
     }
-    assert_relative(run.motion.time, STRIDES * proved_gaits[2].period, 3e-14);
+    assert_relatively_close(run.motion.time, STRIDES * proved_gaits[2].period, 3e-14);
 }
 
-static void stride_in_lanes(const run *run, const double (*apex)[TDMF_SECTION_COUNT],
+static void stride_in_lanes(const simulation *run, const double (*apex)[TDMF_SECTION_COUNT],
                             tdmf_instructions instructions, tdmf_ensemble_end *end) {
     const tdmf_ensemble_case its_case = {
         .model = &run->model, .inputs = run->inputs, .rules = {.max_strides = 1}};
@@ -131,14 +108,14 @@ TEST(lanes_have_the_proved_periods) {
     int sets = 0;
     for (int i = 0; i < PROVED_GAITS; ++i) {
         const proved_gait *gait = &proved_gaits[i];
-        run run;
+        simulation run;
         start_on_gait(&run, gait, tightest);
         for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
             tdmf_ensemble_end end;
             if (tdmf_has_instructions((tdmf_instructions)set)) {
                 stride_in_lanes(&run, &gait->apex, (tdmf_instructions)set, &end);
-                assert_relative(end.time, gait->period, 5e-15);
-                assert_relative(end.distance, gait->length, 1e-14);
+                assert_relatively_close(end.time, gait->period, 5e-15);
+                assert_relatively_close(end.distance, gait->length, 1e-14);
                 ++sets;
             }
         }
@@ -150,13 +127,13 @@ TEST(lanes_have_the_proved_periods) {
  */
 
 /* The clamp's kink is no event: its argument settles at zero, where rounding decides. */
-static int assert_events_but_clamps(const run *run, const proved_event *events, double tolerance) {
+static int assert_events_but_clamps(const simulation *run, const proved_event *events, double tolerance) {
     int count = 0;
     for (int i = 0; i < run->log.count; ++i) {
         const tdmf_event *event = &run->log.events[i];
         if (event->guard != TDMF_GUARD_CLAMP) {
             assert_int_equal(event->guard, events[count].guard);
-            assert_relative(event->time, events[count].time, tolerance);
+            assert_relatively_close(event->time, events[count].time, tolerance);
             ++count;
         }
     }
@@ -174,13 +151,12 @@ TEST(strides_under_any_gravity_have_the_events_of_extended_precision) {
     for (int i = 0; i < EXTENDED_STRIDES; ++i) {
         const extended_stride *expected = &extended_strides[i];
         const tdmf_parameters parameters = parameters_of_stride(expected);
-        run run;
+        simulation run;
         start(&run, &parameters, expected->friction, tightest, expected->start);
-        stride(&run);
+        simulation_stride(&run);
         compared += assert_events_but_clamps(&run, expected->events, 1e-12);
-        const tdmf_apex *at = &run.motion.record.apex;
-        const double apex[TDMF_SECTION_COUNT] = {at->com_height, at->com_speed,       at->leg_length,
-                                                 at->leg_angle,  at->leg_length_rate, at->leg_angle_rate};
+        double apex[TDMF_SECTION_COUNT];
+        read_apex(&run.motion.record, apex);
         assert_apex(apex, expected);
         total += expected->event_count;
     }
@@ -193,13 +169,13 @@ TEST(lanes_take_the_strides_of_extended_precision) {
     for (int i = 0; i < EXTENDED_STRIDES; ++i) {
         const extended_stride *expected = &extended_strides[i];
         const tdmf_parameters parameters = parameters_of_stride(expected);
-        run run;
+        simulation run;
         start(&run, &parameters, expected->friction, tightest, expected->start);
         for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
             tdmf_ensemble_end end;
             if (tdmf_has_instructions((tdmf_instructions)set)) {
                 stride_in_lanes(&run, &expected->start, (tdmf_instructions)set, &end);
-                assert_relative(end.time, expected->events[expected->event_count - 1].time, 1e-12);
+                assert_relatively_close(end.time, expected->events[expected->event_count - 1].time, 1e-12);
                 assert_apex(end.apex, expected);
                 ++compared;
             }
@@ -213,25 +189,21 @@ TEST(lanes_take_the_strides_of_extended_precision) {
 TEST(a_stride_under_the_weakest_gravity_is_that_of_the_other_solver) {
     static const double apex[TDMF_SECTION_COUNT] = {1.3, 0.1, 1.0, 1.0, 0.0, 0.0};
     tdmf_parameters parameters = tdmf_default_parameters();
-    run native, other;
+    simulation native, other;
     if (!tdmf_cvode_is_available()) {
         skip();
     }
     parameters.gravity = 1e-4;
     parameters.hip.swing_clamp = true;
     start(&native, &parameters, 0.6, tightest, apex);
-    stride(&native);
+    simulation_stride(&native);
     start(&other, &parameters, 0.6, tightest, apex);
-    assert_int_equal(tdmf_cvode_advance(&other.solver, SYSTEM_OF(&other), NULL,
-                                        native.motion.record.stride.period + 1.0, &other.motion),
-                     TDMF_ARRIVED);
+    assert_int_equal(
+        simulation_advance_by(tdmf_cvode_advance, &other, native.motion.record.stride.period + 1.0),
+        TDMF_ARRIVED);
     assert_int_equal(other.motion.record.stride.count, 1);
-    assert_relative(native.motion.record.stride.period, other.motion.record.stride.period, 1e-9);
-    assert_relative(native.motion.record.apex.com_height, other.motion.record.apex.com_height, 1e-9);
-}
-
-static double rise_rate(const run *run, const tdmf_event *event) {
-    return tdmf_center_of_mass(&run->model, event->state).vy;
+    assert_relatively_close(native.motion.record.stride.period, other.motion.record.stride.period, 1e-9);
+    assert_relatively_close(native.motion.record.apex.com_height, other.motion.record.apex.com_height, 1e-9);
 }
 
 /* Its own steps err by more than any margin makes. Where it finds the apex its root search tells. */
@@ -241,15 +213,12 @@ TEST(cvode_finds_the_apex_where_the_center_of_mass_stops_rising) {
     }
     for (int i = 0; i < PROVED_GAITS; ++i) {
         const proved_gait *gait = &proved_gaits[i];
-        run run;
+        simulation run;
         start_on_gait(&run, gait, 1e-14);
-        run.solver.log = &run.log;
-        assert_int_equal(
-            tdmf_cvode_advance(&run.solver, SYSTEM_OF(&run), NULL, gait->period + 1.0, &run.motion),
-            TDMF_ARRIVED);
+        assert_int_equal(simulation_advance_by(tdmf_cvode_advance, &run, gait->period + 1.0), TDMF_ARRIVED);
         const tdmf_event *apex = &run.log.events[run.log.count - 1];
         assert_int_equal(apex->guard, TDMF_GUARD_APEX);
-        assert_close(rise_rate(&run, apex), 0.0, TDMF_GUARD_MARGIN + 2e-14);
-        assert_relative(run.motion.record.stride.period, gait->period, 1e-10);
+        assert_close(tdmf_center_of_mass(&run.model, apex->state).vy, 0.0, TDMF_GUARD_MARGIN + 2e-14);
+        assert_relatively_close(run.motion.record.stride.period, gait->period, 1e-10);
     }
 }

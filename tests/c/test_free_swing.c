@@ -13,31 +13,9 @@
 #include <math.h>
 #include <string.h>
 
-/* A runner, and its solver and log. */
-typedef struct {
-    tdmf_model model;
-    tdmf_inputs inputs;
-    tdmf_motion motion;
-    tdmf_solver solver;
-    tdmf_event_log log;
-} run;
-
-static void begin(run *run, const tdmf_model *model, double friction, const double *section) {
-    memset(run, 0, sizeof *run);
-    run->model = *model;
-    run->inputs = inputs_at_friction(friction);
-    tdmf_section_state(SYSTEM_OF(run), section, run->motion.state);
-    assert_null(tdmf_start(SYSTEM_OF(run), &run->motion).variable);
-    run->solver = tdmf_solver_default();
-    run->solver.relative_tolerance = 1e-13;
-}
-
-static void stride(run *run) {
-    run->log.count = 0;
-    run->solver.log = &run->log;
-    assert_true(tdmf_native_stride(&run->solver, SYSTEM_OF(run), DBL_MAX, &run->motion).closed);
-    assert_true(run->log.count <= TDMF_EVENT_CAPACITY);
-    run->solver.log = NULL;
+static void begin(simulation *run, const tdmf_model *model, double friction, const double *section) {
+    const tdmf_inputs inputs = inputs_at_friction(friction);
+    *run = simulation_from(&model->parameters, &inputs, section, 1e-13);
 }
 
 static void assert_section(const double actual[TDMF_SECTION_COUNT], const double expected[TDMF_SECTION_COUNT],
@@ -54,12 +32,12 @@ TEST(the_leg_converges_to_the_angle_aimed_at) {
     for (int i = 0; i < REFERENCE_GAITS; ++i) {
         const reference_gait *gait = &reference_gaits[i];
         const tdmf_model model = table_1(false);
-        run run;
+        simulation run;
         if (gait->swing_clamp) {
             continue;
         }
         begin(&run, &model, gait->friction, (const double *)&gait->apex);
-        stride(&run);
+        simulation_stride(&run);
         assert_close(run.motion.record.apex.leg_angle, 1.2 * run.motion.mode.liftoff_angle, 1e-2);
     }
 }
@@ -97,13 +75,13 @@ typedef struct {
 static void add(mixture *all, int i, tdmf_model model, double friction,
                 const double start[TDMF_SECTION_COUNT]) {
     const tdmf_ensemble_case its_case = {&all->models[i], inputs_at_friction(friction), {.max_strides = 1}};
-    run run;
+    simulation run;
     all->models[i] = model;
     all->cases[i] = its_case;
     all->case_of[i] = i;
     memcpy(all->starts[i], start, sizeof all->starts[i]);
     begin(&run, &model, friction, start);
-    stride(&run);
+    simulation_stride(&run);
     tdmf_section_of_state(&model, &run.motion.mode.ground, run.motion.state, all->apices[i]);
     all->periods[i] = run.motion.record.stride.period;
     all->lengths[i] = run.motion.record.stride.length;
@@ -214,10 +192,10 @@ TEST(random_strides_are_those_of_the_reference) {
     for (int i = 0; i < FREE_STRIDES; ++i) {
         const free_stride *expected = &free_strides[i];
         const tdmf_model model = model_of_free_stride(expected, false);
-        run run;
+        simulation run;
         double end[TDMF_SECTION_COUNT];
         begin(&run, &model, expected->friction, expected->start);
-        stride(&run);
+        simulation_stride(&run);
         const tdmf_stride *stride = &run.motion.record.stride;
         tdmf_section_of_state(&model, &run.motion.mode.ground, run.motion.state, end);
         assert_string_equal(stride->word, expected->word);
@@ -239,7 +217,7 @@ TEST(the_clamp_is_never_an_event) {
     for (int i = 0; i < FREE_STRIDES; ++i) {
         const free_stride *random = &free_strides[i];
         const tdmf_model model = model_of_free_stride(random, false);
-        run run;
+        simulation run;
         begin(&run, &model, random->friction, random->start);
         while (run.motion.record.stride.count == 0) {
             double guards[TDMF_GUARD_COUNT];
@@ -262,7 +240,7 @@ TEST(without_gains_both_laws_are_one) {
         double states[2][TDMF_STATE_COUNT];
         for (int clamp = 0; clamp < 2; ++clamp) {
             tdmf_parameters parameters = table_1(clamp == 1).parameters;
-            run run;
+            simulation run;
             parameters.hip.kp = parameters.hip.kd = 0.0;
             const tdmf_model model = accepted_model(&parameters);
             begin(&run, &model, reference_gaits[i].friction, (const double *)&reference_gaits[i].apex);
@@ -290,7 +268,7 @@ TEST(a_resting_foot_is_held_by_a_servo_that_pulls) {
     random_source source = {1213};
     for (int i = 0; i < 20000; ++i) {
         const bool clamp = i % 2 == 1;
-        run run = {.model = table_1(clamp), .inputs = inputs_at_friction(0.6)};
+        simulation run = {.model = table_1(clamp), .inputs = inputs_at_friction(0.6)};
         double *at = run.motion.state;
         run.model.parameters.hip.kd = 0.5;
         at[TDMF_LEG_LENGTH] = random_uniform(&source, 0.9, 1.3);
@@ -385,15 +363,15 @@ TEST(the_reduced_map_does_not_depend_on_the_law) {
 TEST(from_an_apex_on_the_law_may_be_the_other) {
     for (int clamp = 0; clamp < 2; ++clamp) {
         const tdmf_model first = table_1(clamp == 0), second = table_1(clamp == 1);
-        run goes_on, begins;
+        simulation goes_on, begins;
         double apex[TDMF_SECTION_COUNT], ends[2][TDMF_SECTION_COUNT];
         begin(&goes_on, &first, 0.6, (const double *)&reference_gaits[1].apex);
-        stride(&goes_on);
+        simulation_stride(&goes_on);
         tdmf_section_of_state(&first, &goes_on.motion.mode.ground, goes_on.motion.state, apex);
         begin(&begins, &second, 0.6, apex);
-        stride(&begins);
+        simulation_stride(&begins);
         goes_on.model = second;
-        stride(&goes_on);
+        simulation_stride(&goes_on);
         tdmf_section_of_state(&first, &goes_on.motion.mode.ground, goes_on.motion.state, ends[0]);
         tdmf_section_of_state(&second, &begins.motion.mode.ground, begins.motion.state, ends[1]);
         assert_section(ends[0], ends[1], 1e-12);
@@ -404,7 +382,7 @@ TEST(from_an_apex_on_the_law_may_be_the_other) {
  * closed clamp opens where there is none, and closes where the servo pulls. */
 TEST(in_flight_the_clamp_is_what_the_model_says) {
     const tdmf_model with = table_1(true), without = table_1(false);
-    run run;
+    simulation run;
     begin(&run, &with, 0.6, (const double *)&reference_gaits[CLAMPED_GAIT].apex);
     assert_int_equal(tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, 20.0, &run.motion),
                      TDMF_ARRIVED);
