@@ -1,10 +1,9 @@
 /* Thrust of the leg, changes of its rest length and pushes on the body: their rules, and their place in the
- * energy ledger, by the native solver, CVODE and lanes. */
+ * energy ledger, by the native solver and CVODE. */
 #include "compare.h"
 #include "scene.h"
 #include "simulation.h"
 #include "tdmf_slip/cvode.h"
-#include "tdmf_slip/ensemble.h"
 
 #include <math.h>
 #include <string.h>
@@ -306,65 +305,4 @@ TEST(stops_make_no_difference) {
     }
     assert_int_equal(stepped.motion.record.event_count, whole.motion.record.event_count);
     assert_int_equal(events.motion.record.event_count, whole.motion.record.event_count);
-}
-
-/* ---- lanes --------------------------------------------------------------------------------------------- */
-
-enum { RUNNERS = 40 };
-
-static void assert_ends_agree(const tdmf_ensemble_end *a, const tdmf_ensemble_end *b) {
-    assert_int_equal(a->fate, b->fate);
-    assert_int_equal(a->strides, b->strides);
-    assert_int_equal(a->word_code, b->word_code);
-    for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
-        assert_close(a->apex[k], b->apex[k], 1e-7);
-    }
-    assert_close(a->time, b->time, 1e-6);
-    assert_close(a->hip_work, b->hip_work, 1e-7);
-    assert_close(a->leg_work, b->leg_work, 1e-7);
-    assert_close(a->external_work, b->external_work, 1e-7);
-    assert_close(a->work, a->hip_work + a->leg_work, 0.0);
-}
-
-TEST(lanes_follow_the_native_solver) {
-    static tdmf_model models[RUNNERS];
-    tdmf_ensemble_case cases[RUNNERS];
-    int case_of[RUNNERS], sets = 0, closed = 0;
-    double starts[RUNNERS][TDMF_SECTION_COUNT];
-    tdmf_ensemble_end one_by_one[RUNNERS], ends[RUNNERS];
-    random_source source = {31};
-    for (int i = 0; i < RUNNERS; ++i) {
-        simulation run = begin(0.0, 1e-11);
-        double section[TDMF_SECTION_COUNT];
-        read_apex(&run.motion.record, section);
-        jump(&source, &run, 0.05);
-        run.inputs.ground.height = 0.0;
-        run.inputs.ground.slope *= 0.2;
-        run.inputs.body.external_fy *= 0.2;
-        run.inputs.body.external_fx *= i % 3 == 0 ? 0.0 : 0.1;
-        models[i] = run.model;
-        cases[i] =
-            (tdmf_ensemble_case){.model = &models[i], .inputs = run.inputs, .rules = {.max_strides = 2}};
-        case_of[i] = i;
-        memcpy(starts[i], section, sizeof section);
-    }
-    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        const tdmf_ensemble ensemble = {.cases = cases,
-                                        .case_count = RUNNERS,
-                                        .case_of = case_of,
-                                        .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
-                                        .count = RUNNERS,
-                                        .relative_tolerance = 1e-11,
-                                        .instructions = (tdmf_instructions)set,
-                                        .threads = 1};
-        if (tdmf_has_instructions((tdmf_instructions)set)) {
-            assert_true(tdmf_run_ensemble(&ensemble, set == TDMF_ONE_BY_ONE ? one_by_one : ends, NULL));
-            for (int i = 0; i < RUNNERS && set != TDMF_ONE_BY_ONE; ++i) {
-                assert_ends_agree(&ends[i], &one_by_one[i]);
-                closed += ends[i].strides;
-            }
-            ++sets;
-        }
-    }
-    assert_true(sets >= 2 && closed > RUNNERS / 2);
 }

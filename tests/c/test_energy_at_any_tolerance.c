@@ -5,7 +5,6 @@
 #include "sample.h"
 #include "scene.h"
 #include "simulation.h"
-#include "tdmf_slip/ensemble.h"
 
 #include <math.h>
 #include <string.h>
@@ -152,61 +151,4 @@ TEST(of_servos_that_turn_a_leg_by_next_to_nothing) {
         assert_true(work > 1e-11 * p.hip.kp);
         assert_close(change, work - loss, 1e-12 * work + 1e-14 * before);
     }
-}
-
-/* Strides of an ensemble, from apices at which the leg is about to vanish. */
-TEST(of_strides_in_every_kind_of_lane) {
-    enum { RUNNERS = sample_of(2000) };
-    static tdmf_model models[RUNNERS];
-    static tdmf_ensemble_case cases[RUNNERS];
-    static tdmf_ensemble_end ends[RUNNERS];
-    static double starts[RUNNERS][TDMF_SECTION_COUNT];
-    static int case_of[RUNNERS];
-    const double tolerance = 1e-3;
-    random_source source = {22};
-    int sets = 0;
-    for (int i = 0; i < RUNNERS; ++i) {
-        const runner runner = leg_about_to_vanish(&source);
-        const tdmf_point com = tdmf_center_of_mass(&runner.model, runner.motion.state);
-        const double section[TDMF_SECTION_COUNT] = {com.y - 90.0 + runner.motion.state[TDMF_LEG_LENGTH],
-                                                    com.vx,
-                                                    runner.motion.state[TDMF_LEG_LENGTH],
-                                                    runner.motion.state[TDMF_LEG_ANGLE],
-                                                    runner.motion.state[TDMF_LEG_LENGTH_RATE],
-                                                    runner.motion.state[TDMF_LEG_ANGLE_RATE]};
-        const tdmf_ensemble_case its_case = {&models[i], runner.inputs, {.max_strides = 1}};
-        models[i] = runner.model;
-        cases[i] = its_case;
-        case_of[i] = i;
-        memcpy(starts[i], section, sizeof section);
-    }
-    tdmf_ensemble ensemble = {.cases = cases,
-                              .case_count = RUNNERS,
-                              .case_of = case_of,
-                              .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
-                              .count = RUNNERS,
-                              .relative_tolerance = tolerance,
-                              .threads = 1};
-    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        ensemble.instructions = (tdmf_instructions)set;
-        if (!tdmf_has_instructions(ensemble.instructions)) {
-            continue;
-        }
-        ++sets;
-        assert_true(tdmf_run_ensemble(&ensemble, ends, NULL));
-        int closed = 0;
-        for (int i = 0; i < RUNNERS; ++i) {
-            double first[TDMF_STATE_COUNT], last[TDMF_STATE_COUNT];
-            tdmf_section_state((tdmf_system){&models[i], &cases[i].inputs}, starts[i], first);
-            tdmf_section_state((tdmf_system){&models[i], &cases[i].inputs}, ends[i].apex, last);
-            const double largest = fmax(energy_in(&models[i], first), energy_in(&models[i], last));
-            const double change = energy_of(&models[i], last).total - energy_of(&models[i], first).total;
-            const double booked =
-                ends[i].work - ends[i].damper_loss - ends[i].friction_loss - ends[i].impact_loss;
-            assert_close(change / largest, booked / largest, allowed(tolerance));
-            closed += ends[i].strides > 0;
-        }
-        assert_true(closed > RUNNERS / 50);
-    }
-    assert_true(sets >= 1);
 }

@@ -1,11 +1,15 @@
 /* The ensemble engine: a runner's end is the same, bit for bit, by every instruction set, whoever its
- * neighbours are and however many threads there are. */
+ * neighbours are and however many threads there are; and it is the native solver's end. */
 #include "compare.h"
+#include "crowd.h"
+#include "extended_strides.h"
+#include "free_swing.h"
+#include "further_gaits.h"
+#include "patch_runs.h"
 #include "reference_gaits.h"
 #include "sample.h"
 #include "scene.h"
 #include "simulation.h"
-#include "tdmf_slip/ensemble.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,48 +19,36 @@ enum { RUNNERS = sample_of(1500) };
 
 static const double tight = 1e-11;
 
-/* Models, inputs and starts, each runner with a case of its own. */
-typedef struct {
-    tdmf_model models[RUNNERS];
-    tdmf_ensemble_case cases[RUNNERS];
-    int case_of[RUNNERS];
-    double starts[RUNNERS][TDMF_SECTION_COUNT];
-    tdmf_ensemble ensemble;
-} population;
+/* ---- crowds -------------------------------------------------------------------------------------------- */
 
 static void scale_randomly(random_source *source, double *value, double max_factor) {
     *value *= random_magnitude(source, 1.0 / max_factor, max_factor);
 }
 
-static void vary_case(random_source *source, tdmf_model *model, tdmf_ensemble_case *its_case) {
+/* Starts lie around a gait's apex, some of them below the ground. */
+static void place_near_the_gait(random_source *source, crowd *crowd, int i) {
     tdmf_parameters p = tdmf_default_parameters();
+    tdmf_inputs inputs = tdmf_default_inputs();
+    double start[TDMF_SECTION_COUNT];
     double *const varied[] = {&p.body.mass,         &p.foot.mass, &p.leg.damping, &p.gravity,
                               &p.hip.stance_torque, &p.hip.kp,    &p.hip.kd,      &p.hip.touchdown_angle};
-    for (size_t i = 0; i < sizeof varied / sizeof varied[0]; ++i) {
-        scale_randomly(source, varied[i], 1.2);
+    for (size_t k = 0; k < sizeof varied / sizeof varied[0]; ++k) {
+        scale_randomly(source, varied[k], 1.2);
     }
     p.hip.retraction_rate = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.02, 0.02);
     p.ground.static_friction_ratio = random_chance(source, 0.5) ? 1.0 : random_uniform(source, 1.0, 1.5);
     p.hip.swing_clamp = random_truth(*source);
-    assert_null(tdmf_model_create(model, &p).variable);
-    its_case->inputs.ground.friction = random_magnitude(source, 0.02, 10.0);
-    its_case->inputs.hip.external_torque =
-        random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.01, 0.01);
-}
-
-/* Starts lie around a gait's apex, some of them below the ground. */
-static void start_near_the_gait(random_source *source, tdmf_model *model, tdmf_ensemble_case *its_case,
-                                double start[TDMF_SECTION_COUNT]) {
-    vary_case(source, model, its_case);
-    memcpy(start, &reference_gaits[DEFAULT_GAIT].apex, TDMF_SECTION_COUNT * sizeof *start);
-    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
-        start[i] += random_uniform(source, -0.4, 0.4) * (i == TDMF_SECTION_LEG_LENGTH ? 0.1 : 1.0);
+    inputs.ground.friction = random_magnitude(source, 0.02, 10.0);
+    inputs.hip.external_torque = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.01, 0.01);
+    memcpy(start, &reference_gaits[DEFAULT_GAIT].apex, sizeof start);
+    for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
+        start[k] += random_uniform(source, -0.4, 0.4) * (k == TDMF_SECTION_LEG_LENGTH ? 0.1 : 1.0);
     }
+    place_runner(crowd, i, &p, &inputs, start);
 }
 
 /* Anything: most of these fall, by every way there is. */
-static void start_anywhere(random_source *source, tdmf_model *model, tdmf_ensemble_case *its_case,
-                           double start[TDMF_SECTION_COUNT]) {
+static void place_anywhere(random_source *source, crowd *crowd, int i) {
     const runner anybody = scene_random(source, TDMF_CONTACT_FLIGHT);
     const tdmf_point com = tdmf_center_of_mass(&anybody.model, anybody.motion.state);
     const double section[TDMF_SECTION_COUNT] = {com.y,
@@ -65,145 +57,245 @@ static void start_anywhere(random_source *source, tdmf_model *model, tdmf_ensemb
                                                 2.0 * anybody.motion.state[TDMF_LEG_ANGLE],
                                                 anybody.motion.state[TDMF_LEG_LENGTH_RATE],
                                                 anybody.motion.state[TDMF_LEG_ANGLE_RATE]};
-    *model = anybody.model;
-    its_case->inputs = anybody.inputs;
-    memcpy(start, section, sizeof section);
+    place_runner(crowd, i, &anybody.model.parameters, &anybody.inputs, section);
 }
 
-typedef void put_runner(random_source *, tdmf_model *, tdmf_ensemble_case *, double[TDMF_SECTION_COUNT]);
+typedef void put_runner(random_source *source, crowd *crowd, int i);
 
 /* Runners that graze while they retract, past the clamp's kink or past an apex: one in thousands does. */
-static const uint64_t seldom[] = {20264029, 20264524, 20265831, 20264639, 20266581, 20267947};
+static const uint64_t rare[] = {20264029, 20264524, 20265831, 20264639, 20266581, 20267947};
+enum { RARE = sizeof rare / sizeof rare[0] };
 
-static uint64_t seed_of(int runner) {
-    const size_t number = (size_t)runner;
-    return number < sizeof seldom / sizeof seldom[0] ? seldom[number] : 20261121 + number;
-}
-
-static population *make_population(put_runner *put, int max_strides) {
-    population *population = calloc(1, sizeof *population);
-    assert_non_null(population);
+static crowd *random_crowd(put_runner *put, int max_strides) {
+    crowd *crowd = make_crowd(RUNNERS, max_strides, tight);
     for (int i = 0; i < RUNNERS; ++i) {
-        random_source source = {seed_of(i)};
-        population->case_of[i] = RUNNERS - 1 - i;
-        tdmf_ensemble_case *its_case = &population->cases[population->case_of[i]];
-        tdmf_model *model = &population->models[i];
-        put(&source, model, its_case, population->starts[i]);
-        its_case->model = model;
-        its_case->rules.max_strides = max_strides;
+        random_source source = {i < RARE ? rare[i] : 20261121 + (uint64_t)i};
+        put(&source, crowd, i);
     }
-    population->ensemble.cases = population->cases;
-    population->ensemble.case_count = RUNNERS;
-    population->ensemble.case_of = population->case_of;
-    population->ensemble.starts = (const double(*)[TDMF_SECTION_COUNT])population->starts;
-    population->ensemble.count = RUNNERS;
-    population->ensemble.relative_tolerance = tight;
-    population->ensemble.threads = 1;
-    return population;
+    return crowd;
 }
 
-static tdmf_ensemble_end *run(const tdmf_ensemble *ensemble, tdmf_ensemble_work *work) {
-    tdmf_ensemble_end *ends = calloc((size_t)ensemble->count, sizeof *ends);
-    assert_non_null(ends);
-    assert_true(tdmf_run_ensemble(ensemble, ends, work));
-    return ends;
+/* ---- runners of every kind ----------------------------------------------------------------------------- */
+
+enum { OTHERS = 40, KINDS_OF_OTHERS = 5 };
+enum {
+    SPECIAL = 1 + FURTHER_GAITS + REFERENCE_GAITS + 2 * FREE_STRIDES + EXTENDED_STRIDES + PATCH_RUNS +
+              KINDS_OF_OTHERS * OTHERS
+};
+
+/* Pushed, extended and thrusting runners on slopes; legs that have wound, that whirl, that pass upright in
+ * graze under the widest cone; and runners that are too stiff for the solver. */
+static void place_other(random_source *source, crowd *crowd, int number, int kind) {
+    static const double frictions[] = {1e3, 3e3, 1e4, 1e5, 3e5, 1e6};
+    tdmf_parameters p = tdmf_default_parameters();
+    tdmf_inputs inputs = tdmf_default_inputs();
+    double at[TDMF_SECTION_COUNT];
+    memcpy(at, &reference_gaits[DEFAULT_GAIT].apex, sizeof at);
+    switch (kind) {
+    case 0:
+        p.leg.thrust = random_uniform(source, 0.0, 0.05);
+        inputs.leg.extension = random_uniform(source, -0.02, 0.02);
+        inputs.control.stance_torque = random_uniform(source, -0.1, 0.1);
+        inputs.body.external_fx = random_uniform(source, -1e-3, 1e-3);
+        inputs.body.external_fy = random_uniform(source, -5e-3, 5e-3);
+        inputs.ground.slope = random_uniform(source, -0.1, 0.05);
+        break;
+    case 1:
+        p.hip.kp = p.hip.kd = 1e-6;
+        at[TDMF_SECTION_LEG_ANGLE] = floor(random_uniform(source, -158.0, 158.0)) * 6.283185307179586;
+        at[TDMF_SECTION_LEG_ANGLE] += random_uniform(source, -0.75, 0.75);
+        at[TDMF_SECTION_LEG_ANGLE_RATE] = random_uniform(source, -100.0, 100.0);
+        break;
+    case 2:
+        at[TDMF_SECTION_COM_HEIGHT] = random_uniform(source, 150.0, 300.0);
+        at[TDMF_SECTION_LEG_LENGTH] = random_uniform(source, 30.0, 100.0);
+        at[TDMF_SECTION_LEG_ANGLE_RATE] = random_uniform(source, -3.4, 3.4);
+        break;
+    case 3:
+        inputs.ground.friction = frictions[number % 6];
+        at[TDMF_SECTION_COM_HEIGHT] += 0.001 * number;
+        break;
+    default:
+        p.hip.kd = number % 2 ? 2.5e13 : p.hip.kd;
+        p.foot.mass = number % 2 ? p.foot.mass : 1e-12;
+    }
+    place_runner(crowd, number, &p, &inputs, at);
+}
+
+/* A runner with a light foot that is pushed over a slope and passes upright in graze. */
+static void place_one_that_passes_upright(crowd *crowd, int number) {
+    static const double apex[TDMF_SECTION_COUNT] = {1.3, 0.1, 1.0, -0.29, 0.0, 0.0};
+    tdmf_parameters p = tdmf_default_parameters();
+    tdmf_inputs inputs = tdmf_default_inputs();
+    p.gravity = 0.0046;
+    p.ground.static_friction_ratio = 1.6;
+    p.foot.mass = 0.02;
+    p.leg.damping = 0.16;
+    p.leg.thrust = 0.2;
+    p.hip.stance_torque = 0.25;
+    p.hip.touchdown_angle = 0.9;
+    p.hip.kp = 0.028;
+    p.hip.kd = 0.19;
+    p.hip.liftoff_angle_factor = 1.0;
+    inputs.ground.friction = 1.1;
+    inputs.ground.slope = 0.04;
+    inputs.body.external_fx = 0.001;
+    inputs.body.external_fy = 0.0004;
+    place_runner(crowd, number, &p, &inputs, apex);
+}
+
+static crowd *special_crowd(void) {
+    crowd *crowd = make_crowd(SPECIAL, 1, 1e-12);
+    random_source source = {31};
+    int n = 0;
+    place_one_that_passes_upright(crowd, n++);
+    for (int i = 0; i < FURTHER_GAITS; ++i) {
+        const tdmf_parameters p = parameters_of_further_gait(&further_gaits[i]);
+        const tdmf_inputs inputs = inputs_of_further_gait(&further_gaits[i]);
+        place_runner(crowd, n++, &p, &inputs, (const double *)&further_gaits[i].gait.apex);
+    }
+    for (int i = 0; i < REFERENCE_GAITS; ++i) {
+        const tdmf_model model = table_1(reference_gaits[i].swing_clamp);
+        const tdmf_inputs inputs = inputs_at_friction(reference_gaits[i].friction);
+        place_runner(crowd, n++, &model.parameters, &inputs, (const double *)&reference_gaits[i].apex);
+    }
+    for (int i = 0; i < 2 * FREE_STRIDES; ++i) {
+        const free_stride *stride = &free_strides[i / 2];
+        const tdmf_model model = model_of_free_stride(stride, i % 2 == 1);
+        const tdmf_inputs inputs = inputs_at_friction(stride->friction);
+        place_runner(crowd, n++, &model.parameters, &inputs, stride->start);
+    }
+    for (int i = 0; i < EXTENDED_STRIDES; ++i) {
+        const tdmf_parameters p = parameters_of_stride(&extended_strides[i]);
+        const tdmf_inputs inputs = inputs_at_friction(extended_strides[i].friction);
+        place_runner(crowd, n++, &p, &inputs, extended_strides[i].start);
+    }
+    for (int i = 0; i < PATCH_RUNS; ++i) {
+        const tdmf_parameters p = parameters_of_patch_run(&patch_runs[i]);
+        const tdmf_inputs inputs = inputs_of_patch_run(&patch_runs[i]);
+        place_runner(crowd, n++, &p, &inputs, patch_runs[i].start);
+    }
+    for (int i = 0; i < KINDS_OF_OTHERS * OTHERS; ++i) {
+        place_other(&source, crowd, n++, i / OTHERS);
+    }
+    assert_int_equal(n, SPECIAL);
+    return crowd;
+}
+
+static void assert_same_stride(const tdmf_ensemble_stride *noted, const simulation *alone) {
+    static const double tolerance = 1e-9;
+    const tdmf_stride *a = &noted->stride, *b = &alone->motion.record.stride;
+    double apex[TDMF_SECTION_COUNT];
+    read_apex(&alone->motion.record, apex);
+    for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
+        assert_close(noted->apex[k], apex[k], tolerance * (1.0 + fabs(apex[k])));
+    }
+    const double pairs[][2] = {{a->period, b->period},
+                               {a->length, b->length},
+                               {a->work, b->work},
+                               {a->leg_work, b->leg_work},
+                               {a->positive_work, b->positive_work},
+                               {a->slip_distance, b->slip_distance},
+                               {a->peak_force, b->peak_force},
+                               {a->peak_vertical_force, b->peak_vertical_force},
+                               {a->rise, b->rise}};
+    for (size_t k = 0; k < sizeof pairs / sizeof pairs[0]; ++k) {
+        assert_close(pairs[k][0], pairs[k][1], tolerance * (1.0 + fabs(pairs[k][1])));
+    }
+    assert_string_equal(a->word, b->word);
+}
+
+/* Who strides, who falls and who is given up. */
+TEST(each_runner_ends_as_by_the_native_solver) {
+    static tdmf_ensemble_stride strides[SPECIAL];
+    crowd *crowd = special_crowd();
+    int closed = 0, fell = 0, unsolved = 0;
+    crowd->ensemble.strides = strides;
+    crowd->ensemble.stride_count = 1;
+    run_crowd(crowd, TDMF_ONE_BY_ONE);
+    for (int i = 0; i < SPECIAL; ++i) {
+        const tdmf_fate fate = (tdmf_fate)crowd->ends[i].fate;
+        simulation alone = simulation_from(&crowd->models[i].parameters, &crowd->cases[i].inputs,
+                                           crowd->starts[i], crowd->ensemble.relative_tolerance);
+        const tdmf_stride_outcome outcome =
+            tdmf_native_stride(&alone.solver, SYSTEM_OF(&alone), 1e6, &alone.motion);
+        assert_int_equal(crowd->ends[i].strides, outcome.closed);
+        assert_true((fate == TDMF_FATE_FELL) == (outcome.outcome == TDMF_FELL));
+        assert_true((fate == TDMF_FATE_UNSOLVED) == (outcome.outcome == TDMF_TOO_STIFF));
+        if (outcome.closed) {
+            assert_same_stride(&strides[i], &alone);
+        }
+        closed += outcome.closed;
+        fell += fate == TDMF_FATE_FELL;
+        unsolved += fate == TDMF_FATE_UNSOLVED;
+    }
+    assert_true(closed > SPECIAL / 2 && fell >= 3);
+    assert_int_equal(unsolved, OTHERS);
+    free_crowd(crowd);
 }
 
 /* ---- instruction sets ---------------------------------------------------------------------------------- */
 
-/* How many there are here; the best is always one of those that follow it. */
-static int instruction_sets(int first) {
-    int count = 0;
-    for (int set = first; set <= (int)tdmf_best_instructions(); ++set) {
-        count += tdmf_has_instructions((tdmf_instructions)set);
-    }
-    return count;
+static tdmf_ensemble_end *ends_of(crowd *crowd, tdmf_instructions instructions) {
+    tdmf_ensemble_end *ends = calloc((size_t)crowd->count, sizeof *ends);
+    run_crowd(crowd, instructions);
+    memcpy(ends, crowd->ends, (size_t)crowd->count * sizeof *ends);
+    return ends;
 }
 
-/* Every instruction set ends every runner as one by one, bit for bit, and follows all of them. */
-static void assert_agreement(population *population) {
-    int sets = 0;
-    population->ensemble.instructions = TDMF_ONE_BY_ONE;
-    tdmf_ensemble_end *alone = run(&population->ensemble, NULL);
-    for (int i = 0; i < RUNNERS; ++i) {
-        assert_int_not_equal(alone[i].fate, TDMF_FATE_UNSOLVED);
+/* Every instruction set ends every runner as one by one, bit for bit. */
+static void assert_agreement(crowd *crowd) {
+    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
+    const int count = list_instructions(sets);
+    tdmf_ensemble_end *alone = ends_of(crowd, TDMF_ONE_BY_ONE);
+    for (int i = 1; i < count; ++i) {
+        run_crowd(crowd, sets[i]);
+        assert_memory_equal(crowd->ends, alone, (size_t)crowd->count * sizeof *alone);
     }
-    for (int set = TDMF_TWO_LANES; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        if (!tdmf_has_instructions((tdmf_instructions)set)) {
-            print_message("not here: %s\n", tdmf_instructions_name((tdmf_instructions)set));
-            continue;
-        }
-        population->ensemble.instructions = (tdmf_instructions)set;
-        tdmf_ensemble_end *lanes = run(&population->ensemble, NULL);
-        assert_memory_equal(lanes, alone, RUNNERS * sizeof *lanes);
-        ++sets;
-        free(lanes);
-    }
-    assert_int_equal(sets, instruction_sets(TDMF_TWO_LANES));
     free(alone);
-    free(population);
+    free_crowd(crowd);
 }
 
 TEST(runners_near_the_gait_end_alike_by_every_instruction_set) {
-    assert_agreement(make_population(start_near_the_gait, 3));
+    assert_agreement(random_crowd(place_near_the_gait, 3));
 }
 
 TEST(any_runner_ends_alike_by_every_instruction_set) {
-    assert_agreement(make_population(start_anywhere, 2));
+    assert_agreement(random_crowd(place_anywhere, 2));
 }
 
-/* Every third runner has a thrust and needs the whole page, the others the plain one. */
-TEST(runners_of_both_pages_are_put_apart) {
-    population *population = make_population(start_near_the_gait, 3);
-    for (int i = 0; i < RUNNERS; ++i) {
-        tdmf_parameters p = tdmf_default_parameters();
-        p.leg.thrust = i % 3 == 0 ? 1e-4 : 0.0;
-        population->models[i] = accepted_model(&p);
-    }
-    tdmf_ensemble_end *together = run(&population->ensemble, NULL);
-    tdmf_ensemble one = population->ensemble;
-    one.count = 1;
-    for (int i = 0; i < RUNNERS; i += 11) {
-        one.starts = &population->ensemble.starts[i];
-        one.case_of = &population->case_of[i];
-        tdmf_ensemble_end *alone = run(&one, NULL);
-        assert_memory_equal(alone, &together[i], sizeof *alone);
-        assert_true(alone->strides == 0 || (alone->leg_work != 0.0) == (i % 3 == 0));
-        free(alone);
-    }
-    free(together);
-    free(population);
+TEST(runners_of_every_kind_end_alike_by_every_instruction_set) {
+    assert_agreement(special_crowd());
 }
 
 /* ---- neighbours and threads --------------------------------------------------------------------------- */
 
-TEST(threads_do_not_matter) {
-    population *population = make_population(start_near_the_gait, 4);
-    tdmf_ensemble_end *alone = run(&population->ensemble, NULL);
-    for (int threads = 2; threads <= 7; threads += 5) {
-        population->ensemble.threads = threads;
-        tdmf_ensemble_end *shared = run(&population->ensemble, NULL);
-        assert_memory_equal(shared, alone, RUNNERS * sizeof *alone);
-        free(shared);
+/* Every third runner has a thrust and needs the whole page, the others the plain one. */
+TEST(neighbours_and_threads_do_not_matter) {
+    crowd *crowd = random_crowd(place_near_the_gait, 4);
+    for (int i = 0; i < RUNNERS; i += 3) {
+        tdmf_parameters p = crowd->models[i].parameters;
+        p.leg.thrust = 1e-4;
+        crowd->models[i] = accepted_model(&p);
     }
-    free(alone);
-    free(population);
-}
-
-TEST(neighbours_do_not_matter) {
-    population *population = make_population(start_near_the_gait, 4);
-    tdmf_ensemble_end *together = run(&population->ensemble, NULL);
-    tdmf_ensemble one = population->ensemble;
+    tdmf_ensemble_end *together = ends_of(crowd, TDMF_BEST_INSTRUCTIONS);
+    for (int threads = 2; threads <= 7; threads += 5) {
+        crowd->ensemble.threads = threads;
+        run_crowd(crowd, TDMF_BEST_INSTRUCTIONS);
+        assert_memory_equal(crowd->ends, together, RUNNERS * sizeof *together);
+    }
+    tdmf_ensemble one = crowd->ensemble;
     one.count = 1;
     for (int i = 0; i < RUNNERS; i += 7) {
-        one.starts = &population->ensemble.starts[i];
-        one.case_of = &population->case_of[i];
-        tdmf_ensemble_end *alone = run(&one, NULL);
-        assert_memory_equal(alone, &together[i], sizeof *alone);
-        free(alone);
+        tdmf_ensemble_end alone;
+        one.starts = &crowd->ensemble.starts[i];
+        one.case_of = &crowd->case_of[i];
+        assert_true(tdmf_run_ensemble(&one, &alone, NULL));
+        assert_memory_equal(&alone, &together[i], sizeof alone);
+        assert_true(alone.strides == 0 || (alone.leg_work != 0.0) == (i % 3 == 0));
     }
     free(together);
-    free(population);
+    free_crowd(crowd);
 }
 
 /* ---- what becomes of runners -------------------------------------------------------------------------- */
@@ -216,57 +308,55 @@ static double mechanical_energy(const tdmf_model *model, const double apex[TDMF_
     return tdmf_mechanical_energy((tdmf_system){model, &inputs}, &mode, state).total;
 }
 
-TEST(energy_is_accounted_for) {
-    population *population = make_population(start_near_the_gait, 20);
-    tdmf_ensemble_end *ends = run(&population->ensemble, NULL);
+TEST(energy_is_accounted_for_and_work_is_counted) {
+    crowd *crowd = random_crowd(place_near_the_gait, 20);
+    tdmf_ensemble_work work;
+    long strides = 0, fallen = 0, closed_none = 0;
+    crowd->ensemble.threads = 2;
+    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, &work));
     for (int i = 0; i < RUNNERS; ++i) {
-        const tdmf_model *model = &population->models[i];
-        const tdmf_ensemble_end *end = &ends[i];
+        const tdmf_ensemble_end *end = &crowd->ends[i];
+        strides += end->strides;
+        fallen += end->fate == TDMF_FATE_FELL;
+        closed_none += end->strides == 0;
         if (end->strides > 0) {
-            const double change =
-                mechanical_energy(model, end->apex) - mechanical_energy(model, population->starts[i]);
+            const double change = mechanical_energy(&crowd->models[i], end->apex) -
+                                  mechanical_energy(&crowd->models[i], crowd->starts[i]);
             assert_close(change, end->work - end->damper_loss - end->friction_loss - end->impact_loss, 1e-8);
         }
     }
-    free(ends);
-    free(population);
+    /* The crowd is mixed: what other tests say of it, they say of falls as well. */
+    assert_true(fallen > RUNNERS / 20 && fallen < 2 * RUNNERS / 3 && closed_none > 0);
+    assert_int_equal(work.strides, strides);
+    assert_true(work.events > 4 * strides && work.steps > work.events);
+    assert_true(work.lane_steps >= work.steps && work.evaluations > 8 * work.steps);
+    free_crowd(crowd);
 }
 
 /* Friction 0.6: the reference gait attracts what starts near it, what starts low falls, what starts below the
  * ground does not start. What is no gait, being no number, attracts nothing. */
 TEST(runners_settle_fall_or_do_not_start) {
-    double gaits[2][TDMF_SECTION_COUNT], starts[4][TDMF_SECTION_COUNT];
-    const tdmf_model model = table_1(false);
-    for (int i = 0; i < 4; ++i) {
-        memcpy(starts[i], &reference_gaits[DEFAULT_GAIT].apex, sizeof starts[i]);
-    }
+    double gaits[2][TDMF_SECTION_COUNT];
+    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
+    const int count = list_instructions(sets);
+    crowd *crowd = make_crowd(4, 400, 1e-9);
     for (int i = 0; i < 2; ++i) {
         memcpy(gaits[i], &reference_gaits[DEFAULT_GAIT].apex, sizeof gaits[i]);
     }
     gaits[0][TDMF_SECTION_LEG_ANGLE_RATE] = NAN;
-    starts[1][TDMF_SECTION_COM_HEIGHT] += 0.05;
-    starts[2][TDMF_SECTION_LEG_ANGLE] = -1.2;
-    starts[2][TDMF_SECTION_COM_HEIGHT] = 0.4;
-    starts[3][TDMF_SECTION_COM_HEIGHT] = 0.1;
-    const tdmf_ensemble_case its_case = {&model,
-                                         tdmf_default_inputs(),
-                                         {.gaits = (const double(*)[TDMF_SECTION_COUNT])gaits,
-                                          .gait_count = 2,
-                                          .distance = 1e-3,
-                                          .max_strides = 400}};
-    tdmf_ensemble ensemble = {.cases = &its_case,
-                              .case_count = 1,
-                              .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
-                              .count = 4,
-                              .relative_tolerance = 1e-9,
-                              .threads = 7};
-    int sets = 0;
-    for (int set = 0; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        ensemble.instructions = (tdmf_instructions)set;
-        if (!tdmf_has_instructions(ensemble.instructions)) {
-            continue;
-        }
-        tdmf_ensemble_end *ends = run(&ensemble, NULL);
+    for (int i = 0; i < 4; ++i) {
+        crowd->cases[i].rules.gaits = (const double(*)[TDMF_SECTION_COUNT])gaits;
+        crowd->cases[i].rules.gait_count = 2;
+        crowd->cases[i].rules.distance = 1e-3;
+    }
+    crowd->starts[1][TDMF_SECTION_COM_HEIGHT] += 0.05;
+    crowd->starts[2][TDMF_SECTION_LEG_ANGLE] = -1.2;
+    crowd->starts[2][TDMF_SECTION_COM_HEIGHT] = 0.4;
+    crowd->starts[3][TDMF_SECTION_COM_HEIGHT] = 0.1;
+    crowd->ensemble.threads = 7;
+    for (int i = 0; i < count; ++i) {
+        const tdmf_ensemble_end *ends = crowd->ends;
+        run_crowd(crowd, sets[i]);
         assert_int_equal(ends[0].fate, TDMF_FATE_SETTLED);
         assert_int_equal(ends[0].strides, 1);
         assert_int_equal(ends[0].gait, 1);
@@ -275,107 +365,57 @@ TEST(runners_settle_fall_or_do_not_start) {
         assert_int_equal(ends[2].fate, TDMF_FATE_FELL);
         assert_int_equal(ends[2].gait, -1);
         assert_int_equal(ends[3].fate, TDMF_FATE_NO_START);
-        free(ends);
-        ++sets;
     }
-    assert_int_equal(sets, instruction_sets(TDMF_BEST_INSTRUCTIONS));
-    assert_true(sets >= 2);
+    free_crowd(crowd);
 }
 
-/* A runner's fate from an upright apex, by every instruction set. */
-static void assert_fate(const tdmf_parameters *parameters, tdmf_fate fate) {
-    const tdmf_model model = accepted_model(parameters);
-    const double start[1][TDMF_SECTION_COUNT] = {{1.0, 0.0, 1.0, 0.0, 0.0, 0.0}};
-    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = 10}};
-    tdmf_ensemble ensemble = {.cases = &its_case,
-                              .case_count = 1,
-                              .starts = start,
-                              .count = 1,
-                              .relative_tolerance = 1e-9,
-                              .threads = 7};
-    for (int set = 0; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        ensemble.instructions = (tdmf_instructions)set;
-        if (tdmf_has_instructions(ensemble.instructions)) {
-            tdmf_ensemble_end *ends = run(&ensemble, NULL);
-            assert_int_equal(ends[0].fate, fate);
-            assert_int_equal(ends[0].gait, -1);
-            free(ends);
+/* A runner's fate from an upright apex. It closes no stride in a stand; the engine gives it up instead of
+ * waiting. A drive ends where the leg is upright, so that it tips nobody over who lands so. */
+TEST(a_runner_that_sinks_into_a_stand_is_undecided) {
+    static const double start[TDMF_SECTION_COUNT] = {1.0, 0.0, 1.0, 0.0, 0.0, 0.0};
+    static const double torques[] = {0.2, 0.0, 0.0}, angles[] = {0.0, 0.0, 0.3};
+    const tdmf_inputs inputs = tdmf_default_inputs();
+    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
+    const int count = list_instructions(sets);
+    crowd *crowd = make_crowd(3, 10, 1e-9);
+    for (int i = 0; i < 3; ++i) {
+        tdmf_parameters parameters = tdmf_default_parameters();
+        parameters.leg.damping = 2.0;
+        parameters.hip.stance_torque = torques[i];
+        parameters.hip.touchdown_angle = angles[i];
+        place_runner(crowd, i, &parameters, &inputs, start);
+    }
+    for (int set = 0; set < count; ++set) {
+        run_crowd(crowd, sets[set]);
+        for (int i = 0; i < 3; ++i) {
+            assert_int_equal(crowd->ends[i].fate, i < 2 ? TDMF_FATE_UNDECIDED : TDMF_FATE_FELL);
+            assert_int_equal(crowd->ends[i].gait, -1);
         }
     }
-}
-
-/* It closes no stride; the engine gives it up instead of waiting. A drive ends where the leg is upright, so
- * that it tips nobody over who lands so. */
-TEST(a_runner_that_sinks_into_a_stand_is_undecided) {
-    tdmf_parameters parameters = tdmf_default_parameters();
-    parameters.leg.damping = 2.0;
-    parameters.hip.touchdown_angle = 0.0;
-    assert_fate(&parameters, TDMF_FATE_UNDECIDED);
-    parameters.hip.stance_torque = 0.0;
-    assert_fate(&parameters, TDMF_FATE_UNDECIDED);
-    parameters.hip.touchdown_angle = 0.3;
-    assert_fate(&parameters, TDMF_FATE_FELL);
-}
-
-/* The hip's servo is so stiff that no step changes the time. */
-TEST(what_the_solver_does_not_get_through_is_no_fall) {
-    tdmf_parameters parameters = tdmf_default_parameters();
-    parameters.foot.mass = 1e-12;
-    parameters.hip.kp = parameters.hip.kd = 1e18;
-    assert_fate(&parameters, TDMF_FATE_UNSOLVED);
+    free_crowd(crowd);
 }
 
 /* The gait at friction 0.6 takes more steps a stride than a fortieth of these limits, so that it runs out. */
 TEST(strides_of_a_runner_share_their_steps) {
-    double starts[1][TDMF_SECTION_COUNT];
-    const tdmf_parameters parameters = tdmf_default_parameters();
-    const tdmf_model model = accepted_model(&parameters);
-    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = 400}};
-    memcpy(starts[0], &reference_gaits[DEFAULT_GAIT].apex, sizeof starts[0]);
-    tdmf_ensemble ensemble = {.cases = &its_case,
-                              .case_count = 1,
-                              .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
-                              .count = 1,
-                              .relative_tolerance = 1e-11,
-                              .threads = 1};
-    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        ensemble.instructions = (tdmf_instructions)set;
-        for (long limit = 200; tdmf_has_instructions(ensemble.instructions) && limit <= 800; limit *= 2) {
+    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
+    const int count = list_instructions(sets);
+    crowd *crowd = make_crowd(1, 400, 1e-11);
+    const tdmf_ensemble_end *end = crowd->ends;
+    for (int set = 0; set < count; ++set) {
+        for (long limit = 200; limit <= 800; limit *= 2) {
             tdmf_ensemble_work work;
-            ensemble.step_limit = limit;
-            tdmf_ensemble_end *ends = run(&ensemble, &work);
-            assert_int_equal(ends[0].fate, TDMF_FATE_UNSOLVED);
-            assert_true(ends[0].strides > 1 && ends[0].strides < 400);
-            assert_true(work.steps <= limit + (ends[0].strides + 1) * limit / TDMF_STEP_SHARE);
-            free(ends);
+            crowd->ensemble.step_limit = limit;
+            crowd->ensemble.instructions = sets[set];
+            assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, &work));
+            assert_int_equal(end->fate, TDMF_FATE_UNSOLVED);
+            assert_true(end->strides > 1 && end->strides < 400);
+            assert_true(work.steps <= limit + (end->strides + 1) * limit / TDMF_STEP_SHARE);
         }
-        ensemble.step_limit = 0;
-        if (tdmf_has_instructions(ensemble.instructions)) {
-            tdmf_ensemble_end *ends = run(&ensemble, NULL);
-            assert_int_equal(ends[0].strides, 400);
-            free(ends);
-        }
+        crowd->ensemble.step_limit = 0;
+        run_crowd(crowd, sets[set]);
+        assert_int_equal(end->strides, 400);
     }
-}
-
-TEST(work_is_counted) {
-    population *population = make_population(start_near_the_gait, 5);
-    tdmf_ensemble_work work;
-    long strides = 0, fallen = 0, closed_none = 0;
-    population->ensemble.threads = 2;
-    tdmf_ensemble_end *ends = run(&population->ensemble, &work);
-    for (int i = 0; i < RUNNERS; ++i) {
-        strides += ends[i].strides;
-        fallen += ends[i].fate == TDMF_FATE_FELL;
-        closed_none += ends[i].strides == 0;
-    }
-    /* The crowd is mixed: what the other tests say of it, they say of falls as well. */
-    assert_true(fallen > RUNNERS / 20 && fallen < RUNNERS / 2 && closed_none > 0);
-    assert_int_equal(work.strides, strides);
-    assert_true(work.events > 4 * strides && work.steps > work.events);
-    assert_true(work.lane_steps >= work.steps && work.evaluations > 8 * work.steps);
-    free(ends);
-    free(population);
+    free_crowd(crowd);
 }
 
 /* Events of the word +0-0+: touchdown, two slips that end and two that begin, mid-stance, lift-off, the end
@@ -383,72 +423,53 @@ TEST(work_is_counted) {
  * where a series has found it. */
 TEST(each_event_is_met_once) {
     enum { EVENTS = 9, STRIDES = 7 };
-    int sets = 0;
-    for (int clamp = 0; clamp < 2; ++clamp) {
+    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
+    const int count = list_instructions(sets);
+    for (int i = 0; i < 2 * (count - 1); ++i) {
+        const int clamp = i % 2;
         const tdmf_model model = table_1(clamp == 1);
-        const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = STRIDES}};
-        double starts[1][TDMF_SECTION_COUNT];
-        memcpy(starts[0], &reference_gaits[clamp ? CLAMPED_GAIT : DEFAULT_GAIT].apex, sizeof starts[0]);
-        tdmf_ensemble ensemble = {.cases = &its_case,
-                                  .case_count = 1,
-                                  .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
-                                  .count = 1,
-                                  .relative_tolerance = 1e-8,
-                                  .threads = 1};
-        for (int set = TDMF_TWO_LANES; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-            tdmf_ensemble_work work;
-            ensemble.instructions = (tdmf_instructions)set;
-            if (tdmf_has_instructions(ensemble.instructions)) {
-                free(run(&ensemble, &work));
-                assert_int_equal(work.events, (EVENTS + clamp) * STRIDES);
-                ++sets;
-            }
-        }
+        const tdmf_inputs inputs = tdmf_default_inputs();
+        crowd *crowd = make_crowd(1, STRIDES, 1e-8);
+        tdmf_ensemble_work work;
+        place_runner(crowd, 0, &model.parameters, &inputs,
+                     (const double *)&reference_gaits[clamp ? CLAMPED_GAIT : DEFAULT_GAIT].apex);
+        crowd->ensemble.instructions = sets[1 + i / 2];
+        assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, &work));
+        assert_int_equal(work.events, (EVENTS + clamp) * STRIDES);
+        free_crowd(crowd);
     }
-    assert_int_equal(sets, 2 * instruction_sets(TDMF_TWO_LANES));
 }
 
 TEST(unsound_ensembles_are_refused) {
-    population *population = make_population(start_near_the_gait, 1);
+    static const double tolerances[] = {0.0, -1.0, 1.0, NAN, INFINITY};
+    static const int no_cases[] = {-1, RUNNERS};
+    crowd *crowd = random_crowd(place_near_the_gait, 1);
     tdmf_ensemble_end end = {.strides = 77};
-    const double tolerances[] = {0.0, -1.0, 1.0, NAN, INFINITY};
+    tdmf_ensemble bad = crowd->ensemble;
     for (size_t i = 0; i < sizeof tolerances / sizeof tolerances[0]; ++i) {
-        tdmf_ensemble bad = population->ensemble;
         bad.relative_tolerance = tolerances[i];
         assert_false(tdmf_run_ensemble(&bad, &end, NULL));
     }
-    tdmf_ensemble bad = population->ensemble;
+    bad = crowd->ensemble;
     bad.threads = 0;
     assert_false(tdmf_run_ensemble(&bad, &end, NULL));
-    static const int no_cases[] = {-1, RUNNERS};
-    for (size_t i = 0; i < sizeof no_cases / sizeof no_cases[0]; ++i) {
-        population->case_of[RUNNERS - 1] = no_cases[i];
-        assert_false(tdmf_run_ensemble(&population->ensemble, &end, NULL));
-    }
-    bad = population->ensemble;
+    bad = crowd->ensemble;
     bad.instructions = TDMF_INSTRUCTIONS_COUNT;
     assert_false(tdmf_run_ensemble(&bad, &end, NULL));
+    for (size_t i = 0; i < sizeof no_cases / sizeof no_cases[0]; ++i) {
+        crowd->case_of[RUNNERS - 1] = no_cases[i];
+        assert_false(tdmf_run_ensemble(&crowd->ensemble, &end, NULL));
+    }
     assert_int_equal(end.strides, 77);
     assert_true(tdmf_has_instructions(tdmf_best_instructions()));
-    assert_true(tdmf_has_instructions(TDMF_ONE_BY_ONE));
-    free(population);
+    free_crowd(crowd);
 }
 
-/* ---- strides --------------------------------------------------------------------------------------------
- */
+/* ---- strides with derivatives -------------------------------------------------------------------------- */
 
-static void assert_equal_strides(const tdmf_return *made, const tdmf_return *alone, int variations) {
-    assert_int_equal(made->outcome, alone->outcome);
-    assert_memory_equal(made->apex, alone->apex, sizeof alone->apex);
-    assert_memory_equal(&made->measures, &alone->measures, sizeof alone->measures);
-    assert_memory_equal(made->variations, alone->variations, (size_t)variations * sizeof *alone->variations);
-    assert_string_equal(made->stride.word, alone->stride.word);
-}
-
-/* Whichever of them close, fall or take no start. */
-static void strides_in_lanes_are_those_made_alone(put_runner *put) {
+/* Whichever of them close, fall or take no start: bit for bit. */
+static void assert_strides_in_lanes_are_those_made_alone(crowd *crowd) {
     enum { ALL = TDMF_SECTION_COUNT + 1 };
-    population *population = make_population(put, 1);
     tdmf_system *systems = calloc(RUNNERS, sizeof *systems);
     double *until = calloc(RUNNERS, sizeof *until);
     tdmf_return *made = calloc(RUNNERS, sizeof *made);
@@ -456,31 +477,33 @@ static void strides_in_lanes_are_those_made_alone(put_runner *put) {
     tdmf_solver solver = tdmf_solver_default();
     int closed = 0;
     for (int i = 0; i < RUNNERS; ++i) {
-        const tdmf_ensemble_case *its_case = &population->cases[population->case_of[i]];
-        const tdmf_system system = {its_case->model, &its_case->inputs};
-        systems[i] = system;
-        until[i] = 1e4 * its_case->model->scales.time;
+        systems[i] = (tdmf_system){&crowd->models[i], &crowd->cases[i].inputs};
+        until[i] = 1e4 * crowd->models[i].scales.time;
     }
-    const tdmf_stride_batch batch = {
-        systems, population->ensemble.starts, until, RUNNERS, true, true, &seed, 1, 2};
+    const tdmf_stride_batch batch = {systems, crowd->ensemble.starts, until, RUNNERS, true, true, &seed, 1,
+                                     2};
     assert_true(tdmf_run_strides(&solver, &batch, made));
     for (int i = 0; i < RUNNERS; ++i) {
         const tdmf_return alone =
-            tdmf_measured_return_map(&solver, systems[i], population->starts[i], until[i], true, &seed, 1);
-        assert_equal_strides(&made[i], &alone, ALL);
+            tdmf_measured_return_map(&solver, systems[i], crowd->starts[i], until[i], true, &seed, 1);
+        assert_int_equal(made[i].outcome, alone.outcome);
+        assert_memory_equal(made[i].apex, alone.apex, sizeof alone.apex);
+        assert_memory_equal(&made[i].measures, &alone.measures, sizeof alone.measures);
+        assert_memory_equal(made[i].variations, alone.variations, ALL * sizeof *alone.variations);
+        assert_string_equal(made[i].stride.word, alone.stride.word);
         closed += alone.outcome == TDMF_RETURN_CLOSED;
     }
     assert_true(closed > RUNNERS / 20 && closed < RUNNERS);
     free(systems);
     free(until);
     free(made);
-    free(population);
+    free_crowd(crowd);
 }
 
 TEST(strides_near_the_gait_are_those_made_alone) {
-    strides_in_lanes_are_those_made_alone(start_near_the_gait);
+    assert_strides_in_lanes_are_those_made_alone(random_crowd(place_near_the_gait, 1));
 }
 
 TEST(any_strides_are_those_made_alone) {
-    strides_in_lanes_are_those_made_alone(start_anywhere);
+    assert_strides_in_lanes_are_those_made_alone(random_crowd(place_anywhere, 1));
 }

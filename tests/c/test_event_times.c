@@ -5,7 +5,6 @@
 #include "system_of.h"
 
 #include "tdmf_slip/cvode.h"
-#include "tdmf_slip/ensemble.h"
 #include "tdmf_slip/kinematics.h"
 #include "tdmf_slip/orbit.h"
 
@@ -90,39 +89,6 @@ TEST(the_clock_of_a_run_goes_with_its_gait) {
     assert_relatively_close(run.motion.time, STRIDES * proved_gaits[2].period, 3e-14);
 }
 
-static void stride_in_lanes(const simulation *run, const double (*apex)[TDMF_SECTION_COUNT],
-                            tdmf_instructions instructions, tdmf_ensemble_end *end) {
-    const tdmf_ensemble_case its_case = {
-        .model = &run->model, .inputs = run->inputs, .rules = {.max_strides = 1}};
-    const tdmf_ensemble ensemble = {.cases = &its_case,
-                                    .case_count = 1,
-                                    .starts = apex,
-                                    .count = 1,
-                                    .relative_tolerance = tightest,
-                                    .instructions = instructions,
-                                    .threads = 1};
-    assert_true(tdmf_run_ensemble(&ensemble, end, NULL));
-}
-
-TEST(lanes_have_the_proved_periods) {
-    int sets = 0;
-    for (int i = 0; i < PROVED_GAITS; ++i) {
-        const proved_gait *gait = &proved_gaits[i];
-        simulation run;
-        start_on_gait(&run, gait, tightest);
-        for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-            tdmf_ensemble_end end;
-            if (tdmf_has_instructions((tdmf_instructions)set)) {
-                stride_in_lanes(&run, &gait->apex, (tdmf_instructions)set, &end);
-                assert_relatively_close(end.time, gait->period, 5e-15);
-                assert_relatively_close(end.distance, gait->length, 1e-14);
-                ++sets;
-            }
-        }
-    }
-    assert_true(sets >= 2 * PROVED_GAITS);
-}
-
 /* ---- against strides in extended precision --------------------------------------------------------------
  */
 
@@ -162,26 +128,6 @@ TEST(strides_under_any_gravity_have_the_events_of_extended_precision) {
     }
     assert_int_equal(compared, total);
     assert_true(total >= 5 * EXTENDED_STRIDES);
-}
-
-TEST(lanes_take_the_strides_of_extended_precision) {
-    int compared = 0;
-    for (int i = 0; i < EXTENDED_STRIDES; ++i) {
-        const extended_stride *expected = &extended_strides[i];
-        const tdmf_parameters parameters = parameters_of_stride(expected);
-        simulation run;
-        start(&run, &parameters, expected->friction, tightest, expected->start);
-        for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-            tdmf_ensemble_end end;
-            if (tdmf_has_instructions((tdmf_instructions)set)) {
-                stride_in_lanes(&run, &expected->start, (tdmf_instructions)set, &end);
-                assert_relatively_close(end.time, expected->events[expected->event_count - 1].time, 1e-12);
-                assert_apex(end.apex, expected);
-                ++compared;
-            }
-        }
-    }
-    assert_true(compared >= 2 * EXTENDED_STRIDES);
 }
 
 /* Its clamp's argument settles at zero up to rounding long before the apex, where no step of extended

@@ -1,6 +1,6 @@
 /* Friction that falls with speed: the impact's law and its tangent, the limits in which it is Coulomb's
- * again, the energy that it takes, and friction that ramps. The gaits of an
- * independent program are in test_further_gaits.c. */
+ * again, the energy that it takes, and friction that ramps. The gaits of
+ * an independent program are in test_further_gaits.c. */
 #include "compare.h"
 #include "integrate.h"
 #include "reference_gaits.h"
@@ -8,7 +8,6 @@
 #include "simulation.h"
 
 #include "tdmf_slip/cvode.h"
-#include "tdmf_slip/ensemble.h"
 #include "tdmf_slip/impact.h"
 
 #include <float.h>

@@ -1,11 +1,10 @@
-/* The runner without the clamp of (12) beside the clamped one: borders, random strides and ensembles against
+/* The runner without the clamp of (12) beside the clamped one: borders and random strides against
  * independent programs; and what a run does that goes from one law to the other. */
 #include "free_swing.h"
 
 #include "compare.h"
 #include "random.h"
 #include "simulation.h"
-#include "tdmf_slip/ensemble.h"
 #include "tdmf_slip/orbit.h"
 #include "tdmf_slip/reduced_map.h"
 
@@ -57,132 +56,6 @@ TEST(borders_part_the_words) {
             assert_string_equal(found.stride.stride.word, side > 0.0 ? border->above : border->below);
         }
     }
-}
-
-/* ---- in lanes ------------------------------------------------------------------------------------------ */
-
-/* Gaits of both laws, one case each, and strides of random runners by both laws. */
-enum { MIXED = REFERENCE_GAITS + 2 * FREE_STRIDES };
-
-typedef struct {
-    tdmf_model models[MIXED];
-    tdmf_ensemble_case cases[MIXED];
-    int case_of[MIXED];
-    double starts[MIXED][TDMF_SECTION_COUNT], apices[MIXED][TDMF_SECTION_COUNT];
-    double periods[MIXED], lengths[MIXED], works[MIXED];
-} mixture;
-
-static void add(mixture *all, int i, tdmf_model model, double friction,
-                const double start[TDMF_SECTION_COUNT]) {
-    const tdmf_ensemble_case its_case = {&all->models[i], inputs_at_friction(friction), {.max_strides = 1}};
-    simulation run;
-    all->models[i] = model;
-    all->cases[i] = its_case;
-    all->case_of[i] = i;
-    memcpy(all->starts[i], start, sizeof all->starts[i]);
-    begin(&run, &model, friction, start);
-    simulation_stride(&run);
-    tdmf_section_of_state(&model, &run.motion.mode.ground, run.motion.state, all->apices[i]);
-    all->periods[i] = run.motion.record.stride.period;
-    all->lengths[i] = run.motion.record.stride.length;
-    all->works[i] = run.motion.record.stride.work;
-}
-
-static void fill(mixture *all) {
-    for (int i = 0; i < REFERENCE_GAITS; ++i) {
-        const reference_gait *gait = &reference_gaits[i];
-        add(all, i, table_1(gait->swing_clamp), gait->friction, (const double *)&gait->apex);
-    }
-    for (int i = REFERENCE_GAITS; i < MIXED; ++i) {
-        const free_stride *random = &free_strides[(i - REFERENCE_GAITS) / 2];
-        add(all, i, model_of_free_stride(random, i % 2 == 1), random->friction, random->start);
-    }
-}
-
-static void assert_in_lanes(const mixture *all, tdmf_instructions instructions) {
-    tdmf_ensemble_end ends[MIXED];
-    const tdmf_ensemble ensemble = {.cases = all->cases,
-                                    .case_count = MIXED,
-                                    .case_of = all->case_of,
-                                    .starts = (const double(*)[TDMF_SECTION_COUNT])all->starts,
-                                    .count = MIXED,
-                                    .relative_tolerance = 1e-13,
-                                    .instructions = instructions,
-                                    .threads = 1};
-    assert_true(tdmf_run_ensemble(&ensemble, ends, NULL));
-    for (int i = 0; i < MIXED; ++i) {
-        assert_int_equal(ends[i].strides, 1);
-        assert_section(ends[i].apex, all->apices[i], 1e-11);
-        assert_relatively_close(ends[i].time, all->periods[i], 1e-11);
-        assert_relatively_close(ends[i].distance, all->lengths[i], 1e-11);
-        assert_relatively_close(ends[i].work, all->works[i], 1e-10);
-    }
-}
-
-TEST(one_ensemble_has_runners_of_both_laws) {
-    static mixture all;
-    int sets = 0;
-    fill(&all);
-    for (int i = 0; i < REFERENCE_GAITS; ++i) {
-        assert_section(all.apices[i], all.starts[i], 1e-11); /* each comes back: it has its own law */
-    }
-    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        if (tdmf_has_instructions((tdmf_instructions)set)) {
-            assert_in_lanes(&all, (tdmf_instructions)set);
-            ++sets;
-        }
-    }
-    assert_true(sets >= 2);
-}
-
-/* Lanes agree with the scalar solver over drawn terrain, and with pushes over changing slopes, thrust and
- * retraction. */
-static void choose_ground(tdmf_ensemble_case *its_case, int i) {
-    its_case->rules.max_strides = 4;
-    its_case->rules.roughness = 0.01;
-    its_case->rules.seed = 42;
-    if (i % 4 < 2) {
-        its_case->rules.terrain.length = 0.7;
-    } else {
-        its_case->inputs.ground.slope = i % 8 < 4 ? 0.02 : -0.02;
-        its_case->inputs.body.external_fx = 5e-4;
-        its_case->inputs.body.external_fy = -2e-4;
-    }
-}
-
-static void run_over_ground(const mixture *all, tdmf_instructions instructions,
-                            tdmf_ensemble_end ends[MIXED]) {
-    const tdmf_ensemble ensemble = {.cases = all->cases,
-                                    .case_count = MIXED,
-                                    .case_of = all->case_of,
-                                    .starts = (const double(*)[TDMF_SECTION_COUNT])all->starts,
-                                    .count = MIXED,
-                                    .relative_tolerance = 1e-13,
-                                    .instructions = instructions,
-                                    .threads = 2};
-    assert_true(tdmf_run_ensemble(&ensemble, ends, NULL));
-}
-
-TEST(over_rough_ground_too) {
-    static mixture all;
-    tdmf_ensemble_end one_by_one[MIXED], in_lanes[MIXED];
-    int strides = 0, fell = 0;
-    fill(&all);
-    for (int i = 0; i < MIXED; ++i) {
-        all.models[i].parameters.leg.thrust = i % 3 == 0 ? 0.005 : 0.0;
-        all.models[i].parameters.hip.retraction_rate = i % 5 == 0 ? 0.01 : 0.0;
-        choose_ground(&all.cases[i], i / 2);
-    }
-    run_over_ground(&all, TDMF_ONE_BY_ONE, one_by_one);
-    run_over_ground(&all, TDMF_BEST_INSTRUCTIONS, in_lanes);
-    for (int i = 0; i < MIXED; ++i) {
-        assert_int_equal(in_lanes[i].fate, one_by_one[i].fate);
-        assert_int_equal(in_lanes[i].strides, one_by_one[i].strides);
-        assert_section(in_lanes[i].apex, one_by_one[i].apex, 1e-9);
-        strides += in_lanes[i].strides;
-        fell += in_lanes[i].fate == TDMF_FATE_FELL;
-    }
-    assert_true(strides > 2 * MIXED && fell > 0);
 }
 
 /* ---- random runners ------------------------------------------------------------------------------------ */

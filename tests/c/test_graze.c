@@ -4,7 +4,6 @@
 #include "simulation.h"
 
 #include "tdmf_slip/cvode.h"
-#include "tdmf_slip/ensemble.h"
 
 #include <math.h>
 #include <string.h>
@@ -75,77 +74,6 @@ TEST(and_by_whoever_integrates_the_equations) {
     assert_close(runner.motion.time, 0.0767, 5e-5);
     assert_int_equal(runner.motion.mode.contact, TDMF_CONTACT_SLIP_NEGATIVE);
     assert_int_equal(runner.motion.mode.phase, TDMF_PHASE_COAST);
-}
-
-/* ---- the same within a stride -------------------------------------------------------------------------- */
-
-/* A runner with a light foot that is pushed over a slope and passes upright in graze. */
-static tdmf_model model_of_stride(tdmf_inputs *inputs) {
-    tdmf_parameters parameters = tdmf_default_parameters();
-    *inputs = tdmf_default_inputs();
-    parameters.gravity = 0.0046;
-    parameters.ground.static_friction_ratio = 1.6;
-    parameters.foot.mass = 0.02;
-    parameters.leg.damping = 0.16;
-    parameters.leg.thrust = 0.2;
-    parameters.hip.stance_torque = 0.25;
-    parameters.hip.touchdown_angle = 0.9;
-    parameters.hip.kp = 0.028;
-    parameters.hip.kd = 0.19;
-    parameters.hip.liftoff_angle_factor = 1.0;
-    inputs->ground.friction = 1.1;
-    inputs->ground.slope = 0.04;
-    inputs->body.external_fx = 0.001;
-    inputs->body.external_fy = 0.0004;
-    const tdmf_model model = accepted_model(&parameters);
-    return model;
-}
-
-static const double apex_of_stride[TDMF_SECTION_COUNT] = {1.3, 0.1, 1.0, -0.29, 0.0, 0.0};
-
-static tdmf_event_log events_of_stride(tdmf_motion *motion) {
-    tdmf_inputs inputs;
-    const tdmf_model model = model_of_stride(&inputs);
-    tdmf_solver solver = tdmf_solver_default();
-    tdmf_event_log log = {0};
-    solver.log = &log;
-    tdmf_section_state((tdmf_system){&model, &inputs}, apex_of_stride, motion->state);
-    motion->time = 0.0;
-    assert_null(tdmf_start((tdmf_system){&model, &inputs}, motion).variable);
-    assert_true(tdmf_native_stride(&solver, (tdmf_system){&model, &inputs}, 1e3, motion).closed);
-    return log;
-}
-
-TEST(a_stride_in_lanes_passes_upright_in_graze) {
-    tdmf_inputs inputs;
-    const tdmf_model model = model_of_stride(&inputs);
-    const tdmf_ensemble_case its_case = {.model = &model, .inputs = inputs, .rules = {.max_strides = 1}};
-    tdmf_motion motion = {0};
-    const tdmf_event_log log = events_of_stride(&motion);
-    int instruction_sets = 0, upright_in_graze = 0;
-    for (int i = 0; i < log.count; ++i) {
-        upright_in_graze += log.events[i].guard == TDMF_GUARD_MID_STANCE &&
-                            log.events[i].before.contact == TDMF_CONTACT_GRAZE;
-    }
-    assert_int_equal(upright_in_graze, 1);
-    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        const tdmf_ensemble ensemble = {.cases = &its_case,
-                                        .case_count = 1,
-                                        .starts = &apex_of_stride,
-                                        .count = 1,
-                                        .relative_tolerance = 1e-11,
-                                        .instructions = (tdmf_instructions)set,
-                                        .threads = 1};
-        tdmf_ensemble_end end;
-        if (tdmf_has_instructions((tdmf_instructions)set)) {
-            assert_true(tdmf_run_ensemble(&ensemble, &end, NULL));
-            assert_int_equal(end.strides, 1);
-            assert_close(end.time, motion.time, 1e-9);
-            assert_close(end.apex[0], motion.record.apex.com_height, 1e-9);
-            ++instruction_sets;
-        }
-    }
-    assert_true(instruction_sets >= 2);
 }
 
 /* ---- the kink of the clamp ----------------------------------------------------------------------------- */

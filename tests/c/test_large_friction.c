@@ -7,7 +7,6 @@
 #include "simulation.h"
 
 #include "tdmf_slip/cvode.h"
-#include "tdmf_slip/ensemble.h"
 #include "tdmf_slip/orbit.h"
 
 #include <math.h>
@@ -110,47 +109,4 @@ TEST(the_gait_of_a_light_foot_is_found) {
     assert_int_equal(orbit.outcome, TDMF_ORBIT_FOUND);
     assert_string_equal(orbit.stride.stride.word, "0+");
     assert_relatively_close(orbit.stride.stride.period, 25.36965, 3e-7);
-}
-
-/* Lanes and one by one end alike, and nobody falls. */
-TEST(ensembles_keep_running) {
-    enum { RUNNERS = 64 };
-    static double starts[RUNNERS][TDMF_SECTION_COUNT];
-    tdmf_ensemble_case cases[FRICTIONS];
-    int case_of[RUNNERS];
-    tdmf_ensemble_end ends[TDMF_INSTRUCTIONS_COUNT][RUNNERS];
-    const tdmf_parameters parameters = tdmf_default_parameters();
-    const tdmf_model model = accepted_model(&parameters);
-    for (int i = 0; i < FRICTIONS; ++i) {
-        const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = 20}};
-        cases[i] = its_case;
-        cases[i].inputs.ground.friction = frictions[i];
-    }
-    for (int i = 0; i < RUNNERS; ++i) {
-        const double near[TDMF_SECTION_COUNT] = {1.30 + 0.001 * i, 0.95, 1.0, 0.93, 0.0, 0.195};
-        memcpy(starts[i], near, sizeof near);
-        case_of[i] = i % FRICTIONS;
-    }
-    tdmf_ensemble ensemble = {.cases = cases,
-                              .case_count = FRICTIONS,
-                              .case_of = case_of,
-                              .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
-                              .count = RUNNERS,
-                              .relative_tolerance = 1e-11,
-                              .threads = 1};
-    int sets = 0;
-    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        ensemble.instructions = (tdmf_instructions)set;
-        if (!tdmf_has_instructions(ensemble.instructions)) {
-            continue;
-        }
-        ++sets;
-        assert_true(tdmf_run_ensemble(&ensemble, ends[set], NULL));
-        for (int i = 0; i < RUNNERS; ++i) {
-            assert_int_equal(ends[set][i].fate, TDMF_FATE_UNDECIDED);
-            assert_int_equal(ends[set][i].strides, 20);
-            assert_relatively_close(ends[set][i].time, ends[TDMF_ONE_BY_ONE][i].time, 1e-8);
-        }
-    }
-    assert_true(sets > 0);
 }

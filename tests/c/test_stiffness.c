@@ -5,7 +5,6 @@
 #include "scene.h"
 #include "simulation.h"
 #include "tdmf_slip/cvode.h"
-#include "tdmf_slip/ensemble.h"
 
 #include <math.h>
 #include <string.h>
@@ -151,51 +150,4 @@ TEST(no_gait_is_said_not_to_be_found_for_a_fall) {
     assert_int_equal(orbit.outcome, TDMF_ORBIT_UNSOLVED);
     assert_int_equal(orbit.stride.solver, TDMF_TOO_STIFF);
     assert_int_equal(tdmf_settle(&solver, SYSTEM_OF(&runner), 5, section), 0);
-}
-
-/* Stiff ones among others, of which some fall; in every kind of lane. */
-TEST(runners_of_an_ensemble_end_unsolved) {
-    enum { RUNNERS = 40 };
-    const tdmf_parameters defaults = tdmf_default_parameters();
-    tdmf_model models[STIFF_KINDS + 1];
-    tdmf_ensemble_case cases[STIFF_KINDS + 1];
-    int case_of[RUNNERS];
-    double starts[RUNNERS][TDMF_SECTION_COUNT];
-    int sets = 0;
-    for (int kind = 0; kind <= STIFF_KINDS; ++kind) {
-        const tdmf_parameters p = kind < STIFF_KINDS ? stiff_parameters(kind) : defaults;
-        const tdmf_ensemble_case its_case = {&models[kind], tdmf_default_inputs(), {.max_strides = 3}};
-        models[kind] = accepted_model(&p);
-        cases[kind] = its_case;
-    }
-    for (int i = 0; i < RUNNERS; ++i) {
-        case_of[i] = i % (STIFF_KINDS + 1);
-        memcpy(starts[i], &reference_gaits[DEFAULT_GAIT].apex, sizeof starts[i]);
-    }
-    const tdmf_ensemble plan = {.cases = cases,
-                                .case_count = STIFF_KINDS + 1,
-                                .case_of = case_of,
-                                .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
-                                .count = RUNNERS,
-                                .relative_tolerance = 1e-11,
-                                .threads = 1};
-    for (int set = 0; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        tdmf_ensemble ensemble = plan;
-        tdmf_ensemble_end ends[RUNNERS];
-        tdmf_ensemble_work work;
-        ensemble.instructions = (tdmf_instructions)set;
-        if (!tdmf_has_instructions(ensemble.instructions)) {
-            continue;
-        }
-        ++sets;
-        assert_true(tdmf_run_ensemble(&ensemble, ends, &work));
-        for (int i = 0; i < RUNNERS; ++i) {
-            const bool stiff = case_of[i] < STIFF_KINDS;
-            assert_int_equal(ends[i].fate, stiff ? TDMF_FATE_UNSOLVED : TDMF_FATE_UNDECIDED);
-            assert_int_equal(ends[i].strides, stiff ? 0 : 3);
-            assert_int_equal(ends[i].gait, -1);
-        }
-        assert_true(work.steps < 10000); /* at once */
-    }
-    assert_true(sets >= 2); /* the best, and one by one */
 }

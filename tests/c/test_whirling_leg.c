@@ -1,12 +1,11 @@
 /* Positive work of the hip of a leg that whirls about the body, a hundred times as long as at rest: as an
- * independent integration has it, at every tolerance, by every solver and in lanes. */
+ * independent integration has it, at every tolerance, by both solvers. */
 #include "compare.h"
 #include "simulation.h"
 #include "system_of.h"
 
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/cvode.h"
-#include "tdmf_slip/ensemble.h"
 
 #include <math.h>
 #include <string.h>
@@ -70,46 +69,4 @@ TEST(cvode_has_it) {
                          TDMF_ARRIVED);
         assert_relatively_close(scene.motion.state[TDMF_HIP_POSITIVE_WORK], whirls[i].positive_work, 1e-8);
     }
-}
-
-static double in_lanes(const scene *scene, tdmf_instructions instructions, double tolerance) {
-    const tdmf_ensemble_case its_case = {&scene->model, scene->inputs, {.max_strides = 1}};
-    tdmf_ensemble_stride stride;
-    tdmf_ensemble_end end;
-    const tdmf_ensemble ensemble = {.cases = &its_case,
-                                    .case_count = 1,
-                                    .starts = (const double(*)[TDMF_SECTION_COUNT])scene->section,
-                                    .count = 1,
-                                    .relative_tolerance = tolerance,
-                                    .threads = 1,
-                                    .instructions = instructions,
-                                    .strides = &stride,
-                                    .stride_count = 1};
-    assert_true(tdmf_run_ensemble(&ensemble, &end, NULL));
-    assert_int_equal(end.strides, 1);
-    return stride.stride.positive_work;
-}
-
-/* The whole stride, with its touchdown and its rise. */
-TEST(lanes_have_it_and_converge) {
-    static const whirl strides[] = {{.height = 150.0, .length = 100.0, .angle_rate = 3.3},
-                                    {.height = 150.0, .length = 60.0, .angle_rate = 3.3},
-                                    {.height = 300.0, .length = 100.0, .angle_rate = -3.3},
-                                    {.height = 150.0, .length = 30.0, .angle_rate = 3.4}};
-    int compared = 0;
-    for (size_t i = 0; i < sizeof strides / sizeof strides[0]; ++i) {
-        scene scene = begin(&strides[i]);
-        tdmf_solver solver = solver_to(1e-14);
-        assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&scene), 1e4, &scene.motion).closed);
-        const double exact = scene.motion.record.stride.positive_work;
-        for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-            if (tdmf_has_instructions((tdmf_instructions)set)) {
-                assert_relatively_close(in_lanes(&scene, (tdmf_instructions)set, 1e-6), exact, 1e-5);
-                assert_relatively_close(in_lanes(&scene, (tdmf_instructions)set, 1e-9), exact, 1e-8);
-                assert_relatively_close(in_lanes(&scene, (tdmf_instructions)set, 1e-12), exact, 1e-10);
-                ++compared;
-            }
-        }
-    }
-    assert_true(compared >= 4);
 }

@@ -6,8 +6,6 @@
 #include "sample.h"
 #include "simulation.h"
 
-#include "tdmf_slip/ensemble.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -85,42 +83,4 @@ TEST(wound_legs_run_until_they_fall) {
     }
     assert_int_equal(fell + arrived, RUNS);
     assert_true(fell > RUNS / 15 && arrived > RUNS / 15);
-}
-
-TEST(lanes_run_wound_legs_too) {
-    enum { RUNNERS = sample_of(400) };
-    static double starts[RUNNERS][TDMF_SECTION_COUNT];
-    static tdmf_ensemble_end ends[RUNNERS];
-    tdmf_parameters parameters = tdmf_default_parameters();
-    random_source source = {73};
-    parameters.hip.kp = parameters.hip.kd = 1e-6;
-    const tdmf_model model = accepted_model(&parameters);
-    for (int i = 0; i < RUNNERS; ++i) {
-        const double angle = floor(random_uniform(&source, -158.0, 158.0)) * turn;
-        const double start[TDMF_SECTION_COUNT] = {
-            random_uniform(&source, 1.1, 1.5),  random_uniform(&source, 0.0, 1.5),
-            random_uniform(&source, 0.9, 1.1),  angle + random_uniform(&source, -0.75, 0.75),
-            random_uniform(&source, -0.5, 0.5), random_uniform(&source, -100.0, 100.0)};
-        memcpy(starts[i], start, sizeof start);
-    }
-    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = 5}};
-    tdmf_ensemble ensemble = {.cases = &its_case,
-                              .case_count = 1,
-                              .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
-                              .count = RUNNERS,
-                              .relative_tolerance = 1e-11,
-                              .threads = 1};
-    int ran = 0;
-    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        ensemble.instructions = (tdmf_instructions)set;
-        if (!tdmf_has_instructions(ensemble.instructions)) {
-            continue;
-        }
-        assert_true(tdmf_run_ensemble(&ensemble, ends, NULL));
-        for (int i = 0; i < RUNNERS; ++i) {
-            assert_true(ends[i].fate != TDMF_FATE_UNSOLVED);
-            ran += ends[i].fate != TDMF_FATE_NO_START;
-        }
-    }
-    assert_true(ran > RUNNERS / 2);
 }

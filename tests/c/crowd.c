@@ -1,0 +1,74 @@
+#include "crowd.h"
+
+#include "compare.h"
+#include "reference_gaits.h"
+#include "simulation.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void *allocate(int count, size_t size) {
+    void *memory = calloc((size_t)count, size);
+    assert_non_null(memory);
+    return memory;
+}
+
+crowd *make_crowd(int count, int max_strides, double relative_tolerance) {
+    crowd *made = allocate(1, sizeof *made);
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    const tdmf_inputs inputs = tdmf_default_inputs();
+    made->count = count;
+    made->models = allocate(count, sizeof *made->models);
+    made->cases = allocate(count, sizeof *made->cases);
+    made->case_of = allocate(count, sizeof *made->case_of);
+    made->starts = allocate(count, sizeof *made->starts);
+    made->ends = allocate(count, sizeof *made->ends);
+    for (int i = 0; i < count; ++i) {
+        made->case_of[i] = i;
+        made->cases[i].model = &made->models[i];
+        made->cases[i].rules.max_strides = max_strides;
+        place_runner(made, i, &parameters, &inputs, (const double *)&reference_gaits[DEFAULT_GAIT].apex);
+    }
+    made->ensemble = (tdmf_ensemble){.cases = made->cases,
+                                     .case_count = count,
+                                     .case_of = made->case_of,
+                                     .starts = (const double(*)[TDMF_SECTION_COUNT])made->starts,
+                                     .count = count,
+                                     .relative_tolerance = relative_tolerance,
+                                     .threads = 1};
+    return made;
+}
+
+void place_runner(crowd *crowd, int number, const tdmf_parameters *parameters, const tdmf_inputs *inputs,
+                  const double section[TDMF_SECTION_COUNT]) {
+    crowd->models[number] = accepted_model(parameters);
+    crowd->cases[number].inputs = *inputs;
+    memcpy(crowd->starts[number], section, sizeof crowd->starts[number]);
+}
+
+void run_crowd(crowd *crowd, tdmf_instructions instructions) {
+    crowd->ensemble.instructions = instructions;
+    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+}
+
+void free_crowd(crowd *crowd) {
+    free(crowd->models);
+    free(crowd->cases);
+    free(crowd->case_of);
+    free(crowd->starts);
+    free(crowd->ends);
+    free(crowd);
+}
+
+int list_instructions(tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT]) {
+    int count = 0;
+    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        if (tdmf_has_instructions((tdmf_instructions)set)) {
+            sets[count++] = (tdmf_instructions)set;
+        } else {
+            print_message("not here: %s\n", tdmf_instructions_name((tdmf_instructions)set));
+        }
+    }
+    assert_true(count >= 2);
+    return count;
+}

@@ -1,0 +1,32 @@
+/* Runners with a case each, which an ensemble runs by any of the processor's instruction sets. */
+#ifndef TDMF_TESTS_CROWD_H
+#define TDMF_TESTS_CROWD_H
+
+#include "tdmf_slip/ensemble.h"
+
+typedef struct {
+    int count;
+    tdmf_model *models;
+    tdmf_ensemble_case *cases;
+    int *case_of;
+    double (*starts)[TDMF_SECTION_COUNT];
+    tdmf_ensemble_end *ends;
+    tdmf_ensemble ensemble; /* in one thread */
+} crowd;
+
+/* Default runners at the apex of the default gait. */
+crowd *make_crowd(int count, int max_strides, double relative_tolerance);
+
+/* Places one of them; asserts that its parameters are accepted. */
+void place_runner(crowd *crowd, int number, const tdmf_parameters *parameters, const tdmf_inputs *inputs,
+                  const double section[TDMF_SECTION_COUNT]);
+
+/* To the ends of all runners; asserts that the ensemble is accepted. */
+void run_crowd(crowd *crowd, tdmf_instructions instructions);
+
+void free_crowd(crowd *crowd);
+
+/* Instruction sets that the processor has, one by one first; asserts that there are two at least. */
+int list_instructions(tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT]);
+
+#endif
