@@ -74,20 +74,6 @@ def pair(radius, angle=1.0):
     return radius * np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
 
 
-def test_each_bifurcation_by_its_eigenvalues(gait):
-    assert Made(gait, lambda s: [real(-s)]).reported() == [("period doubling", 1.0)]
-    assert Made(gait, lambda s: [pair(s)]).reported() == [("Neimark-Sacker", 1.0)]
-    turning = Made(gait, lambda s: [real(s)], value=lambda s: 2.0 - (s - 1.0) ** 2)
-    assert turning.reported() == [("fold", 2.0)]
-
-
-def test_a_gait_is_stable_inside_the_unit_circle(gait):
-    for radius, stable in ((0.9, True), (1.1, False)):
-        found = Made(gait, lambda s, radius=radius: [real(0.3), pair(radius, 2.0)]).made(1.0).gait
-        assert found.stable == stable
-        assert np.abs(found.eigenvalues[:3]) == pytest.approx([radius, radius, 0.3])
-
-
 def test_located_where_it_is(gait):
     """However curved the way there is."""
     found = special_points(made := Made(gait, lambda s: [real(-(s**9))]), made.made(0.5), made.made(1.5))
@@ -138,25 +124,6 @@ def test_what_is_none_of_them_is_not_judged(gait, eigenvalues):
 def test_a_turn_without_an_eigenvalue_of_one_is_not_judged(gait):
     made = Made(gait, lambda s: [real(0.5)], value=lambda s: 2.0 - (s - 1.0) ** 2)
     assert made.reported() == [("unclassified", 2.0)]
-
-
-def test_eigenvalues_may_jump_at_a_border(gait):
-    """What matters is whether one of them gets across the unit circle."""
-
-    def word(s):
-        return "+0+" if s < 1.0 else "+0-0+"
-
-    for low, high, reported in (
-        (real(1.8, 0.5), real(2.1, 0.5), []),
-        (real(0.8), real(0.9), []),
-        (real(0.8), real(1.1), [("unclassified", 1.0)]),
-        (real(-0.8), real(-1.1), [("period doubling", 1.0)]),
-        (real(-1.1), real(1.1), [("period doubling", 1.0), ("unclassified", 1.0)]),
-    ):
-        made = Made(gait, lambda s, low=low, high=high: [low if s < 1.0 else high], word=word)
-        assert made.reported() == [("word border", 1.0), *reported]
-        border, *_ = special_points(made, made.made(0.5), made.made(1.5))
-        assert border.words == ("+0+", "+0-0+")
 
 
 def test_a_branch_that_cannot_be_parted_is_not_judged(gait):

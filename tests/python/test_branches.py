@@ -1,25 +1,25 @@
 """Branches of this runner's gaits: as a command, doubled, drawn, and against plain strides."""
 
 import json
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import CLAMPED, some_of
+from conftest import CLAMPED, RELEASE, release
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from tdmf_slip import Batch, InputError, Runner, continue_branch, gait_at, plot
 from tdmf_slip.analysis.branch_problem import gaits_over
 from tdmf_slip.analysis.branches import branch_dataset
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
+from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.pictures.branch_diagram import figure_of, values_of
 from tdmf_slip.variables.parameters import read_parameters
 from tdmf_slip.variables.table import FRICTION
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 ANGLE = "hip.touchdown_angle"
-STRIDES = 10_000
+STRIDES = 4_000
 
 
 @pytest.fixture(scope="module")
@@ -84,20 +84,33 @@ def test_the_default_runner_over_the_touchdown_angle(over_angle):
 
 
 def test_the_fast_human_over_the_friction(command):
-    """A fold beside borders: the branch comes back, and does not reach 0.2."""
-    status, out, _ = command(
-        "continue", "--vary", "ground.friction=0.6:0.2", "--parameters", str(FAST_HUMAN), "--json"
-    )
+    """It falls at 0.35, so that the branch begins above its fold, beside borders, and is followed both ways.
+
+    Just above the fold plain strides settle on the stable gait, below it the runner falls.
+    """
+    options = ("--parameters", str(FAST_HUMAN), "--vary", "ground.friction=0.35:0.5", "--json")
+    status, out, _ = command("continue", *options)
     printed = json.loads(out)
-    assert status == 0 and printed["ended"] == "back at ground.friction = 0.6"
+    assert status == 0 and printed["ended"] == printed["began"] == "end of the range"
     (fold,) = [special for special in printed["specials"] if special["kind"] == "fold"]
     assert fold["value"] == pytest.approx(0.3836020818, abs=1e-9)
     assert {s["kind"] for s in printed["specials"]} == {"fold", "word border"}
-    assert min(point["value"] for point in printed["points"]) >= fold["value"]
-    assert sum(not point["stable"] for point in printed["points"]) >= 9
+    points = printed["points"]
+    assert (
+        points[0]["value"] == points[-1]["value"] == 0.5 and min(p["value"] for p in points) >= fold["value"]
+    )
+    assert points[0]["stable"] != points[-1]["stable"]
     borders = [(s["from"], s["to"]) for s in printed["specials"] if s["kind"] == "word border"]
     assert [before for before, _ in borders[1:]] == [after for _, after in borders[:-1]]
-    assert printed["points"][0]["word"] == borders[0][0] and printed["points"][-1]["word"] == borders[-1][1]
+    assert points[0]["word"] == borders[0][0] and points[-1]["word"] == borders[-1][1]
+    human = Runner(read_parameters(FAST_HUMAN)).replace({FRICTION: fold["value"] + 1e-3})
+    near = min((p for p in points if p["stable"]), key=lambda p: p["value"])
+    gait = gait_near(human, near["apex"])
+    runners = [human, human.replace({FRICTION: fold["value"] - 1e-3})]
+    ends = Batch(runners, [gait.apex + 1e-4 * human.scales, gait.apex]).run(STRIDES)
+    assert gait.stable and ends["strides"][0] == STRIDES
+    assert apart(human, ends["apex"][0], gait.apex) < 1e-6
+    assert FATES[ends["fate"][1]] == "fell"
 
 
 def test_gaits_of_two_strides_are_those_of_plain_strides(over_low_angle):
@@ -118,6 +131,7 @@ def test_gaits_of_two_strides_are_those_of_plain_strides(over_low_angle):
     assert compared >= 3
 
 
+@release
 def test_gaits_of_four_strides_are_those_of_plain_strides(over_rate):
     """An earlier branch ends as it began."""
     doublings = [special.value for special in over_rate.specials if special.kind == "period doubling"]
@@ -142,6 +156,7 @@ def test_gaits_of_four_strides_are_those_of_plain_strides(over_rate):
     assert ran == STRIDES
 
 
+@release
 def test_where_the_foot_just_touches_the_ground_the_branch_turns_back(over_rate):
     """Beyond the graze its gaits touch, the map has a square root, and eigenvalues come from infinity."""
     _, two = over_rate.branches
@@ -151,36 +166,6 @@ def test_where_the_foot_just_touches_the_ground_the_branch_turns_back(over_rate)
     turn = two.values[first]
     assert max(abs(two.values[first - 1] - turn), abs(two.values[first + 1] - turn)) < 1e-5
     assert two.values[first - 10] > turn < two.values[first + 10]
-
-
-def test_a_branch_does_not_jump_to_another_sheet():
-    """At 0.7335 rad its gaits end; others, which it has been at before, are 0.064 away."""
-    runner = {"gravity": 0.015, "foot.mass": 0.03, FRICTION: 0.8, **CLAMPED}
-    branch = continue_branch.plain(runner, {ANGLE: (0.76, 0.72)}, switch=False)
-    assert branch.ended.startswith(f"no convergence at {ANGLE}") and 0.7332 < branch.values[-1] < 0.734
-    met = [(s.kind, s.words) for s in branch.specials if s.kind in ("word border", "fold", "Neimark-Sacker")]
-    assert len(met) == len(set(met)) >= 2
-    points = np.array([np.append(o.apex / o.runner.scales, o.runner[ANGLE]) for o in branch.gaits])
-    ways = np.linalg.norm(np.diff(points, axis=0), axis=1)
-    apart = np.linalg.norm(points[:, None] - points, axis=2)
-    for number, (before, after) in enumerate(pairwise(ways), 1):
-        nearest = np.delete(apart[number], [number - 1, number, number + 1]).min()
-        assert nearest > 0.5 * min(before, after), number
-
-
-def test_a_doubled_gait_is_reported_like_any_other(over_low_angle, command):
-    status, out, _ = command("continue", "--vary", f"{ANGLE}=0.575:0.56", "--json")
-    (printed,) = json.loads(out)["branches"]
-    assert status == 0 and printed["strides"] == 2
-    assert printed["began"].startswith("period doubling at hip.touchdown_angle = 0.565")
-    point = printed["points"][-1]
-    assert point["strides"] == 2 and len(point["apexes"]) == 2 and point["apexes"][0] == point["apex"]
-    assert point["word"].count(" ") == 1 and len(point["eigenvalues"]) == 6
-    (doubled,) = over_low_angle.branches
-    gait = doubled.gaits[-1]
-    values = values_of(branch_dataset(over_low_angle), "com_speed")
-    assert values[-1].tolist() == [apex[1] for apex in (gait.apex, gait.following[0])]
-    assert gait.stride["speed"] == pytest.approx(gait.stride["length"] / gait.stride["period"], rel=1e-14)
 
 
 def test_a_period_doubling_is_where_plain_strides_begin_to_alternate(over_low_angle):
@@ -197,17 +182,17 @@ def code_of(word):
     return int("".join(str("|-0+".index(letter)) for letter in word), 4)
 
 
-@pytest.mark.parametrize(
-    ("preset", "name", "begin", "end", "smallest"),
-    [
-        ({}, FRICTION, 1.2, 0.2, 4),
-        ({}, ANGLE, np.radians(40.0), np.radians(52.0), 3),
-        (FAST_HUMAN, FRICTION, 0.6, 0.39, 2),
-    ],
-)
+BORDERED = [
+    ("paper", FRICTION, 1.2, 0.2, 4),
+    ("paper", ANGLE, np.radians(40.0), np.radians(52.0), 3),
+    (FAST_HUMAN, FRICTION, 0.6, 0.39, 2),
+]
+
+
+@pytest.mark.parametrize(("preset", "name", "begin", "end", "smallest"), BORDERED[: 3 if RELEASE else 1])
 def test_a_word_border_is_where_plain_strides_change_their_word(preset, name, begin, end, smallest):
     """On both sides, also of words that hold over 3e-6 of the parameter: side by side in the ensemble."""
-    runner = Runner(read_parameters(preset) if preset else {})
+    runner = Runner(read_parameters(preset))
     branch = continue_branch.plain(runner, {name: (begin, end)}, switch=False)
     borders = [(special.value, special) for special in branch.specials if special.kind == "word border"]
     values = [branch.values[0], *(value for value, _ in borders), branch.values[-1]]
@@ -228,56 +213,25 @@ def test_a_word_border_is_where_plain_strides_change_their_word(preset, name, be
     assert len(gaits) >= 2 * smallest
 
 
-def test_the_fast_humans_fold_is_where_plain_strides_lose_the_gait():
-    """Beside a word border, on the friction; the runner falls beyond it."""
-    human = Runner(read_parameters(FAST_HUMAN))
-    branch = continue_branch.plain(human, {FRICTION: (0.6, 0.38)}, switch=False)
-    fold = one(branch, "fold")
-    before = next(gait for gait in branch.gaits[fold.index :: -1] if gait.lambda_max < 0.97)
-    gait = next(gaits_over(human, FRICTION, [fold.value + 1e-3], before))
-    runners = [gait.runner, human.replace({FRICTION: fold.value - 1e-3})]
-    starts = [gait.apex + 1e-4 * human.scales, fold.gait.apex]
-    ends = Batch(runners, starts).run(STRIDES)
-    assert ends["strides"][0] == STRIDES and apart(human, ends["apex"][0], gait.apex) < 1e-6
-    assert FATES[ends["fate"][1]] == "fell"
-
-
-def test_a_fold_is_where_plain_strides_lose_the_gait(over_angle):
-    fold = next(special for special in over_angle.specials if special.kind == "fold")
-    before = next(gait for gait in over_angle.gaits[fold.index :: -1] if gait.lambda_max < 0.97)
-    gait = next(gaits_over(before.runner, ANGLE, [fold.value - 1e-3], before))
-    apex, ran = settled(gait.runner, gait.apex + 1e-4 * gait.runner.scales)
-    assert ran == STRIDES and apart(gait.runner, apex, gait.apex) < 1e-9
-    beyond = fold.gait.runner.replace({ANGLE: fold.value + 1e-3})
-    apex, ran = settled(beyond, fold.gait.apex)
-    assert ran < STRIDES or apart(beyond, apex, fold.gait.apex) > 0.1
-
-
 def test_a_neimark_sacker_point_is_where_plain_strides_spiral_in_or_out(over_angle):
     point = one(over_angle, "Neimark-Sacker")
     gaits = dict(zip(over_angle.values, over_angle.gaits, strict=True))
-    for value, settles in ((point.value - 2e-3, False), (point.value + 2e-3, True)):
+    for value, settles in ((point.value - 5e-3, False), (point.value + 5e-3, True)):
         near = min((v for v in list(gaits)[point.index - 5 : point.index + 6]), key=lambda v: abs(v - value))
         gait = next(gaits_over(gaits[near].runner, ANGLE, [value], gaits[near]))
         apex, ran = settled(gait.runner, gait.apex + 1e-4 * gait.runner.scales)
         assert (ran == STRIDES and apart(gait.runner, apex, gait.apex) < 1e-6) == settles
 
 
-def test_a_range_without_a_gait_at_its_beginning_is_followed_both_ways():
-    """The fast human falls at 0.35: the branch begins above its fold."""
-    human = Runner(read_parameters(FAST_HUMAN))
-    branch = continue_branch.plain(human, {FRICTION: (0.35, 0.5)})
-    assert branch.began == branch.ended == "end of the range"
-    assert branch.values[0] == branch.values[-1] == 0.5
-    assert [s.kind for s in branch.specials if s.kind != "word border"] == ["fold"]
-    assert branch.gaits[0].stable != branch.gaits[-1].stable
-
-
-def test_a_diagram_and_a_dataset_are_one_command(command, tmp_path):
-    status, out, _ = command(
-        *("continue", "--vary", "hip.touchdown_angle=0.57:0.563", "--plot", "a.png", "--output", "a.nc")
-    )
-    assert status == 0 and "period doubling" in out and "2 strides" in out
+def test_a_diagram_a_dataset_and_json_with_doubled_gaits_are_one_command(command, tmp_path):
+    asked = ("continue", "--vary", "hip.touchdown_angle=0.57:0.563", "--plot", "a.png", "--output", "a.nc")
+    status, out, _ = command(*asked, "--json")
+    (printed,) = json.loads(out)["branches"]
+    assert status == 0 and printed["strides"] == 2
+    assert printed["began"].startswith("period doubling at hip.touchdown_angle = 0.565")
+    point = printed["points"][-1]
+    assert point["strides"] == 2 and len(point["apexes"]) == 2 and point["apexes"][0] == point["apex"]
+    assert point["word"].count(" ") == 1 and len(point["eigenvalues"]) == 6
     assert (tmp_path / "a.png").read_bytes()[:4] == b"\x89PNG"
     import xarray
 
@@ -286,11 +240,10 @@ def test_a_diagram_and_a_dataset_are_one_command(command, tmp_path):
     assert [kind for kind in data["special"].values if kind] == ["period doubling"]
     assert set(data["unstable"].values.tolist()) == {0, 1}
     assert data["branch_strides"].values.tolist() == [1, 2]
-    again = continue_branch(None, {ANGLE: (0.57, 0.563)})
-    for name in ("speed", "apexes", "branch_number", "special"):
-        assert data[name].equals(again[name])
     gait = gait_at(data.isel(point=-1))
     assert gait.strides == 2 and gait.speed == data["speed"].values[-1]
+    assert gait.stride["speed"] == pytest.approx(gait.stride["length"] / gait.stride["period"], rel=1e-14)
+    assert values_of(data, "com_speed")[-1].tolist() == [apex[1] for apex in point["apexes"]]
     data.assign_attrs(result="basin").to_netcdf(tmp_path / "map.nc")
     status, _, complaint = command(
         "continue", "--vary", "hip.touchdown_angle=0.57:0.563", "--output", "map.nc"
@@ -358,16 +311,15 @@ def test_a_wrong_range_is_told(command, over, said):
 
 
 def test_a_sweep_says_that_a_fold_ends_its_branch(command):
-    """The fast human down to friction 0.35, below the fold at 0.3836; with --release by both options."""
+    """The fast human down to friction 0.35, below the fold at 0.3836, and up from there."""
     options = ("--parameters", str(FAST_HUMAN), "--json")
-    for span in some_of([("--vary", "ground.friction=0.5:0.35:4"), ("--friction", "0.5:0.35:4")], 1):
-        status, out, said = command("sweep", *span, *options)
-        printed = json.loads(out)
-        assert status == 1 and printed["missing"] == [0.35]
-        (branch,) = printed["branches"]
-        assert (branch["from"], branch["began"]) == (0.5, None) and branch["to"] == pytest.approx(0.4)
-        assert branch["ended"] == "the branch ends in a fold at ground.friction = 0.3836020818"
-        assert "0.3836020818" in said
+    status, out, said = command("sweep", "--vary", "ground.friction=0.5:0.35:4", *options)
+    printed = json.loads(out)
+    assert status == 1 and printed["missing"] == [0.35]
+    (branch,) = printed["branches"]
+    assert (branch["from"], branch["began"]) == (0.5, None) and branch["to"] == pytest.approx(0.4)
+    assert branch["ended"] == "the branch ends in a fold at ground.friction = 0.3836020818"
+    assert "0.3836020818" in said
     status, out, _ = command("sweep", "--friction", "0.35:0.5:4", *options)
     (branch,) = json.loads(out)["branches"]
     assert (

@@ -17,7 +17,6 @@ from closed_form_maps import (
     two_sheets,
 )
 from tdmf_slip import RunError, Runner, find_gait
-from tdmf_slip.analysis import branches
 from tdmf_slip.analysis.branch_problem import to_value
 from tdmf_slip.analysis.branches import trace, whole_branch, with_doubled_branches
 from tdmf_slip.library import classic_slip
@@ -89,15 +88,6 @@ def test_a_period_that_doubles_again_is_followed_and_a_third_time_is_told():
         assert x == pytest.approx(gait.apex[0], abs=1e-11)
         compared += len(apexes)
     assert compared >= 20
-
-
-def test_a_period_doubling_beside_which_no_gait_is_found_says_so(monkeypatch):
-    monkeypatch.setattr(branches, "departure", lambda *_: None)
-    problem = MapProblem(logistic, 1)
-    branch, limits = followed(problem, problem.beginning(2.9, 0.66), 2.9, 3.2)
-    doubled = with_doubled_branches(branch, lambda n: MapProblem(logistic, 1, n), limits)
-    assert doubled.branches == () and specials_of(doubled) == [("period doubling", 3.0)]
-    assert doubled.specials[0].why == "no gait of 2 strides was found beside it"
 
 
 def test_the_henon_map_folds_and_doubles_its_period():
@@ -238,15 +228,6 @@ def test_each_reason_to_stop_has_its_own_words():
     ]
     for reason, begin in zip(reasons, begins, strict=True):
         assert reason.startswith(begin), reason
-
-
-def test_only_where_the_branch_leads_beyond_what_is_allowed_that_is_its_end():
-    """At the tear Newton's method goes off to where p is not allowed, far from where the branch is lost."""
-    for lowest in (-np.inf, -0.5, -0.01):
-        problem = MapProblem(torn, 1, low=lowest)
-        branch, _ = followed(problem, problem.beginning(0.0, 0.0, 1.0), 0.0, 1.0)
-        assert branch.ended.startswith("the gait is lost at p = 0.5: at the border from - to +")
-        assert branch.values[-1] == pytest.approx(0.5, abs=1e-6)
 
 
 def test_a_branch_that_leads_out_of_a_parameters_range_ends_there_with_what_it_has():

@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from conftest import CLAMPED
+from conftest import CLAMPED, release, some_of
 from tdmf_slip import InputError, TargetNotMetError, find_gait, optimize, sweep
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.quantities import known_quantities
@@ -26,7 +26,7 @@ def space_around(gait, names=VARIED):
 
 
 @pytest.mark.parametrize("model", ["full", "reduced"])
-@pytest.mark.parametrize("runner", [STIFF, LIGHT, SLIPPING, STICKING, read_parameters("human")])
+@pytest.mark.parametrize("runner", some_of([SLIPPING, STIFF, read_parameters("human"), LIGHT, STICKING], 3))
 def test_gradients_are_those_of_differences_of_solved_gaits(runner, model):
     first = find_gait(runner, model=model)
     space, step = space_around(first), 3e-6  # the error of differences falls with its square
@@ -125,7 +125,10 @@ def test_the_cheapest_runner_of_all_is_kept_off_the_fold():
     assert further.stride["cost_of_transport"] > best.value
 
 
-def test_a_speed_that_no_gait_has_is_told_with_the_nearest():
+def test_a_speed_that_no_gait_has_is_told_with_the_nearest(command):
+    arguments = ["--minimize", "cost_of_transport", "--vary", f"{TORQUE}=0.1:0.3", "--target", "speed=9"]
+    status, out, said = command("optimize", *arguments, "--starts", "1", "--json")
+    assert status == 1 and "no gait with speed 9" in said and json.loads(out)["nearest"]["speed"] < 9.0
     with pytest.raises(TargetNotMetError, match="no gait with speed 9 was found") as refused:
         optimize({}, {TORQUE: (0.1, 0.3)}, minimize="cost_of_transport", target={"speed": 9}, starts=1)
     nearest = refused.value.nearest
@@ -136,41 +139,29 @@ def test_a_speed_that_no_gait_has_is_told_with_the_nearest():
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["--minimize", "sped", "--vary", f"{ANGLE}=0.5:0.9"], "minimize 'sped'"),
-        (["--maximize", "speed", "--vary", f"{ANGLE}=0.9:0.5"], "A below B"),
-        (["--maximize", "speed", "--vary", f"{ANGLE}=0.5"], "A:B"),
-        (["--maximize", "speed", "--vary", "leg.stifness=1:2"], "leg.stiffness"),
-        (["--maximize", "speed", "--vary", "leg.min_length=0.01:0.02"], "has no effect"),
-        (["--maximize", "speed", "--vary", f"{ANGLE}=0.5:9"], "not allowed"),
-        (["--maximize", "speed", "--minimize", "speed", "--vary", f"{ANGLE}=0.5:0.9"], "that differ"),
-        (["--vary", f"{ANGLE}=0.5:0.9"], "neither given"),
-        (["--maximize", "speed", "--maximize", "speed", "--vary", f"{ANGLE}=0.5:0.9"], "two quantities"),
-        (["--maximize", "speed", "--vary", f"{ANGLE}=0.5:0.9", "--target", "speed=1"], "another quantity"),
+        (f"--minimize sped --vary {ANGLE}=0.5:0.9", "minimize 'sped'"),
+        (f"--maximize speed --vary {ANGLE}=0.9:0.5", "A below B"),
+        (f"--maximize speed --vary {ANGLE}=0.5", "A:B"),
+        ("--maximize speed --vary leg.stifness=1:2", "leg.stiffness"),
+        ("--maximize speed --vary leg.min_length=0.01:0.02", "has no effect"),
+        (f"--maximize speed --vary {ANGLE}=0.5:9", "not allowed"),
+        (f"--maximize speed --minimize speed --vary {ANGLE}=0.5:0.9", "that differ"),
+        (f"--vary {ANGLE}=0.5:0.9", "neither given"),
+        (f"--maximize speed --maximize speed --vary {ANGLE}=0.5:0.9", "two quantities"),
+        (f"--maximize speed --vary {ANGLE}=0.5:0.9 --target speed=1", "another quantity"),
+        (f"--maximize speed --vary {ANGLE}=0.5:0.9 --target slip_distance", "QUANTITY=VALUE"),
+        (f"--maximize speed --vary {ANGLE}=0.5:0.9 --target slips=1", "slip_distance"),
+        (f"--maximize speed --vary {ANGLE}=0.5:0.9 --target length=nan", "length = nan"),
         (
-            ["--maximize", "speed", "--vary", f"{ANGLE}=0.5:0.9", "--target", "slip_distance"],
-            "QUANTITY=VALUE",
-        ),
-        (["--maximize", "speed", "--vary", f"{ANGLE}=0.5:0.9", "--target", "slips=1"], "slip_distance"),
-        (["--maximize", "speed", "--vary", f"{ANGLE}=0.5:0.9", "--target", "length=nan"], "length = nan"),
-        (
-            [
-                "--maximize",
-                "speed",
-                "--vary",
-                f"{ANGLE}=0.5:0.9",
-                "--target",
-                "length=1",
-                "--target",
-                "duty_factor=1",
-            ],
+            f"--maximize speed --vary {ANGLE}=0.5:0.9 --target length=1 --target duty_factor=1",
             "no more quantities than parameters",
         ),
-        (["--maximize", "speed", "--vary", f"{ANGLE}=0.5:0.9", "--set", f"{ANGLE}=0.6"], "one of the two"),
-        (["--maximize", "speed", *(2 * ["--vary", f"{ANGLE}=0.5:0.9"])], "given twice"),
+        (f"--maximize speed --vary {ANGLE}=0.5:0.9 --set {ANGLE}=0.6", "one of the two"),
+        (f"--maximize speed --vary {ANGLE}=0.5:0.9 --vary {ANGLE}=0.5:0.9", "given twice"),
     ],
 )
 def test_what_cannot_be_asked_is_refused_in_a_line(command, arguments, words):
-    status, out, said = command("optimize", *arguments)
+    status, out, said = command("optimize", *arguments.split())
     assert (status, out) == (2, "")
     assert words in said and len(said.strip().splitlines()) == 1
 
@@ -192,13 +183,6 @@ def test_the_command_prints_a_table_before_and_after(command):
     assert printed["after"]["speed"] > printed["before"]["speed"]
     again = gait_near(find_gait({TORQUE: 0.25}).runner, printed["apex"])
     assert again.stride["speed"] == pytest.approx(printed["after"]["speed"], rel=1e-9)
-
-
-def test_the_command_tells_the_nearest_gait_where_none_will_do(command):
-    arguments = ["--minimize", "cost_of_transport", "--vary", f"{TORQUE}=0.1:0.3", "--target", "speed=9"]
-    status, out, said = command("optimize", *arguments, "--starts", "1", "--json")
-    assert status == 1 and "no gait with speed 9" in said
-    assert json.loads(out)["nearest"]["speed"] < 9.0
 
 
 def test_a_pareto_front_leads_from_one_best_to_the_other(command):
@@ -227,24 +211,21 @@ def test_a_pareto_front_leads_from_one_best_to_the_other(command):
 def test_bounds_that_are_none_are_refused(bounds):
     with pytest.raises(InputError, match=r"hip\.kp.*allowed"):
         optimize({}, {"hip.kp": bounds}, maximize="speed")
-
-
-def test_no_parameters_are_refused():
     with pytest.raises(InputError, match="allowed: 1 to 12"):
         optimize({}, {}, maximize="speed")
 
 
-def test_the_plain_call_finds_what_lies_beyond_the_runners_own_basin():
+def test_other_starts_find_what_lies_beyond_the_runners_own_basin():
     """From the runner's own gait the least slip is 0.2363; begun at .434, .4967, .2408 it is 0.2108."""
     over = {ANGLE: (0.4, 0.9), TORQUE: (0.05, 0.5), "leg.damping": (0.1, 0.3)}
     asked = {"minimize": "slip_distance", "target": {"speed": 0.9}, "stable": True}
     own = {**CLAMPED, "ground.friction": 0.3}
     near = {**own, ANGLE: 0.434, TORQUE: 0.4967, "leg.damping": 0.2408}
     known = optimize(near, over, **asked, starts=1)
-    best = optimize(own, over, **asked)
+    best = optimize(own, over, **asked, starts=4)
     assert best.value == pytest.approx(0.210811, abs=1e-6) and best.value <= known.value + 1e-9
     assert best.why == "" and best.is_local
-    assert best.basins >= 2 and 2 <= best.starts <= 6
+    assert best.basins >= 2 and 2 <= best.starts <= 4
     alone = optimize(own, over, **asked, starts=1)
     assert alone.value > 0.23 and alone.starts == 1 == alone.basins
     again = strides_from(best.gait.runner, best.gait.apex)
@@ -258,6 +239,7 @@ def test_a_slip_of_none_is_the_least_of_all():
     assert best.value < 1e-10 and not best.is_local and "global" in repr(best)
 
 
+@release
 def test_a_search_goes_through_pieces_too_narrow_for_differences():
     """On an edge of an event eigenvalues have no derivatives; far from their limit none are asked for."""
     over = {ANGLE: (0.4, 0.95), "leg.thrust": (0.0, 0.2), "hip.kp": (0.06, 0.2)}
@@ -273,15 +255,16 @@ def test_the_best_point_along_the_edge_of_a_fold_is_found():
     best = optimize(slow, over, minimize="cost_of_transport", starts=1)
     assert best.limits == ("fold",) and best.why == "" and max(best.remaining_improvement.values()) <= 1e-4
     compared = 0
-    for damping in (0.19, 0.195, 0.2, 0.205, 0.21):
+    for damping in (0.19, 0.2, 0.21):
         at = optimize(
             {**slow, "leg.damping": damping}, {TORQUE: (0.1, 0.12)}, minimize="cost_of_transport", starts=1
         )
         assert best.value <= at.value + 1e-7
         compared += 1
-    assert compared == 5
+    assert compared == 3
 
 
+@release
 def test_eigenvalues_change_on_the_edge_of_a_word_and_of_the_bounds():
     """Along the thrust both ways lead off, to another word and below zero; beside it one does not."""
     asked = {"maximize": "frequency", "stable": True, "starts": 1}
@@ -293,6 +276,7 @@ def test_eigenvalues_change_on_the_edge_of_a_word_and_of_the_bounds():
     assert best.active_bounds == {"leg.thrust": "lower"}
 
 
+@release
 def test_constraints_that_are_nearly_met_are_met():
     """The search for them ends early, at a speed off by 7e-4: the square of what is off is flat there."""
     over = {ANGLE: (0.4, 0.95), "leg.stiffness": (0.7, 1.5), "hip.liftoff_angle_factor": (0.8, 1.6)}
