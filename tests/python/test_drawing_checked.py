@@ -9,6 +9,7 @@ import matplotlib
 import pytest
 from tdmf_slip.cli.main import module_of
 
+WORK = ("find_gait", "fit", "simulate", "validate", "basin", "viability", "sweep_row", "continue_branch")
 COMMANDS = [
     ("gait", "--plot", "run.png"),
     ("simulate", "--plot", "run.png"),
@@ -29,7 +30,7 @@ def test_texts_by_latex_where_there_is_none_are_told_before_the_work(
     arguments, command, tmp_path, monkeypatch
 ):
     module = importlib.import_module(f"tdmf_slip.cli.{module_of(arguments[0])}")
-    for work in (
+    for work in [
         "find_gait",
         "fit",
         "simulate",
@@ -38,10 +39,8 @@ def test_texts_by_latex_where_there_is_none_are_told_before_the_work(
         "viability",
         "sweep_row",
         "continue_branch",
-    ):
-        monkeypatch.setattr(
-            module, work, lambda *_, **__: pytest.fail("work before the check"), raising=False
-        )
+    ]:
+        monkeypatch.setattr(module, work, lambda *_, **__: pytest.fail("work before"), raising=False)
     monkeypatch.setenv("PATH", str(tmp_path))
     with matplotlib.rc_context({"text.usetex": True}):
         status, out, err = command(*arguments)

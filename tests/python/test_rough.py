@@ -112,15 +112,12 @@ def test_the_interval_covers_the_mean_as_often_as_it_says():
     assert covered / experiments == pytest.approx(0.95, abs=0.02)
 
 
-def test_where_none_falls_the_mean_is_open_above():
+def test_where_none_falls_the_mean_is_open_above_and_where_all_fall_at_once_it_is_one():
     found = FirstPassage(Runner(), "", 0.1, 10, 0, 1000)
     low, high = found.interval
     assert found.mean_strides == high == math.inf
     assert 1000 * math.log1p(-1.0 / low) == pytest.approx(-0.5 * 1.959963984540054**2)
     assert found.censored == 10
-
-
-def test_where_all_fall_at_once_the_mean_is_one():
     found = FirstPassage(Runner(), "", 9.0, 10, 10, 10)
     assert found.mean_strides == found.interval[0] == 1.0
     assert found.interval[1] > 1.0
@@ -141,13 +138,6 @@ def test_a_mean_depends_on_the_seed_and_on_nobody_who_works(gait, monkeypatch):
     assert strides_to_fall(gait.runner, 0.5, 200, 1, 30) == whole
 
 
-def test_the_slipping_runner_stays_up_longer():
-    rough, slippery = (
-        strides_to_fall({"ground.friction": friction}, 0.4, 128, 1, 100) for friction in (10.0, 0.2)
-    )
-    assert rough.interval[1] < slippery.interval[0]
-
-
 def test_the_command_tells_the_mean(command):
     status, out, _ = command(
         "rough", "--roughness", "0.5", "--runners", "64", "--seed", "3", "--max-strides", "20", "--json"
@@ -162,16 +152,17 @@ def test_the_command_tells_the_mean(command):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("--roughness", "-1"), "--roughness = -1.0 is not allowed"),
-        (("--roughness", "nan"), "--roughness = nan is not allowed"),
-        (("--roughness", "0.1", "--runners", "0"), "--runners = 0 is not allowed"),
-        (("--roughness", "0.1", "--seed", "-1"), "--seed = -1 is not allowed"),
-        (("--roughness", "0.1", "--max-strides", "0"), "--max-strides = 0 is not allowed"),
-        ((), "--roughness"),
+        ("--roughness -1", "--roughness = -1.0 is not allowed"),
+        ("--roughness nan", "--roughness = nan is not allowed"),
+        ("--roughness 0.1 --runners 0", "--runners = 0 is not allowed"),
+        ("--roughness 0.1 --seed -1", "--seed = -1 is not allowed"),
+        ("--roughness 0.1 --max-strides 0", "--max-strides = 0 is not allowed"),
+        ("", "--roughness"),
+        ("--roughness 0.5 --seed 3 --rare --runners 5", "--runners"),
     ],
 )
 def test_the_command_refuses_what_is_no_ground(command, arguments, message):
-    status, out, said = command("rough", *arguments)
+    status, out, said = command("rough", *arguments.split())
     assert (status, out) == (2, "")
     assert message in said
 

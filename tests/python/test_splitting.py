@@ -150,9 +150,3 @@ def test_ground_that_splitting_does_not_know_is_refused_by_name():
         rare_falls({}, RoughGround(0.3, friction_spread=0.1, friction_weights=(0.6, 0.8)))
     with pytest.raises(InputError, match="roughness = 0 is not allowed"):
         rare_falls({}, RoughGround(friction_spread=0.1))
-
-
-def test_the_command_splits_on_request(command):
-    arguments = ("rough", "--roughness", "0.5", "--seed", "3", "--rare")
-    status, _, said = command(*arguments, "--runners", "5")
-    assert status == 2 and "--runners" in said

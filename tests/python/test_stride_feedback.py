@@ -111,7 +111,7 @@ def test_a_viable_controller_keeps_the_unit_up_where_its_own_settings_do_not(exa
     """The viable set is of sections of the full model; the run is the unit's own."""
     assert example is not None
     viable = importlib.import_module("viable_controller")
-    found = tdmf_slip.viability(viable.RUNNER, axes=viable.RANGES, vary=viable.CHOICE, n=48, model="full")
+    found = tdmf_slip.viability(viable.RUNNER, axes=viable.RANGES, vary=viable.CHOICE, n=32, model="full")
     gait = tdmf_slip.find_gait(viable.RUNNER)
     law = tdmf_slip.ViableController(found)
     alone, _ = viable.run(viable.Unchanged(), viable.pushed(gait, viable.PUSH), strides=6)

@@ -4,7 +4,6 @@ All its touchdown angles are admitted, those of 0 and below too.
 """
 
 import json
-import math
 import pathlib
 
 import numpy as np
@@ -98,18 +97,6 @@ def test_the_same_pairs_are_viable_if_those_below_the_grid_are_not_left_out(grid
     assert np.array_equal(pairs, rows_of(theirs[f"viable_pairs{ending}"]))
     assert np.array_equal(kept.states[:, 0], row_of(theirs[f"viable_states{ending}"]))
     assert pairs.sum(axis=1).tolist() == theirs[f"robustness_count{ending}"]
-
-
-def test_the_robustness_of_pairs_adds_up(grid):
-    """That of a pair is the mean over the states that enclose where it leads."""
-    theirs, ours = grid
-    pairs, _ = ours.kept()
-    of_states = pairs.sum(axis=1) / len(ours.actions)
-    top = len(ours.states)
-    sums = [
-        np.mean([of_states[at] for at in (number - 1, number) if at < top]) for number in ours.bins[pairs]
-    ]
-    assert math.isclose(sum(sums), theirs["robustness_of_pair_sum"], rel_tol=1e-12)
 
 
 def test_all_four_grids_are_there_and_legs_behind_the_body_are_tried():
