@@ -53,13 +53,10 @@ def test_a_foot_that_swings_above_the_body_is_in_the_picture(command, tmp_path):
             assert picture.crop((0, 0, picture.width, 10)).getextrema()[0] > 250, number
 
 
-def test_what_the_papers_text_tells_is_marked_on_the_curves_or_off_them(monkeypatch, tmp_path):
+def test_what_the_papers_text_tells_is_marked_on_the_curves_or_off_them():
     """Off them: its cost of transport at friction 0.5, and the friction that it needs at the impact."""
-    kept = []
-    monkeypatch.setattr(style, "save", lambda figure, path: kept.append(figure))
-    classic.draw_friction(tmp_path / "4.png")
     gaits = sweep_row(tdmf_slip.Runner(), "ground.friction", [10.0, 1.2, 0.6, 0.5])
-    figure_9.draw(tmp_path / "9.png", gaits, ())
+    kept = classic.draw_friction(), figure_9.draw(gaits, ())
     off = {}
     for axes in (axes for figure in kept for axes in figure.axes):
         marks = [line for line in axes.lines if line.get_label() == style.PUBLISHED["label"]]

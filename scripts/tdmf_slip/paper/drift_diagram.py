@@ -19,23 +19,20 @@ def of_validation(found: Validation) -> Figure:
     shares = np.clip([_share(drift) for drift in drifts], SMALLEST, LARGEST)
     rows = np.array([names.index(_gait(drift)) for drift in drifts])
     passed = np.array([drift.passed for drift in drifts], dtype=bool)
-    with style.styled():
-        figure, axes = style.subplots(figsize=(7.2, 3.8))
-        for where, name, colour in (
-            (passed, "as recorded", style.SECOND_CURVE),
-            (~passed, "differs", style.MODE_COLOURS["slip_negative"]),
-        ):
-            if where.any():
-                label = f"{name}: {np.sum(where)} values"
-                axes.plot(shares[where], rows[where], "o", color=colour, alpha=0.5, label=label)
-        axes.axvline(1.0, label="allowed", **style.LIMIT_LINE)
-        axes.set_xscale("log")
-        axes.set_yticks(range(len(names)), names)
-        axes.set_ylim(len(names) - 0.5, -0.5)
-        style.label(
-            axes, f"deviation over what is allowed ({SMALLEST:g}: as little or less)", "gait at friction"
-        )
-        figure.legend(*axes.get_legend_handles_labels(), loc="outside upper right", ncols=3)
+    figure, axes = style.subplots(figsize=(7.2, 3.8))
+    for where, name, colour in (
+        (passed, "as recorded", style.SECOND_CURVE),
+        (~passed, "differs", style.MODE_COLOURS["slip_negative"]),
+    ):
+        if where.any():
+            label = f"{name}: {np.sum(where)} values"
+            axes.plot(shares[where], rows[where], "o", color=colour, alpha=0.5, label=label)
+    axes.axvline(1.0, label="allowed", **style.LIMIT_LINE)
+    axes.set_xscale("log")
+    axes.set_yticks(range(len(names)), names)
+    axes.set_ylim(len(names) - 0.5, -0.5)
+    style.label(axes, f"deviation over what is allowed ({SMALLEST:g}: as little or less)", "gait at friction")
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside upper right", ncols=3)
     return figure
 
 

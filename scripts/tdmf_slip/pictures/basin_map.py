@@ -60,14 +60,13 @@ SMALLEST, RIM = 3.2, 1.0
 
 def figure_of(data: "xarray.Dataset") -> Figure:
     """The map: starts that settle in blue, those that fall in red, by strides; the gait as a cross."""
-    with style.styled():
-        figure, axes = style.subplots(figsize=(7.6, 5.8))
-        handles = paint(axes, data)
-        axes.set_title(_title(data, data["fate"].values == SETTLED))
-        figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
-        figure.draw_without_rendering()  # now the size of a start is known
-        for name, where in _others(data).items():
-            _mark_small(figure, axes, data, where, OTHERS[name][0])
+    figure, axes = style.subplots(figsize=(7.6, 5.8))
+    handles = paint(axes, data)
+    axes.set_title(_title(data, data["fate"].values == SETTLED))
+    figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
+    figure.draw_without_rendering()  # now the size of a start is known
+    for name, where in _others(data).items():
+        _mark_small(figure, axes, data, where, OTHERS[name][0])
     return figure
 
 
@@ -203,21 +202,20 @@ REPORTED = ("speed", "cost_of_transport")
 def of_strides(made: "xarray.Dataset") -> Figure:
     """Height and speed of the apices, stride by stride."""
     apices = np.concatenate([made["apex"].values[:, :1], made["next_apex"].values], axis=1)
-    with style.styled():
-        figure, panels = style.subplots(2, 1, figsize=(6.8, 5.4), sharex=True)
-        model, names = model_named(made.model), made["coordinate"].values.tolist()
-        drawn = DRAWN if set(DRAWN) <= set(names) else names[: len(DRAWN)]
-        for axes, name in zip(panels, drawn, strict=False):
-            _draw_runners(axes, apices[..., names.index(name)])
-            unit = paper_units.label(model.coordinate(name).unit, runner_in(made))
-            style.label(axes, "", style.with_unit(_in_words(name), unit))
-        panels[-1].set_xlabel("strides")
-        panels[-1].xaxis.set_major_locator(MaxNLocator(integer=True))
-        if len(apices) > MAX_LINES:
-            figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
-        runners, strides = made["fate"].shape
-        closed = int((made["fate"] == CLOSED).sum())
-        panels[0].set_title(f"{runners:,} runners, {closed:,} of {runners * strides:,} strides closed")
+    figure, panels = style.subplots(2, 1, figsize=(6.8, 5.4), sharex=True)
+    model, names = model_named(made.model), made["coordinate"].values.tolist()
+    drawn = DRAWN if set(DRAWN) <= set(names) else names[: len(DRAWN)]
+    for axes, name in zip(panels, drawn, strict=False):
+        _draw_runners(axes, apices[..., names.index(name)])
+        unit = paper_units.label(model.coordinate(name).unit, runner_in(made))
+        style.label(axes, "", style.with_unit(_in_words(name), unit))
+    panels[-1].set_xlabel("strides")
+    panels[-1].xaxis.set_major_locator(MaxNLocator(integer=True))
+    if len(apices) > MAX_LINES:
+        figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
+    runners, strides = made["fate"].shape
+    closed = int((made["fate"] == CLOSED).sum())
+    panels[0].set_title(f"{runners:,} runners, {closed:,} of {runners * strides:,} strides closed")
     return figure
 
 
@@ -244,28 +242,25 @@ def of_runs(runs: "xarray.Dataset") -> Figure:
     values = {
         of: 1.0 if of not in runs.coords or np.all(runs[of] == 1.0) else np.nan for of in paper_units.SCALES
     }
-    with style.styled():
-        figure, panels = style.subplots(2, 1, figsize=(6.8, 5.4), sharex=True)
-        for axes, quantity in zip(panels, REPORTED, strict=True):
-            for fell, colour, label in ((False, style.CURVE, "ran"), (True, "#b3216f", "fell in the end")):
-                where = runs["fallen"].values == fell
-                if not where.any():
-                    continue
-                axes.plot(
-                    along[where], runs[quantity].values[where], "o", color=colour, markersize=4.5, label=label
-                )
-            words = quantity.replace("_", " ")
-            style.label(
-                axes,
-                "",
-                style.with_unit(words, paper_units.label(variables[f"stride.{quantity}"].unit, values)),
+    figure, panels = style.subplots(2, 1, figsize=(6.8, 5.4), sharex=True)
+    for axes, quantity in zip(panels, REPORTED, strict=True):
+        for fell, colour, label in ((False, style.CURVE, "ran"), (True, "#b3216f", "fell in the end")):
+            where = runs["fallen"].values == fell
+            if not where.any():
+                continue
+            axes.plot(
+                along[where], runs[quantity].values[where], "o", color=colour, markersize=4.5, label=label
             )
-        label = "run"
-        if name is not None and numeric:
-            label = style.with_unit(name, paper_units.label(variables[name].unit, values))
-        panels[-1].set_xlabel(label)
-        figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
-        panels[0].set_title(f"last stride of {len(along):,} runs")
+        words = quantity.replace("_", " ")
+        style.label(
+            axes, "", style.with_unit(words, paper_units.label(variables[f"stride.{quantity}"].unit, values))
+        )
+    label = "run"
+    if name is not None and numeric:
+        label = style.with_unit(name, paper_units.label(variables[name].unit, values))
+    panels[-1].set_xlabel(label)
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
+    panels[0].set_title(f"last stride of {len(along):,} runs")
     return figure
 
 
@@ -275,7 +270,6 @@ OPEN, NOT_VIABLE = "#f0b35a", "#efe9e4"
 """Colours of cells that the grid leaves open, and of those from which no action of the grid helps."""
 
 
-@style.styled()
 def of_viable_set(found: xarray.Dataset) -> Figure:
     """The sets as a figure."""
     figure, axes = style.subplots(figsize=(7.6, 5.4))

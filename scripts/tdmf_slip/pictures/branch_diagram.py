@@ -72,24 +72,23 @@ def figure_of(data: xarray.Dataset, quantity: str = DRAWN, display: DisplayUnits
     values_of(data, quantity)
     name = data.over
     display = display or DisplayUnits(values=Runner(runner_in(data), model=data.model))
-    with style.styled():
-        figure, panels = style.subplots(2, 1, figsize=(8.2, 7.0), sharex=True, height_ratios=(2, 1))
-        kind = "apex" if quantity in COORDINATES else "stride"
-        variable = VARIABLES.get(f"{kind}.{quantity}")
-        label = f"{kind}.{quantity}" if variable else quantity
-        panels[0].set_ylabel(style.with_unit(label, display.label(variable.unit) if variable else ""))
-        panels[1].set_ylabel("modulus of the largest eigenvalue")
-        panels[1].set_xlabel(style.tell_in(panels[1].xaxis, name, display))
-        begin = display.value(name, float(data[name].values[0]))
-        panels[0].set_title(f"{name} from {begin:g}: {data.ended}", wrap=True)
-        for axes, drawn in zip(panels, (quantity, "lambda_max"), strict=True):
-            for branch in _branches(data):
-                _draw(axes, branch, drawn)
-        panels[1].axhline(1.0, **style.LIMIT_LINE)
-        _bound(panels[1])
+    figure, panels = style.subplots(2, 1, figsize=(8.2, 7.0), sharex=True, height_ratios=(2, 1))
+    kind = "apex" if quantity in COORDINATES else "stride"
+    variable = VARIABLES.get(f"{kind}.{quantity}")
+    label = f"{kind}.{quantity}" if variable else quantity
+    panels[0].set_ylabel(style.with_unit(label, display.label(variable.unit) if variable else ""))
+    panels[1].set_ylabel("modulus of the largest eigenvalue")
+    panels[1].set_xlabel(style.tell_in(panels[1].xaxis, name, display))
+    begin = display.value(name, float(data[name].values[0]))
+    panels[0].set_title(f"{name} from {begin:g}: {data.ended}", wrap=True)
+    for axes, drawn in zip(panels, (quantity, "lambda_max"), strict=True):
         for branch in _branches(data):
-            _write_words(panels[0], branch, quantity)
-        _legend(panels[0])
+            _draw(axes, branch, drawn)
+    panels[1].axhline(1.0, **style.LIMIT_LINE)
+    _bound(panels[1])
+    for branch in _branches(data):
+        _write_words(panels[0], branch, quantity)
+    _legend(panels[0])
     return figure
 
 
@@ -189,28 +188,26 @@ def of_curves(data: xarray.Dataset, display: DisplayUnits | None = None) -> Figu
     """The curves in the plane of the parameters: borders thin, with each word on its side."""
     curves, names = curves_in(data), str(data.over).split(", ")
     display = display or DisplayUnits(values=Runner(runner_in(data), model=data.model))
-    with style.styled():
-        figure, axes = style.subplots(figsize=(7.6, 5.4))
-        labels = [
-            style.tell_in(axis, name, display)
-            for axis, name in zip((axes.xaxis, axes.yaxis), names, strict=True)
-        ]
-        shown = set()
-        for curve in curves:
-            border = curve.kind == WORD_BORDER
-            axes.plot(
-                *curve.points.T,
-                color=MARKS[curve.kind]["color"],
-                linewidth=1.0 if border else 1.8,
-                label="_" if curve.kind in shown else curve.kind,
-            )
-            shown.add(curve.kind)
-        style.label(axes, *labels)
-        if shown:
-            axes.legend()
-        begin, end = data.first_range
-        for curve in curves:
-            _write_words_beside(axes, curve, begin < end)
+    figure, axes = style.subplots(figsize=(7.6, 5.4))
+    labels = [
+        style.tell_in(axis, name, display) for axis, name in zip((axes.xaxis, axes.yaxis), names, strict=True)
+    ]
+    shown = set()
+    for curve in curves:
+        border = curve.kind == WORD_BORDER
+        axes.plot(
+            *curve.points.T,
+            color=MARKS[curve.kind]["color"],
+            linewidth=1.0 if border else 1.8,
+            label="_" if curve.kind in shown else curve.kind,
+        )
+        shown.add(curve.kind)
+    style.label(axes, *labels)
+    if shown:
+        axes.legend()
+    begin, end = data.first_range
+    for curve in curves:
+        _write_words_beside(axes, curve, begin < end)
     return figure
 
 

@@ -34,12 +34,11 @@ NARROWEST = 1e-300
 def of_controllability(found: Controllability) -> Figure:
     """The modes' eigenvalues, marked where no setting moves them, and what each setting moves."""
     fixed = np.atleast_1d(found.uncontrollable)
-    with style.styled():
-        figure, (left, right) = _panels()
-        shown = {"can be moved": found.eigenvalues, "cannot be moved": fixed}
-        _paint(left, {name: values for name, values in shown.items() if len(values)})
-        _bars(right, found.modal_controllability.T, found.inputs, [_mode(v) for v in found.eigenvalues])
-        style.label(right, "eigenvalue of the mode", "movement of the mode by a stride, over the scales")
+    figure, (left, right) = _panels()
+    shown = {"can be moved": found.eigenvalues, "cannot be moved": fixed}
+    _paint(left, {name: values for name, values in shown.items() if len(values)})
+    _bars(right, found.modal_controllability.T, found.inputs, [_mode(v) for v in found.eigenvalues])
+    style.label(right, "eigenvalue of the mode", "movement of the mode by a stride, over the scales")
     return figure
 
 
@@ -47,37 +46,34 @@ def of_feedback(law: Feedback) -> Figure:
     """The eigenvalues with and without the law, and its gains over the scales."""
     model = law.linearization
     gain = np.asarray(law.gain) * model.scales / model.setting_scales[:, None]
-    with style.styled():
-        figure, (left, right) = _panels()
-        _paint(left, {"with the law": law.eigenvalues, "without": model.gait.eigenvalues})
-        names = [name.replace("_", " ") for name in COORDINATES[: len(model.scales)]]
-        _bars(right, gain, law.inputs, names)
-        style.label(right, "coordinate of the apex", "gain, settings and coordinates over their scales")
+    figure, (left, right) = _panels()
+    _paint(left, {"with the law": law.eigenvalues, "without": model.gait.eigenvalues})
+    names = [name.replace("_", " ") for name in COORDINATES[: len(model.scales)]]
+    _bars(right, gain, law.inputs, names)
+    style.label(right, "coordinate of the apex", "gain, settings and coordinates over their scales")
     return figure
 
 
 def of_proof(proof: Proof) -> Figure:
     """The proved eigenvalues, and how narrow the enclosures of the apex are."""
-    with style.styled():
-        figure, (left, right) = _panels()
-        _paint(left, {style.word(proof.word) or "undecided": _middles(proof)})
-        radii = [float(x.rad()) for x in proof.apex] or [float(radius) for radius in proof.box.radii]
-        _radii(right, list(COORDINATES), radii, proof.values)
+    figure, (left, right) = _panels()
+    _paint(left, {style.word(proof.word) or "undecided": _middles(proof)})
+    radii = [float(x.rad()) for x in proof.apex] or [float(radius) for radius in proof.box.radii]
+    _radii(right, list(COORDINATES), radii, proof.values)
     return figure
 
 
 def of_border(proof: BorderProof) -> Figure:
     """The proved eigenvalues on both sides of the border, and how narrow its enclosures are."""
-    with style.styled():
-        figure, (left, right) = _panels()
-        sides = {
-            f"{style.word(side.word)} at {proof.name} {way} the border": _middles(side)
-            for side, way in zip(proof.sides, ("below", "above"), strict=False)
-        }
-        _paint(left, {name: values for name, values in sides.items() if len(values)})
-        enclosed = [*proof.apex, *([] if proof.value is None else [proof.value])]
-        names, radii = [*COORDINATES, proof.name][: len(enclosed)], [float(x.rad()) for x in enclosed]
-        _radii(right, names, radii, proof.values)
+    figure, (left, right) = _panels()
+    sides = {
+        f"{style.word(side.word)} at {proof.name} {way} the border": _middles(side)
+        for side, way in zip(proof.sides, ("below", "above"), strict=False)
+    }
+    _paint(left, {name: values for name, values in sides.items() if len(values)})
+    enclosed = [*proof.apex, *([] if proof.value is None else [proof.value])]
+    names, radii = [*COORDINATES, proof.name][: len(enclosed)], [float(x.rad()) for x in enclosed]
+    _radii(right, names, radii, proof.values)
     return figure
 
 

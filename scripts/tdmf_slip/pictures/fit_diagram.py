@@ -33,16 +33,15 @@ def figure_of(fit: Fit) -> Figure:
     ticks, title = _tick_positions(fit)
     shown = [name for name in names if title.startswith("row") or name != "speed"] or names
     lines = (len(shown) + 1) // 2
-    with style.styled():
-        figure = style.Picture(figsize=(WIDTH, HEIGHT * (lines + 1)), layout="constrained")
-        grid = figure.add_gridspec(lines + 1, 2)
-        for number, name in enumerate(shown):
-            whole = number == len(shown) - 1 and number % 2 == 0
-            axes = figure.add_subplot(grid[number // 2, :] if whole else grid[number // 2, number % 2])
-            _quantity(axes, [of for of in fit.residuals if of.name == name], ticks, fit.runners[0])
-            axes.set_xlabel(title)
-        _residuals(figure.add_subplot(grid[lines, :]), fit, names, ticks, title)
-        figure.axes[0].legend()
+    figure = style.Picture(figsize=(WIDTH, HEIGHT * (lines + 1)), layout="constrained")
+    grid = figure.add_gridspec(lines + 1, 2)
+    for number, name in enumerate(shown):
+        whole = number == len(shown) - 1 and number % 2 == 0
+        axes = figure.add_subplot(grid[number // 2, :] if whole else grid[number // 2, number % 2])
+        _quantity(axes, [of for of in fit.residuals if of.name == name], ticks, fit.runners[0])
+        axes.set_xlabel(title)
+    _residuals(figure.add_subplot(grid[lines, :]), fit, names, ticks, title)
+    figure.axes[0].legend()
     return figure
 
 
@@ -149,7 +148,8 @@ def write(path: Path, fit: Fit) -> None:
 
 def _picture(fit: Fit) -> str:
     """The figure as PNG in base 64."""
-    return base64.b64encode(style.png_of(figure_of(fit))).decode()
+    with style.styled():
+        return base64.b64encode(style.png_of(figure_of(fit))).decode()
 
 
 def _table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:

@@ -37,13 +37,12 @@ def figure_of(run: xarray.Dataset) -> Figure:
         return of_trajectory(run)
     if missing:
         raise InputError(f"plot: the run has not recorded {', '.join(sorted(missing))}")
-    with style.styled():
-        figure, all_axes = style.subplots(len(PANELS), 1, sharex=True, figsize=(8.4, 7.6))
-        for axes, (label, curves) in zip(all_axes, PANELS, strict=True):
-            _panel(axes, run, label, curves)
-            _shade(axes, run)
-        all_axes[-1].set_xlabel(style.with_unit("time", paper_units.label("s", runner_in(run))))
-        figure.legend(handles=_key(run), loc="outside lower center", ncols=len(style.LOADED) + 1)
+    figure, all_axes = style.subplots(len(PANELS), 1, sharex=True, figsize=(8.4, 7.6))
+    for axes, (label, curves) in zip(all_axes, PANELS, strict=True):
+        _panel(axes, run, label, curves)
+        _shade(axes, run)
+    all_axes[-1].set_xlabel(style.with_unit("time", paper_units.label("s", runner_in(run))))
+    figure.legend(handles=_key(run), loc="outside lower center", ncols=len(style.LOADED) + 1)
     return figure
 
 
@@ -91,15 +90,12 @@ def of_trajectory(run: xarray.Dataset) -> Figure:
     times, modes = run["time"].values, run["mode"].values if "mode" in run else ()
     pairs = zip(times[1:], modes, modes[1:], strict=False)
     changes = [time for time, before, after in pairs if before != after]
-    with style.styled():
-        count = min(MAX_PANELS, len(moving))
-        figure, panels = style.subplots(
-            count, 1, figsize=(7.6, 1.0 + 1.3 * count), sharex=True, squeeze=False
-        )
-        for axes, name in zip(panels[:, 0], moving, strict=False):
-            axes.plot(times, run[name].values, color=style.CURVE)
-            axes.set_ylabel(style.with_unit(str(name), run[name].attrs["units"]))
-            for time in changes:
-                axes.axvline(time, **style.LIMIT_LINE)
-        panels[-1, 0].set_xlabel(style.with_unit("time", "s"))
+    count = min(MAX_PANELS, len(moving))
+    figure, panels = style.subplots(count, 1, figsize=(7.6, 1.0 + 1.3 * count), sharex=True, squeeze=False)
+    for axes, name in zip(panels[:, 0], moving, strict=False):
+        axes.plot(times, run[name].values, color=style.CURVE)
+        axes.set_ylabel(style.with_unit(str(name), run[name].attrs["units"]))
+        for time in changes:
+            axes.axvline(time, **style.LIMIT_LINE)
+    panels[-1, 0].set_xlabel(style.with_unit("time", "s"))
     return figure

@@ -248,19 +248,18 @@ def of_gait(gait: Gait) -> Figure:
 
 def velocity_and_ratio(stride: Stride) -> Figure:
     """The two panels."""
-    with style.styled():
-        figure, (left, right) = style.subplots(1, 2, figsize=(8.4, 3.7))
-        for axes in (left, right):
-            mark_stance(axes, stride)
-            mark_mid_stance(axes, stride)
-        foot_velocity(left, stride, stance_only=True)
-        left.set_title("(a) foot velocity; the jump is the slipping impact")
-        force_ratio(right, stride)
-        right.set_title("(b) force ratio; × impulses at the impact")
-        figure.suptitle(
-            rf"Periodic gait at $\mu = {stride.gait.friction:g}$, word  {style.word(stride.gait.word)}",
-            x=0.02,
-            ha="left",
-        )
-        key_below(figure, [stride])
+    figure, (left, right) = style.subplots(1, 2, figsize=(8.4, 3.7))
+    for axes in (left, right):
+        mark_stance(axes, stride)
+        mark_mid_stance(axes, stride)
+    foot_velocity(left, stride, stance_only=True)
+    left.set_title("(a) foot velocity; the jump is the slipping impact")
+    force_ratio(right, stride)
+    right.set_title("(b) force ratio; × impulses at the impact")
+    figure.suptitle(
+        rf"Periodic gait at $\mu = {stride.gait.friction:g}$, word  {style.word(stride.gait.word)}",
+        x=0.02,
+        ha="left",
+    )
+    key_below(figure, [stride])
     return figure

@@ -105,7 +105,8 @@ def _figure_of(result: Any, **options: Any) -> Figure:
     module, _, function = PICTURES[kind].rpartition(".")
     home = f"{__package__}.{module}" if not module.startswith(".") else f"{__package__.split('.')[0]}{module}"
     draw: Callable[[Any], Figure] = partial(getattr(importlib.import_module(home), function), **options)
-    return _of_dataset(result, kind, draw) if kind in DATASETS else draw(result)
+    with style.styled():
+        return _of_dataset(result, kind, draw) if kind in DATASETS else draw(result)
 
 
 def _kind_of(result: Any) -> str:

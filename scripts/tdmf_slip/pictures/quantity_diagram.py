@@ -40,22 +40,19 @@ def of_falls(found: FirstPassage | RareFalls) -> Figure:
     low, high = found.interval
     mean = found.mean_strides if math.isfinite(found.mean_strides) else low
     strides = np.geomspace(max(1.0, SPAN[0] * low), SPAN[1] * (high if math.isfinite(high) else mean), POINTS)
-    with style.styled():
-        figure, axes = style.subplots(figsize=(6.8, 4.4))
-        bounds = (_still_up(strides, low), _still_up(strides, high))
-        axes.fill_between(
-            strides, *bounds, color=style.GROUND, label=f"{CONFIDENCE:.0%} interval", linewidth=0
-        )
-        if math.isfinite(found.mean_strides):
-            label = f"mean {mean:.4g} strides until the fall"
-            axes.plot(strides, _still_up(strides, mean), color=style.CURVE, label=label)
-        axes.set_xscale("log")
-        axes.set_ylim(0.0, 1.02)
-        style.label(axes, "strides begun", "probability of not having fallen")
-        axes.set_title(
-            f"gait {style.word(found.word)} on steps of {found.roughness:.4g} m, {found.falls:,} falls"
-        )
-        figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=2)
+    figure, axes = style.subplots(figsize=(6.8, 4.4))
+    bounds = (_still_up(strides, low), _still_up(strides, high))
+    axes.fill_between(strides, *bounds, color=style.GROUND, label=f"{CONFIDENCE:.0%} interval", linewidth=0)
+    if math.isfinite(found.mean_strides):
+        label = f"mean {mean:.4g} strides until the fall"
+        axes.plot(strides, _still_up(strides, mean), color=style.CURVE, label=label)
+    axes.set_xscale("log")
+    axes.set_ylim(0.0, 1.02)
+    style.label(axes, "strides begun", "probability of not having fallen")
+    axes.set_title(
+        f"gait {style.word(found.word)} on steps of {found.roughness:.4g} m, {found.falls:,} falls"
+    )
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=2)
     return figure
 
 
@@ -70,12 +67,11 @@ def of_attraction(proof: Attraction) -> Figure:
         raise InputError(f"plot: nothing is proved, {proof.undecided}; allowed: an attraction that is")
     count = max(1, math.ceil(math.log(SMALLEST) / math.log(proof.rate))) if proof.rate > 0.0 else 1
     strides = np.arange(count + 1)
-    with style.styled():
-        figure, axes = style.subplots(figsize=(6.8, 4.4))
-        axes.plot(strides, proof.norm_radius * proof.rate**strides, ".-", color=style.CURVE, markersize=4.0)
-        axes.set_yscale("log")
-        style.label(axes, "strides", "largest distance from the gait, in the norm of the proof")
-        axes.set_title(f"every apex within {proof.radius:.3g} of the scales; rate {proof.rate:.4g} a stride")
+    figure, axes = style.subplots(figsize=(6.8, 4.4))
+    axes.plot(strides, proof.norm_radius * proof.rate**strides, ".-", color=style.CURVE, markersize=4.0)
+    axes.set_yscale("log")
+    style.label(axes, "strides", "largest distance from the gait, in the norm of the proof")
+    axes.set_title(f"every apex within {proof.radius:.3g} of the scales; rate {proof.rate:.4g} a stride")
     return figure
 
 
@@ -93,15 +89,14 @@ def of_optimum(found: Optimum) -> Figure:
     after = quantities_of(found.gait, names) | {LAMBDA_MAX: found.gait.lambda_max}
     given = {name: found.before.runner[name] for name in found.parameters}
     rows = len(before) + len(given)
-    with style.styled():
-        figure, (upper, lower) = style.subplots(
-            *(2, 1), figsize=(7.6, HEIGHT + BAR * rows), height_ratios=[len(before), max(2, len(given))]
-        )
-        _changes(upper, before, {"optimum": after}, bold=(found.objective,))
-        _changes(lower, given, {"optimum": found.parameters})
-        style.label(upper, "change from the runner that was given (%)", "quantity")
-        style.label(lower, "change from the runner that was given (%)", "parameter")
-        upper.set_title(f"{'least' if found.is_minimum else 'most'} {_words(found.objective)}")
+    figure, (upper, lower) = style.subplots(
+        *(2, 1), figsize=(7.6, HEIGHT + BAR * rows), height_ratios=[len(before), max(2, len(given))]
+    )
+    _changes(upper, before, {"optimum": after}, bold=(found.objective,))
+    _changes(lower, given, {"optimum": found.parameters})
+    style.label(upper, "change from the runner that was given (%)", "quantity")
+    style.label(lower, "change from the runner that was given (%)", "parameter")
+    upper.set_title(f"{'least' if found.is_minimum else 'most'} {_words(found.objective)}")
     return figure
 
 
@@ -112,12 +107,11 @@ def of_comparison(data: xarray.Dataset) -> Figure:
     reference, *others = (
         {name: float(after[name].values[number]) for name in names} for number in range(after.sizes["runner"])
     )
-    with style.styled():
-        figure, axes = style.subplots(figsize=(7.6, HEIGHT + BAR * len(reference) * max(1, len(others))))
-        runners = {f"runner {number}": values for number, values in enumerate(others, 1)}
-        _changes(axes, reference, runners, bold=data.hold.split(", "))
-        style.label(axes, "difference from runner 0 (%)", "quantity; bold: held")
-        figure.legend(*axes.get_legend_handles_labels(), loc="outside upper right", ncols=4)
+    figure, axes = style.subplots(figsize=(7.6, HEIGHT + BAR * len(reference) * max(1, len(others))))
+    runners = {f"runner {number}": values for number, values in enumerate(others, 1)}
+    _changes(axes, reference, runners, bold=data.hold.split(", "))
+    style.label(axes, "difference from runner 0 (%)", "quantity; bold: held")
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside upper right", ncols=4)
     return figure
 
 
@@ -125,23 +119,22 @@ def of_front(data: xarray.Dataset) -> Figure:
     """One objective over the other, a mark for each runner; hollow where its gait is unstable."""
     objectives = data.objectives.split(", ")
     points = np.column_stack([data[name].values for name in objectives])
-    with style.styled():
-        figure, axes = style.subplots(figsize=(6.4, 4.6))
-        axes.plot(*points.T, color=style.FAINT, linewidth=1.0, zorder=1)
-        stable = data[LAMBDA_MAX].values < 1.0
-        for where, name, face in ((stable, "stable", style.SECOND_CURVE), (~stable, "unstable", "white")):
-            if where.any():
-                axes.plot(
-                    *points[where].T,
-                    linestyle="",
-                    marker="o",
-                    color=style.SECOND_CURVE,
-                    markerfacecolor=face,
-                    label=name,
-                )
-        runner = Runner(runner_in(data), model=data.model)
-        style.label(axes, *(_with_unit(name, runner) for name in objectives))
-        figure.legend(*axes.get_legend_handles_labels(), loc="outside upper right", ncols=2)
+    figure, axes = style.subplots(figsize=(6.4, 4.6))
+    axes.plot(*points.T, color=style.FAINT, linewidth=1.0, zorder=1)
+    stable = data[LAMBDA_MAX].values < 1.0
+    for where, name, face in ((stable, "stable", style.SECOND_CURVE), (~stable, "unstable", "white")):
+        if where.any():
+            axes.plot(
+                *points[where].T,
+                linestyle="",
+                marker="o",
+                color=style.SECOND_CURVE,
+                markerfacecolor=face,
+                label=name,
+            )
+    runner = Runner(runner_in(data), model=data.model)
+    style.label(axes, *(_with_unit(name, runner) for name in objectives))
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside upper right", ncols=2)
     return figure
 
 

@@ -47,8 +47,7 @@ def figure_of(
         raise InputError("plot: a sweep without gaits; allowed: one that has some")
     model = model_named(gaits.attrs.get("model", "full"))
     display = display or DisplayUnits(values=runner_in(gaits), model=model)
-    with style.styled():
-        return _curves(gaits, borders, display) if dimensions == 1 else _map(gaits, display)
+    return _curves(gaits, borders, display) if dimensions == 1 else _map(gaits, display)
 
 
 def _curves(gaits: "xarray.Dataset", borders: "xarray.Dataset | None", display: DisplayUnits) -> Figure:

@@ -1,10 +1,10 @@
 """Two measures of a gait's stability against friction: its largest eigenvalue, and what it attracts."""
 
 from collections.abc import Sequence
-from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from ...analysis.attraction import FARTHEST
 from ...analysis.sweeps import Row
@@ -12,7 +12,7 @@ from ...feedback.judgement import Judgement
 from ...pictures import style
 from ...pictures.style import CurveLabel
 from . import figure_9
-from .columns import Columns, attributes
+from .columns import Columns, Data, as_columns, attributes
 
 DISTURBANCES = {
     "step_down": ("step down (l₀)", "#1f5fa8"),
@@ -21,7 +21,7 @@ DISTURBANCES = {
 """Labels and colours of the disturbances that are drawn."""
 
 
-def table(measured: Sequence[Judgement], matched: Sequence[Judgement] = ()) -> Columns:
+def table(measured: Sequence[Judgement], matched: Sequence[Judgement] = ()) -> Data:
     """Data of the figure by column. `matched` is 1 or 0; inf is a disturbance beyond the largest tried."""
     rows = [*measured, *matched]
     return {
@@ -37,31 +37,26 @@ def table(measured: Sequence[Judgement], matched: Sequence[Judgement] = ()) -> C
     }
 
 
-def draw(path: Path, sweep: Row, measured: Sequence[Judgement], matched: Sequence[Judgement]) -> None:
+def draw(sweep: Row, measured: Sequence[Judgement], matched: Sequence[Judgement]) -> Figure:
     """Draw the share of starts that settle, the largest eigenvalue, and the largest disturbances."""
-    data, equal = table(measured), table(matched)
-    with style.styled():
-        figure, axes = style.subplots(3, 1, figsize=(7.6, 7.6), sharex=True)
-        _draw_share(axes[0], data)
-        axes[0].plot(equal["friction"], equal["attracted_share"], **figure_9.CONTROL)
-        figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
-        axes[1].plot(equal["friction"], equal["lambda_max"], **figure_9.CONTROL)
-        axes[1].plot(
-            [gait.friction for gait in sweep.gaits],
-            [gait.lambda_max for gait in sweep.gaits],
-            color=style.CURVE,
-        )
-        axes[1].set_title(r"(b) largest eigenvalue $\lambda_{max}$")
-        _draw_disturbances(axes[2], data)
-        for name, (_, colour) in DISTURBANCES.items():
-            axes[2].plot(
-                equal["friction"], np.minimum(equal[name], FARTHEST), "--", linewidth=1.0, color=colour
-            )
-        for panel in axes:
-            figure_9.mark_borders(panel, sweep)
-        figure_9.name_words(axes[0], sweep)
-        figure_9.friction_axis(axes[-1], [gait.friction for gait in sweep.gaits])
-        style.save(figure, path)
+    data, equal = as_columns(table(measured)), as_columns(table(matched))
+    figure, axes = style.subplots(3, 1, figsize=(7.6, 7.6), sharex=True)
+    _draw_share(axes[0], data)
+    axes[0].plot(equal["friction"], equal["attracted_share"], **figure_9.CONTROL)
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
+    axes[1].plot(equal["friction"], equal["lambda_max"], **figure_9.CONTROL)
+    axes[1].plot(
+        [gait.friction for gait in sweep.gaits], [gait.lambda_max for gait in sweep.gaits], color=style.CURVE
+    )
+    axes[1].set_title(r"(b) largest eigenvalue $\lambda_{max}$")
+    _draw_disturbances(axes[2], data)
+    for name, (_, colour) in DISTURBANCES.items():
+        axes[2].plot(equal["friction"], np.minimum(equal[name], FARTHEST), "--", linewidth=1.0, color=colour)
+    for panel in axes:
+        figure_9.mark_borders(panel, sweep)
+    figure_9.name_words(axes[0], sweep)
+    figure_9.friction_axis(axes[-1], [gait.friction for gait in sweep.gaits])
+    return figure
 
 
 def _draw_share(axes: Axes, data: Columns) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from ...analysis.search import periodic_gait
 from ...analysis.sweeps import Row, sweep_row
@@ -41,7 +42,7 @@ from . import (
     thrust,
     viability,
 )
-from .columns import Columns, columns, write_columns
+from .columns import Data, as_columns, columns, write_columns
 
 if TYPE_CHECKING:
     import xarray
@@ -64,6 +65,7 @@ MEASURED = 26
 EQUAL, MEASURED_EQUAL = 48, 12
 """Number of matched gaits, and of those whose region of attraction is measured."""
 CLAMP = "hip.swing_clamp"
+PAPERS_GAITS = [f"figure_{number}" for number in range(5, 10)]
 STRIDE_COLUMNS = (
     "time",
     "com.y",
@@ -79,20 +81,19 @@ STRIDE_COLUMNS = (
 
 
 @dataclass(frozen=True)
-class Figure:
-    """Functions that draw a figure and give its data."""
+class Entry:
+    """A figure: how it is drawn, and its data."""
 
-    draw: Callable[[Path], None]
-    """Draws the figure into a file."""
-    table: Callable[[], Columns]
+    draw: Callable[[], Figure]
+    """Draws the figure."""
+    table: Callable[[], Data]
     """Returns the data of the figure by column."""
 
 
-def _figure(draw: Callable[..., None], table: Callable[..., Columns], *results: Callable[[], Any]) -> Figure:
+def _entry(draw: Callable[..., Figure], table: Callable[..., Data], *results: Callable[[], Any]) -> Entry:
     """A figure whose drawing and data take the same results."""
-    return Figure(
-        lambda path: draw(path, *(result() for result in results)),
-        lambda: table(*(result() for result in results)),
+    return Entry(
+        lambda: draw(*(result() for result in results)), lambda: table(*(result() for result in results))
     )
 
 
@@ -115,10 +116,10 @@ def draw(
     written = []
     with style.appearing(appearance), progress_bar("figures", len(chosen), "figures", progress) as bar:
         for name, figure in chosen.items():
-            for suffix in formats:
-                figure.draw(folder / f"{name}.{suffix}")
-                written.append(folder / f"{name}.{suffix}")
-            write_columns(folder / f"{name}.csv", figure.table())
+            paths = [folder / f"{name}.{suffix}" for suffix in formats]
+            _write(figure.draw, *paths)
+            written += paths
+            write_columns(folder / f"{name}.csv", as_columns(figure.table()))
             written.append(folder / f"{name}.csv")
             bar.update()
     return written
@@ -130,7 +131,7 @@ def draw_gallery(folder: Path, progress: bool = False) -> list[Path]:
     figures = _figures()
     stride = cache(lambda: Stride(periodic_gait(_paper_runner().replace({FRICTION: model.FRICTION}))))
     drawings: dict[str, Callable[[Path], None]] = {
-        **{f"figure_{number}.png": figures[f"figure_{number}"].draw for number in range(5, 10)},
+        **{f"{name}.png": partial(_write, figures[name].draw) for name in PAPERS_GAITS},
         "snapshots.png": lambda path: model.draw_snapshots(path, stride()),
         "stride.gif": lambda path: animation.draw(path, stride()),
         "model.png": model.draw,
@@ -142,11 +143,19 @@ def draw_gallery(folder: Path, progress: bool = False) -> list[Path]:
     return [folder / name for name in drawings]
 
 
+def _write(draw: Callable[[], Figure], *paths: Path) -> None:
+    """Draw a figure, and write it into files."""
+    with style.styled():
+        figure = draw()
+        for path in paths:
+            style.save(figure, path)
+
+
 def _paper_runner() -> Runner:
     return Runner(read_parameters("paper"))
 
 
-def _figures(measure: bool = False) -> dict[str, Figure]:
+def _figures(measure: bool = False) -> dict[str, Entry]:
     runner = _paper_runner()
 
     @cache
@@ -187,44 +196,42 @@ def _figures(measure: bool = False) -> dict[str, Figure]:
     alike = cache(lambda: retraction.matched(runner))
 
     def of_strides(
-        drawing: Callable[..., None], frictions: Sequence[float], clamps: Sequence[bool] = (False,)
-    ) -> Figure:
+        drawing: Callable[..., Figure], frictions: Sequence[float], clamps: Sequence[bool] = (False,)
+    ) -> Entry:
         its = [partial(stride, friction, clamp) for friction in frictions for clamp in clamps]
-        return _figure(drawing, _stride_table, *its)
+        return _entry(drawing, _stride_table, *its)
 
-    def stored(name: str) -> Figure:
+    def stored(name: str) -> Entry:
         module = STORED[name]
-        data = cache(lambda: module.measure(runner) if measure else columns(name))
-        return Figure(lambda path: module.draw(path, data()), data)
+        data = cache(lambda: as_columns(module.measure(runner)) if measure else columns(name))
+        return Entry(lambda: module.draw(data()), data)
 
     return {
-        "figure_1b": Figure(classic.draw_step, classic.step_table),
-        "figure_2a": Figure(classic.draw_maps, classic.map_table),
-        "figure_2b": Figure(classic.draw_gaits, classic.gait_table),
-        "figure_3": Figure(classic.draw_slip, classic.slip_table),
-        "figure_4a": Figure(classic.draw_friction, classic.gait_table),
+        "figure_1b": Entry(classic.draw_step, classic.step_table),
+        "figure_2a": Entry(classic.draw_maps, classic.map_table),
+        "figure_2b": Entry(classic.draw_gaits, classic.gait_table),
+        "figure_3": Entry(classic.draw_slip, classic.slip_table),
+        "figure_4a": Entry(classic.draw_friction, classic.gait_table),
         "figure_5": of_strides(strides.draw_sticking, [strides.STICKS], list(READINGS.values())),
         "figure_6": of_strides(strides.draw, [strides.LANDING]),
         "figure_7": of_strides(strides.draw, [strides.THREE_SLIPS]),
         "figure_8": of_strides(strides.draw_low, strides.LOW),
-        "figure_9": _figure(figure_9.draw, figure_9.table, gaits, equal),
-        "attraction": Figure(
-            lambda path: attraction.draw(path, gaits(), measured(), measured_equal()),
+        "figure_9": _entry(figure_9.draw, figure_9.table, gaits, equal),
+        "attraction": Entry(
+            lambda: attraction.draw(gaits(), measured(), measured_equal()),
             lambda: attraction.table(measured(), measured_equal()),
         ),
-        "energy": Figure(
-            lambda path: energy.draw(path, gaits(), equal()), lambda: energy.table(gaits().gaits, equal())
-        ),
-        "guinea_fowl": _figure(guinea_fowl.draw, guinea_fowl.table, cache(slippery.fall_map)),
-        "retraction": _figure(retraction.draw, retraction.table, retracting, alike),
-        "reduced_region": _figure(reduced.draw_regions, reduced.region_table, regions),
-        "reduced_eigenvalues": _figure(reduced.draw_eigenvalues, reduced.eigenvalue_table, gaits_of_both),
-        "reduced_stability": _figure(reduced.draw_planes, reduced.plane_table, planes),
+        "energy": Entry(lambda: energy.draw(gaits(), equal()), lambda: energy.table(gaits().gaits, equal())),
+        "guinea_fowl": _entry(guinea_fowl.draw, guinea_fowl.table, cache(slippery.fall_map)),
+        "retraction": _entry(retraction.draw, retraction.table, retracting, alike),
+        "reduced_region": _entry(reduced.draw_regions, reduced.region_table, regions),
+        "reduced_eigenvalues": _entry(reduced.draw_eigenvalues, reduced.eigenvalue_table, gaits_of_both),
+        "reduced_stability": _entry(reduced.draw_planes, reduced.plane_table, planes),
         **{name: stored(name) for name in STORED},
     }
 
 
-def _stride_table(*strides: Stride) -> Columns:
+def _stride_table(*strides: Stride) -> Data:
     """Recorded rows of strides in the paper's units, preceded by friction and reading of the gait."""
     lengths = [len(stride.time) for stride in strides]
     rows = {

@@ -17,24 +17,37 @@ from ...files.whole import whole
 
 TEXTS = ("kind", "law", "word")
 """Columns of text."""
+NUMBERS = {"True": 1.0, "False": 0.0}
+"""Numbers that stand for stored truth values."""
+Columns: TypeAlias = dict[str, NDArray[Any]]
+"""Values by name, in columns of equal length."""
+Data: TypeAlias = Mapping[str, Sequence[Any] | NDArray[Any]]
+"""Columns, or sequences that `as_columns` makes columns of."""
 
 
-def columns(name: str) -> dict[str, NDArray[Any]]:
-    """The data of a figure, by column."""
+def columns(name: str) -> Columns:
+    """The stored data of a figure, by column."""
     text = importlib.resources.files(__package__).joinpath(f"{name}.csv").read_text(encoding="utf-8")
     rows = list(csv.DictReader(text.splitlines()))
-    return {column: _values([row[column] for row in rows], column in TEXTS) for column in rows[0]}
+    return as_columns({of: [_value(row[of], of) for row in rows] for of in rows[0]})
 
 
-def _values(given: list[str], are_texts: bool) -> NDArray[Any]:
-    if are_texts:
-        return np.array(given)
-    words = {"True": 1.0, "False": 0.0}
-    return np.array([words[value] if value in words else float(value) for value in given])
+def _value(text: str, column: str) -> str | float:
+    if column in TEXTS:
+        return text
+    return NUMBERS[text] if text in NUMBERS else float(text)
 
 
-Columns: TypeAlias = Mapping[str, Sequence[Any] | NDArray[Any]]
-"""Values by name, in columns of equal length."""
+def as_columns(data: Data) -> Columns:
+    """Sequences as columns."""
+    return {name: np.asarray(values) for name, values in data.items()}
+
+
+def select(data: Columns, chosen: Any = True, **values: Any) -> Columns:
+    """The rows that are chosen by a mask or by indices, and that have these values."""
+    has_values = np.all([data[name] == value for name, value in values.items()], axis=0)
+    mask = chosen & has_values if values else chosen
+    return {name: column[mask] for name, column in data.items()}
 
 
 def attributes(rows: Sequence[Any], *names: str) -> dict[str, list[Any]]:
@@ -47,4 +60,4 @@ def write_columns(path: Path, columns: Columns) -> None:
     with whole(path) as beside, beside.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(columns)
-        writer.writerows(zip(*columns.values(), strict=True))
+        writer.writerows(zip(*(column.tolist() for column in columns.values()), strict=True))

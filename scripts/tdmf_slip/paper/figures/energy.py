@@ -1,16 +1,16 @@
 """Why slipping pays: where the hip's work goes, per weight and stride length, against friction."""
 
 from collections.abc import Sequence
-from pathlib import Path
 
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from ...analysis.sweeps import Row
 from ...library.gait import Gait
 from ...library.quantities import weight_of
 from ...pictures import style
 from . import figure_9
-from .columns import Columns, attributes
+from .columns import Columns, Data, as_columns, attributes
 
 SHARES = {
     "impact_loss": ("lost at the impact", "#1f5fa8"),
@@ -20,7 +20,7 @@ SHARES = {
 """Labels and colours of the losses, from bottom to top."""
 
 
-def table(gaits: Sequence[Gait], matched: Sequence[Gait] = ()) -> Columns:
+def table(gaits: Sequence[Gait], matched: Sequence[Gait] = ()) -> Data:
     """Data of the figure by column: energies per weight and stride length. `matched` is 1 or 0."""
     rows = [*gaits, *matched]
     return {
@@ -33,27 +33,26 @@ def table(gaits: Sequence[Gait], matched: Sequence[Gait] = ()) -> Columns:
     }
 
 
-def draw(path: Path, sweep: Row, matched: Sequence[Gait]) -> None:
+def draw(sweep: Row, matched: Sequence[Gait]) -> Figure:
     """Draw the stacked losses and the hip's work, for the paper's runner and for matched runners."""
-    with style.styled():
-        figure, panels = style.subplots(2, 1, figsize=(7.6, 7.6), sharex=True, sharey=True)
-        for axes, gaits, title in zip(
-            panels,
-            (sweep.gaits, matched),
-            (
-                "(a) the paper's runner: only friction varies",
-                "(b) every runner with the speed, apex height and leg angle of the gait at friction 10",
-            ),
-            strict=True,
-        ):
-            _draw_shares(axes, table(gaits))
-            axes.set_title(title, pad=18 if axes is panels[0] else None)
-        figure_9.mark_borders(panels[0], sweep)
-        figure_9.name_words(panels[0], sweep)
-        figure_9.friction_axis(panels[1], [gait.friction for gait in sweep.gaits])
-        panels[0].set_ylim(0.0, 1.2 * max(table([*sweep.gaits, *matched])["cost_of_transport"]))
-        figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
-        style.save(figure, path)
+    figure, panels = style.subplots(2, 1, figsize=(7.6, 7.6), sharex=True, sharey=True)
+    for axes, gaits, title in zip(
+        panels,
+        (sweep.gaits, matched),
+        (
+            "(a) the paper's runner: only friction varies",
+            "(b) every runner with the speed, apex height and leg angle of the gait at friction 10",
+        ),
+        strict=True,
+    ):
+        _draw_shares(axes, as_columns(table(gaits)))
+        axes.set_title(title, pad=18 if axes is panels[0] else None)
+    figure_9.mark_borders(panels[0], sweep)
+    figure_9.name_words(panels[0], sweep)
+    figure_9.friction_axis(panels[1], [gait.friction for gait in sweep.gaits])
+    panels[0].set_ylim(0.0, 1.2 * max(table([*sweep.gaits, *matched])["cost_of_transport"]))
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
+    return figure
 
 
 def _draw_shares(axes: Axes, data: Columns) -> None:

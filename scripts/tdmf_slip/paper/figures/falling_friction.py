@@ -2,10 +2,10 @@
 
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
-from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ...analysis.branch_problem import gaits_over
@@ -17,7 +17,7 @@ from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.style import CurveLabel
 from ...variables.table import FRICTION
-from .columns import Columns, attributes
+from .columns import Columns, Data, attributes, select
 
 SLOPE, RATIO, VELOCITY = "ground.slope", "ground.static_friction_ratio", "ground.stribeck_velocity"
 LEVEL, DOWNHILL = 0.0, -3.0
@@ -84,7 +84,7 @@ def _rows(branch: Branch) -> list[Row]:
     return rows
 
 
-def measure(runner: Runner) -> Columns:
+def measure(runner: Runner) -> Data:
     """Data of all branches by column; takes some minutes."""
     found = {(LEVEL, ratio): level(runner, ratio) for ratio in RATIOS[LEVEL]}
     found |= {(DOWNHILL, ratio): downhill(runner, ratio) for ratio in RATIOS[DOWNHILL]}
@@ -99,42 +99,39 @@ def measure(runner: Runner) -> Columns:
     }
 
 
-def branch_of(data: Columns, slope: float, ratio: float) -> dict[str, NDArray[np.generic]]:
+def branch_of(data: Columns, slope: float, ratio: float) -> Columns:
     """Data of one branch, in its order."""
-    its = (np.asarray(data["slope_degrees"]) == slope) & (np.asarray(data["static_friction_ratio"]) == ratio)
-    return {name: np.asarray(values)[its] for name, values in data.items()}
+    return select(data, slope_degrees=slope, static_friction_ratio=ratio)
 
 
-def _shown(its: Mapping[str, NDArray[np.generic]]) -> dict[str, NDArray[np.generic]]:
-    slow = np.asarray(its["speed"], float) < SHOWN
-    return {name: values[slow] for name, values in its.items()}
+def _shown(its: Columns) -> Columns:
+    return select(its, its["speed"] < SHOWN)
 
 
-def draw(path: Path, data: Columns) -> None:
+def draw(data: Columns) -> Figure:
     """Draw level ground on the left and the slope on the right; dashed where gaits are unstable."""
-    with style.styled():
-        figure, panels = style.subplots(3, 2, figsize=(9.6, 9.0), sharex="col")
-        for column, slope in zip(panels.T, RATIOS, strict=True):
-            for axes, (name, what) in zip(column, DRAWN.items(), strict=True):
-                for ratio in RATIOS[slope]:
-                    _curve(axes, _shown(branch_of(data, slope, ratio)), name, COLOURS[ratio])
-                axes.set_ylabel(what)
-                axes.set_xscale("log")
-            _write_words(column[0], data, slope)
-            column[2].axhline(1.0, **style.LIMIT_LINE)
-            column[0].set_title(f"{_named(slope)}, sliding friction {FRICTIONS[slope]:g}")
-            column[2].set_xlabel("Stribeck velocity $v_s$ (l₀√(k/m))")
-        _key(panels[0, 0])
-        figure.legend(loc="outside lower center", ncols=5)
-        style.save(figure, path)
+    figure, panels = style.subplots(3, 2, figsize=(9.6, 9.0), sharex="col")
+    for column, slope in zip(panels.T, RATIOS, strict=True):
+        for axes, (name, what) in zip(column, DRAWN.items(), strict=True):
+            for ratio in RATIOS[slope]:
+                _curve(axes, _shown(branch_of(data, slope, ratio)), name, COLOURS[ratio])
+            axes.set_ylabel(what)
+            axes.set_xscale("log")
+        _write_words(column[0], data, slope)
+        column[2].axhline(1.0, **style.LIMIT_LINE)
+        column[0].set_title(f"{_named(slope)}, sliding friction {FRICTIONS[slope]:g}")
+        column[2].set_xlabel("Stribeck velocity $v_s$ (l₀√(k/m))")
+    _key(panels[0, 0])
+    figure.legend(loc="outside lower center", ncols=5)
+    return figure
 
 
 def _named(slope: float) -> str:
     return f"slope of {slope:g}°".replace("-", "−") if slope else "level ground"
 
 
-def _curve(axes: Axes, its: Mapping[str, NDArray[np.generic]], name: str, colour: str) -> None:
-    velocities, heights = its["stribeck_velocity"], np.asarray(its[name], float)
+def _curve(axes: Axes, its: Columns, name: str, colour: str) -> None:
+    velocities, heights = its["stribeck_velocity"], its[name]
     style.stable_curve(axes, velocities, heights, its["stable"], colour)
     for kind, marker in MARKS.items():
         here = its["kind"] == kind
@@ -149,7 +146,7 @@ def _key(axes: Axes) -> None:
         axes.plot([], [], marker, color=style.INK, label=kind)
 
 
-def _runs(its: Mapping[str, NDArray[np.generic]]) -> Iterator[tuple[str, NDArray[np.intp]]]:
+def _runs(its: Columns) -> Iterator[tuple[str, NDArray[np.intp]]]:
     """Yields each word along a branch with its rows."""
     borders = np.flatnonzero(its["word"][1:] != its["word"][:-1]) + 1
     for rows in np.split(np.arange(len(its["word"])), borders):
@@ -161,7 +158,7 @@ def _write_words(axes: Axes, data: Columns, slope: float) -> None:
     for ratio in RATIOS[slope]:
         its = _shown(branch_of(data, slope, ratio))
         for word, rows in _runs(its):
-            decades = np.log10(np.asarray(its["stribeck_velocity"], float)[rows])
+            decades = np.log10(its["stribeck_velocity"][rows])
             if np.ptp(decades) < SHORT_RUN:
                 continue
             points = np.column_stack([its["stribeck_velocity"][rows], its["speed"][rows]]).astype(float)

@@ -2,11 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from ...analysis.attraction import FARTHEST
 from ...analysis.search import periodic_gait
@@ -19,7 +19,7 @@ from ...pictures.style import CurveLabel
 from ...variables.table import FRICTION
 from ..matched import like
 from . import figure_9
-from .columns import Columns, attributes
+from .columns import Columns, Data, attributes, select
 
 FRICTIONS = (0.1, 0.2, 0.6, 1.0, 10.0)
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
@@ -68,7 +68,7 @@ def laws(gait: Gait) -> dict[str, Feedback | None]:
     return dict(zip(COLOURS, made, strict=True))
 
 
-def measure(runner: Runner) -> Columns:
+def measure(runner: Runner) -> Data:
     """Data of the figure by column; inf is a disturbance beyond all tried, or a mean without falls."""
     gaits = [periodic_gait(runner.replace({FRICTION: friction})) for friction in FRICTIONS]
     noise = (NOISE * runner.scales).tolist()
@@ -117,44 +117,40 @@ def _lambda_max(one: Judgement) -> float:
     return one.law.lambda_max if isinstance(one.law, Feedback) else one.gait.lambda_max
 
 
-def draw(path: Path, data: Columns) -> None:
+def draw(data: Columns) -> Figure:
     """Draw strides until the fall, share of starts that settle, and largest disturbances, by law."""
-    with style.styled():
-        figure, panels = style.subplots(2, 2, figsize=(8.4, 6.6), sharex=True)
-        (strides, share), (step, push) = panels
-        for number, (name, colour) in enumerate(SHOWN.items()):
-            rows = np.asarray(data["law"]) == name
-            its = {key: np.asarray(data[key])[rows] for key in data}
-            its["friction"] = its["friction"] * BESIDE ** (number - 0.5 * (len(SHOWN) - 1))
-            _with_confidence(strides, its, "mean_strides_0.3", colour, name)
-            for axes, disturbance in ((step, "step_up"), (push, "push_forward")):
-                shown = np.minimum(np.asarray(its[disturbance], float), FARTHEST)
-                axes.plot(its["friction"], shown, "o-", color=colour, markersize=4, linewidth=1.0)
-            _with_confidence(share, its, "attracted_share", colour, name)
-        strides.set_title("(a) mean strides until the fall on steps of 0.3 l₀")
-        strides.set_yscale("log")
-        strides.set_ylim(top=MAX_SHOWN)
-        step.set_title("(c) largest step up survived (l₀)")
-        push.set_title("(d) largest push forward survived (l₀√(k/m))")
-        push.axhline(FARTHEST, **style.LIMIT_LINE)
-        share.set_title("(b) share of starts that settle on the gait")
-        for axes in (step, push, share):
-            axes.set_ylim(bottom=0.0)
-        push.set_ylim(top=1.2 * FARTHEST)
-        along = np.column_stack([np.geomspace(1.0, FRICTIONS[-1], 21), np.full(21, FARTHEST)])
-        CurveLabel(push, "largest tried", along, fontsize=8.5)
-        for axes in (step, push):
-            figure_9.friction_axis(axes, FRICTIONS)
-        push.set_xlim(FRICTIONS[0] / MARGIN, FRICTIONS[-1] * MARGIN)
-        figure.legend(*strides.get_legend_handles_labels(), loc="outside lower center", ncols=2)
-        style.save(figure, path)
+    figure, panels = style.subplots(2, 2, figsize=(8.4, 6.6), sharex=True)
+    (strides, share), (step, push) = panels
+    for number, (name, colour) in enumerate(SHOWN.items()):
+        its = select(data, law=name)
+        its["friction"] = its["friction"] * BESIDE ** (number - 0.5 * (len(SHOWN) - 1))
+        _with_confidence(strides, its, "mean_strides_0.3", colour, name)
+        for axes, disturbance in ((step, "step_up"), (push, "push_forward")):
+            reach = np.minimum(its[disturbance], FARTHEST)
+            axes.plot(its["friction"], reach, "o-", color=colour, markersize=4, linewidth=1.0)
+        _with_confidence(share, its, "attracted_share", colour, name)
+    strides.set_title("(a) mean strides until the fall on steps of 0.3 l₀")
+    strides.set_yscale("log")
+    strides.set_ylim(top=MAX_SHOWN)
+    step.set_title("(c) largest step up survived (l₀)")
+    push.set_title("(d) largest push forward survived (l₀√(k/m))")
+    push.axhline(FARTHEST, **style.LIMIT_LINE)
+    share.set_title("(b) share of starts that settle on the gait")
+    for axes in (step, push, share):
+        axes.set_ylim(bottom=0.0)
+    push.set_ylim(top=1.2 * FARTHEST)
+    along = np.column_stack([np.geomspace(1.0, FRICTIONS[-1], 21), np.full(21, FARTHEST)])
+    CurveLabel(push, "largest tried", along, fontsize=8.5)
+    for axes in (step, push):
+        figure_9.friction_axis(axes, FRICTIONS)
+    push.set_xlim(FRICTIONS[0] / MARGIN, FRICTIONS[-1] * MARGIN)
+    figure.legend(*strides.get_legend_handles_labels(), loc="outside lower center", ncols=2)
+    return figure
 
 
 def _with_confidence(axes: Axes, its: Columns, name: str, colour: str, label: str) -> None:
     """Draw means with their intervals, and a triangle at the lower end if no runner fell."""
-    friction, mean, low, high = (
-        np.asarray(its[key], float) for key in ("friction", name, f"{name}_low", f"{name}_high")
-    )
+    friction, mean, low, high = (its[key] for key in ("friction", name, f"{name}_low", f"{name}_high"))
     known = np.isfinite(mean)
     shown = np.where(known, mean, np.nan)
     axes.errorbar(

@@ -5,11 +5,11 @@ ranges are tinted here.
 """
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from ...analysis.sweeps import Row
@@ -18,7 +18,7 @@ from ...pictures import style
 from ...pictures.style import CurveLabel
 from ...variables.variable import Values
 from ..published import BEST_FRICTION, COST_GAIN, SPEED_GAIN
-from .columns import Columns, attributes
+from .columns import Data, as_columns, attributes, select
 
 CONTROL = {
     "color": "#7a5195",
@@ -37,7 +37,7 @@ TINT = "#eef3e6"
 TICKS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 
 
-def table(sweep: Row, matched: Sequence[Gait]) -> Columns:
+def table(sweep: Row, matched: Sequence[Gait]) -> Data:
     """Data of the figure by column. `matched` is 1 for runners matched to the first gait."""
     gaits = [*sweep.gaits, *matched]
     return {
@@ -46,36 +46,30 @@ def table(sweep: Row, matched: Sequence[Gait]) -> Columns:
     }
 
 
-def draw(path: Path, sweep: Row, matched: Sequence[Gait]) -> None:
+def draw(sweep: Row, matched: Sequence[Gait]) -> Figure:
     """Draw the three panels, with matched runners dashed."""
-    data, equal = table(sweep, ()), table(sweep, matched)
+    both = as_columns(table(sweep, matched))
+    data, equal = (select(both, matched=is_matched) for is_matched in (0, 1))
     panels = (
         ("lambda_max", r"(a) largest eigenvalue $\lambda_{max}$", "eigenvalue"),
         ("speed", r"(b) average speed $V$ (l₀√(k/m))", "gait"),
         ("cost_of_transport", r"(c) cost of transport $c_{mt}$", "gait"),
     )
-    with style.styled():
-        figure, axes = style.subplots(3, 1, figsize=(7.6, 8.4), sharex=True)
-        for panel, (name, title, shown) in zip(axes, panels, strict=True):
-            tint(panel, PAPER_SHOWS[shown], data["friction"])
-            panel.plot(data["friction"], data[name], color=style.CURVE, zorder=3)
-            (control,) = panel.plot(*_matched(equal, name), **CONTROL)
-            panel.set_title(title, pad=18 if panel is axes[0] else None)
-            mark_borders(panel, sweep)
-        for panel, name, gain in ((axes[1], "speed", SPEED_GAIN), (axes[2], "cost_of_transport", COST_GAIN)):
-            without = data[name][int(np.argmax(data["friction"]))]
-            (mark,) = panel.plot(BEST_FRICTION, (1.0 + gain / 100.0) * without, **style.PUBLISHED)
-        name_words(axes[0], sweep)
-        missing = Patch(color=TINT, label="range that the paper's figure leaves out")
-        figure.legend(handles=[control, mark, missing], loc="outside lower center", ncols=2)
-        friction_axis(axes[-1], data["friction"])
-        style.save(figure, path)
-
-
-def _matched(data: Columns, name: str) -> tuple[list[float], list[float]]:
-    """Frictions and values of the matched runners."""
-    rows = [k for k, matched in enumerate(data["matched"]) if matched]
-    return [data["friction"][k] for k in rows], [data[name][k] for k in rows]
+    figure, axes = style.subplots(3, 1, figsize=(7.6, 8.4), sharex=True)
+    for panel, (name, title, shown) in zip(axes, panels, strict=True):
+        tint(panel, PAPER_SHOWS[shown], data["friction"])
+        panel.plot(data["friction"], data[name], color=style.CURVE, zorder=3)
+        (control,) = panel.plot(equal["friction"], equal[name], **CONTROL)
+        panel.set_title(title, pad=18 if panel is axes[0] else None)
+        mark_borders(panel, sweep)
+    for panel, name, gain in ((axes[1], "speed", SPEED_GAIN), (axes[2], "cost_of_transport", COST_GAIN)):
+        without = data[name][int(np.argmax(data["friction"]))]
+        (mark,) = panel.plot(BEST_FRICTION, (1.0 + gain / 100.0) * without, **style.PUBLISHED)
+    name_words(axes[0], sweep)
+    missing = Patch(color=TINT, label="range that the paper's figure leaves out")
+    figure.legend(handles=[control, mark, missing], loc="outside lower center", ncols=2)
+    friction_axis(axes[-1], data["friction"])
+    return figure
 
 
 def tint(axes: Axes, shown: Sequence[tuple[float, float]], frictions: Values) -> None:

@@ -1,17 +1,16 @@
 """Falls of runners of a guinea fowl's size on a slippery patch, by speed and contact angle."""
 
-from pathlib import Path
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from ...pictures import style
 from .. import guinea_fowl
 from ..guinea_fowl import contact_angle_of
-from .columns import Columns
+from .columns import Data
 
 FALLS, UP = "#b3216f", "#cfe8e6"
 NOT_CONTROLLED = (
@@ -22,7 +21,7 @@ SHOWN = (50.5, 75.5)
 """Range of contact angles on the axis, degrees."""
 
 
-def table(found: guinea_fowl.Map) -> Columns:
+def table(found: guinea_fowl.Map) -> Data:
     """Data of the figure by column, for all angles at which the leg can be placed."""
     rows = [
         (friction, speed, angle, outcomes.fell[i, k], outcomes.slip_distance[i, k])
@@ -35,19 +34,18 @@ def table(found: guinea_fowl.Map) -> Columns:
     return {name: [float(row[k]) for row in rows] for k, name in enumerate(names)}
 
 
-def draw(path: Path, found: guinea_fowl.Map) -> None:
+def draw(found: guinea_fowl.Map) -> Figure:
     """Draw a panel for each friction on the patch; in the last one it is that of the ground."""
-    with style.styled():
-        figure, panels = style.subplots(2, 2, figsize=(7.6, 6.6), sharex=True, sharey=True)
-        for axes, friction in zip(panels.flat, found.outcomes, strict=True):
-            _panel(axes, found, friction)
-        for axes in panels[1]:
-            axes.set_xlabel("speed (m/s)")
-        for axes in panels[:, 0]:
-            axes.set_ylabel("contact angle of the leg (°)")
-        figure.suptitle(NOT_CONTROLLED, fontsize=9)
-        figure.legend(handles=_key(), loc="outside lower center", ncols=3)
-        style.save(figure, path)
+    figure, panels = style.subplots(2, 2, figsize=(7.6, 6.6), sharex=True, sharey=True)
+    for axes, friction in zip(panels.flat, found.outcomes, strict=True):
+        _panel(axes, found, friction)
+    for axes in panels[1]:
+        axes.set_xlabel("speed (m/s)")
+    for axes in panels[:, 0]:
+        axes.set_ylabel("contact angle of the leg (°)")
+    figure.suptitle(NOT_CONTROLLED, fontsize=9)
+    figure.legend(handles=_key(), loc="outside lower center", ncols=3)
+    return figure
 
 
 def _panel(axes: Axes, found: guinea_fowl.Map, friction: float) -> None:

@@ -5,11 +5,11 @@ less, the slip of the cheapest one could be avoided.
 """
 
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ...analysis.search import periodic_gait
@@ -24,7 +24,7 @@ from ...pictures import style
 from ...terminal.progress import progress_bar
 from ...variables.table import FRICTION
 from . import figure_9
-from .columns import Columns, attributes
+from .columns import Columns, Data, attributes, select
 
 FRICTIONS = np.geomspace(10.0, 0.05, 16)[:12]
 """Frictions from high to low; below the last one the search ends in worse optima."""
@@ -44,7 +44,7 @@ COSTS = (0.2, 0.8)
 NAMES = {CHEAPEST: "cheapest runner", MIN_SLIP: "runner with least slip"}
 
 
-def measure(runner: Runner) -> Columns:
+def measure(runner: Runner) -> Data:
     """Data of the figure by column: optimal runners at all frictions, each search also from the last."""
     found: list[Optimum] = []
     cheapest: list[Optimum] = []
@@ -91,59 +91,38 @@ def _starts(space: Space, runner: Runner, near: Sequence[Optimum]) -> Iterator[S
             continue
 
 
-def draw(path: Path, data: Columns) -> None:
+def draw(data: Columns) -> Figure:
     """Draw cost and slip of both runners against friction, and what the cheapest one does.
 
     Runners that are not shown to be optima are left out.
     """
-    columns = {name: np.asarray(values) for name, values in data.items()}
-    with style.styled():
-        figure, panels = style.subplots(2, 2, figsize=(9.2, 6.2), sharex=True)
-        (cost, angle), (slip, drive) = panels
-        for objective, chosen in ((CHEAPEST, 1.0), (MIN_SLIP, 0.0)):
-            rows = (columns["cheapest"].astype(float) == chosen) & (columns["shown"].astype(float) > 0.0)
-            for axes, column, factor in (
-                (cost, "cost_of_transport", 1.0),
-                (slip, "slip_distance", 1.0),
-                (angle, "touchdown_angle", 180.0 / np.pi),
-            ):
-                _curve(axes, columns, column, rows, factor, color=COLOURS[objective], label=NAMES[objective])
-            _curve(
-                cost,
-                columns,
-                "positive_cost_of_transport",
-                rows,
-                color=COLOURS[objective],
-                label=f"{NAMES[objective]}, positive work only",
-                linestyle=style.SLIP_DASHES,
-            )
-        rows = (columns["cheapest"].astype(float) == 1.0) & (columns["shown"].astype(float) > 0.0)
-        _curve(drive, columns, "stance_torque", rows, color=style.CURVE, label="hip torque (k l₀²)")
-        _curve(drive, columns, "thrust", rows, color=style.SECOND_CURVE, label="leg thrust (l₀)")
-        cost.set_ylim(*COSTS)
-        cost.set_title(f"(a) cost of transport at speed {SPEED:g} l₀√(k/m)")
-        slip.set_title("(b) slip per stride (l₀)")
-        angle.set_title("(c) touchdown angle (°)")
-        drive.set_title("(d) hip torque and leg thrust of the cheapest runner")
-        for axes in (cost, drive):
-            axes.legend()
-        for axes in panels[1]:
-            figure_9.friction_axis(axes, FRICTIONS)
-            axes.set_xlim(FRICTIONS[-1] / MARGIN, FRICTIONS[0] * MARGIN)
-        style.save(figure, path)
+    figure, panels = style.subplots(2, 2, figsize=(9.2, 6.2), sharex=True)
+    (cost, angle), (slip, drive) = panels
+    data = select(data, np.argsort(data["friction"]))
+    cheapest, least = (select(data, cheapest=chosen, shown=1.0) for chosen in (1.0, 0.0))
+    for its, objective in ((cheapest, CHEAPEST), (least, MIN_SLIP)):
+        colour, name = COLOURS[objective], NAMES[objective]
+        _curve(cost, its, its["cost_of_transport"], colour, name)
+        _curve(slip, its, its["slip_distance"], colour, name)
+        _curve(angle, its, np.degrees(its["touchdown_angle"]), colour, name)
+        positive, dashes = its["positive_cost_of_transport"], style.SLIP_DASHES
+        _curve(cost, its, positive, colour, f"{name}, positive work only", linestyle=dashes)
+    _curve(drive, cheapest, cheapest["stance_torque"], style.CURVE, "hip torque (k l₀²)")
+    _curve(drive, cheapest, cheapest["thrust"], style.SECOND_CURVE, "leg thrust (l₀)")
+    cost.set_ylim(*COSTS)
+    cost.set_title(f"(a) cost of transport at speed {SPEED:g} l₀√(k/m)")
+    slip.set_title("(b) slip per stride (l₀)")
+    angle.set_title("(c) touchdown angle (°)")
+    drive.set_title("(d) hip torque and leg thrust of the cheapest runner")
+    for axes in (cost, drive):
+        axes.legend()
+    for axes in panels[1]:
+        figure_9.friction_axis(axes, FRICTIONS)
+        axes.set_xlim(FRICTIONS[-1] / MARGIN, FRICTIONS[0] * MARGIN)
+    return figure
 
 
 def _curve(
-    axes: Axes,
-    columns: dict[str, NDArray[np.float64]],
-    column: str,
-    rows: NDArray[np.bool_],
-    factor: float = 1.0,
-    *,
-    color: str,
-    label: str,
-    linestyle: Any = "-",
+    axes: Axes, its: Columns, values: NDArray[np.float64], colour: str, label: str, **look: Any
 ) -> None:
-    order = np.argsort(columns["friction"][rows])
-    x, y = (columns[name][rows][order].astype(float) for name in ("friction", column))
-    axes.plot(x, factor * y, marker="o", markersize=3.0, color=color, label=label, linestyle=linestyle)
+    axes.plot(its["friction"], values, marker="o", markersize=3.0, color=colour, label=label, **look)

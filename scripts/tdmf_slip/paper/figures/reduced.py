@@ -1,6 +1,5 @@
 """The reduced map beside the full model: regions of attraction, eigenvalues and stability."""
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -8,6 +7,7 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 from matplotlib.colors import TwoSlopeNorm
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
@@ -20,7 +20,7 @@ from ...library.section import REDUCED
 from ...pictures import basin_map, style
 from ...variables.table import FRICTION
 from . import figure_9
-from .columns import Columns
+from .columns import Data, as_columns
 
 if TYPE_CHECKING:
     import xarray
@@ -37,6 +37,8 @@ RETRACTIONS = np.linspace(-0.02, 0.02, 81)
 """Retraction rates, sqrt(k/m)."""
 FRICTIONS = np.geomspace(0.05, 5.0, 61)
 COLOURS = {"full": style.CURVE, "reduced": "#e07b00"}
+COORDINATES = {"full": "full model, six coordinates", "reduced": "reduced map, two coordinates"}
+TITLES = {"full": "(a) full model", "reduced": "(b) reduced map"}
 
 
 def regions(runner: Runner) -> dict[str, "xarray.Dataset"]:
@@ -44,7 +46,7 @@ def regions(runner: Runner) -> dict[str, "xarray.Dataset"]:
     return {name: basin(runner, PLANE, STARTS, model=name) for name in ("full", "reduced")}
 
 
-def region_table(maps: dict[str, "xarray.Dataset"]) -> Columns:
+def region_table(maps: dict[str, "xarray.Dataset"]) -> Data:
     """Fate and number of strides of all starts."""
     along = (np.linspace(*PLANE[axis], count) for axis, count in zip(REDUCED, STARTS, strict=True))
     height, speed = (grid.ravel() for grid in np.meshgrid(*along, indexing="ij"))
@@ -54,65 +56,52 @@ def region_table(maps: dict[str, "xarray.Dataset"]) -> Columns:
     return columns
 
 
-def draw_regions(path: Path, maps: dict[str, "xarray.Dataset"]) -> None:
+def draw_regions(maps: dict[str, "xarray.Dataset"]) -> Figure:
     """Draw the full model's slice and the reduced map's plane, one beside the other."""
-    titles = {"full": "(a) full model", "reduced": "(b) reduced map"}
-    with style.styled():
-        figure, panels = style.subplots(1, 2, figsize=(8.6, 4.9), sharey=True)
-        handles: dict[object, Artist] = {}
-        for panel, (name, data) in zip(panels, maps.items(), strict=True):
-            handles |= {handle.get_label(): handle for handle in basin_map.paint(panel, data)}
-            panel.set_title(f"{titles[name]}: {data.settled_share:.1%} of starts settle")
-        panels[1].set_ylabel("")
-        figure.legend(handles=list(handles.values()), loc="outside lower center", ncols=len(handles))
-        style.save(figure, path)
+    figure, panels = style.subplots(1, 2, figsize=(8.6, 4.9), sharey=True)
+    handles: dict[object, Artist] = {}
+    for panel, (name, data) in zip(panels, maps.items(), strict=True):
+        handles |= {handle.get_label(): handle for handle in basin_map.paint(panel, data)}
+        panel.set_title(f"{TITLES[name]}: {data.settled_share:.1%} of starts settle")
+    panels[1].set_ylabel("")
+    figure.legend(handles=list(handles.values()), loc="outside lower center", ncols=len(handles))
+    return figure
 
 
-def eigenvalue_table(sweeps: dict[str, Row]) -> Columns:
+def eigenvalue_table(sweeps: dict[str, Row]) -> Data:
     """The two largest eigenvalues of both models by friction."""
     columns: dict[str, Any] = {"friction": [gait.friction for gait in sweeps["full"].gaits]}
     for name, sweep in sweeps.items():
         columns[f"word_{name}"] = [gait.word for gait in sweep.gaits]
-        for number in (0, 1):
-            columns[f"eigenvalue_{number + 1}_{name}"] = [
-                float(gait.eigenvalues[number].real) for gait in sweep.gaits
-            ]
+        for number in (1, 2):
+            values = [float(gait.eigenvalues[number - 1].real) for gait in sweep.gaits]
+            columns[f"eigenvalue_{number}_{name}"] = values
     return columns
 
 
-def draw_eigenvalues(path: Path, sweeps: dict[str, Row]) -> None:
+def draw_eigenvalues(sweeps: dict[str, Row]) -> Figure:
     """Draw the two largest eigenvalues of both models against friction, and how far apart they are."""
-    data = eigenvalue_table(sweeps)
-    friction = np.asarray(data["friction"])
-    with style.styled():
-        figure, axes = style.subplots(3, 1, figsize=(7.6, 8.0), sharex=True, height_ratios=(3, 3, 2))
-        for panel, number in zip(axes, (1, 2), strict=False):
-            for name, dashes in (("full", "-"), ("reduced", (0, (4, 2)))):
-                panel.plot(
-                    friction,
-                    data[f"eigenvalue_{number}_{name}"],
-                    color=COLOURS[name],
-                    linestyle=dashes,
-                    label="full model, six coordinates" if name == "full" else "reduced map, two coordinates",
-                )
-        axes[0].set_title("(a) largest eigenvalue, of speed", pad=18)
-        axes[1].set_title("(b) second eigenvalue, of height")
-        axes[0].legend(loc="lower left")
-        for number, colour in ((1, style.CURVE), (2, style.SECOND_CURVE)):
-            apart = np.abs(
-                np.asarray(data[f"eigenvalue_{number}_reduced"])
-                - np.asarray(data[f"eigenvalue_{number}_full"])
-            )
-            axes[2].semilogy(
-                friction, apart, color=colour, label=("largest eigenvalue", "second eigenvalue")[number - 1]
-            )
-        axes[2].set_title("(c) absolute difference between the two models")
-        axes[2].legend(loc="center right")
-        for panel in axes:
-            figure_9.mark_borders(panel, sweeps["full"])
-        figure_9.name_words(axes[0], sweeps["full"])
-        figure_9.friction_axis(axes[-1], data["friction"])
-        style.save(figure, path)
+    data = as_columns(eigenvalue_table(sweeps))
+    friction = data["friction"]
+    figure, axes = style.subplots(3, 1, figsize=(7.6, 8.0), sharex=True, height_ratios=(3, 3, 2))
+    for panel, number in zip(axes, (1, 2), strict=False):
+        for name, dashes in (("full", "-"), ("reduced", (0, (4, 2)))):
+            values, label = data[f"eigenvalue_{number}_{name}"], COORDINATES[name]
+            panel.plot(friction, values, color=COLOURS[name], linestyle=dashes, label=label)
+    axes[0].set_title("(a) largest eigenvalue, of speed", pad=18)
+    axes[1].set_title("(b) second eigenvalue, of height")
+    axes[0].legend(loc="lower left")
+    for number, colour in ((1, style.CURVE), (2, style.SECOND_CURVE)):
+        reduced, full = (data[f"eigenvalue_{number}_{name}"] for name in ("reduced", "full"))
+        label = f"{('largest', 'second')[number - 1]} eigenvalue"
+        axes[2].semilogy(friction, np.abs(reduced - full), color=colour, label=label)
+    axes[2].set_title("(c) absolute difference between the two models")
+    axes[2].legend(loc="center right")
+    for panel in axes:
+        figure_9.mark_borders(panel, sweeps["full"])
+    figure_9.name_words(axes[0], sweeps["full"])
+    figure_9.friction_axis(axes[-1], data["friction"])
+    return figure
 
 
 def planes(runner: Runner) -> "tuple[xarray.Dataset, xarray.Dataset]":
@@ -127,7 +116,7 @@ def planes(runner: Runner) -> "tuple[xarray.Dataset, xarray.Dataset]":
     )
 
 
-def plane_table(maps: "tuple[xarray.Dataset, xarray.Dataset]") -> Columns:
+def plane_table(maps: "tuple[xarray.Dataset, xarray.Dataset]") -> Data:
     """Data of both planes by column: parameters, largest eigenvalue and word."""
     columns: dict[str, list[Any]] = {}
     for one in maps:
@@ -141,27 +130,26 @@ def plane_table(maps: "tuple[xarray.Dataset, xarray.Dataset]") -> Columns:
     return columns
 
 
-def draw_planes(path: Path, maps: "tuple[xarray.Dataset, xarray.Dataset]") -> None:
+def draw_planes(maps: "tuple[xarray.Dataset, xarray.Dataset]") -> Figure:
     """Draw the largest eigenvalue over both planes, with the border of stability."""
     first, second = maps
     shares = [float((one["lambda_max"] < 1.0).mean()) for one in maps]
-    with style.styled():
-        figure, (left, right) = style.subplots(1, 2, figsize=(8.4, 4.5))
-        mesh = _draw_plane(left, first, np.degrees(ANGLES), DAMPINGS)
-        left.set_title(f"(a) friction 0.6: {shares[0]:.0%} of the plane has a stable gait")
-        style.label(left, "touchdown angle θ₀ (°)", "damping c (√(mk))")
-        _draw_plane(right, second, RETRACTIONS, FRICTIONS)
-        right.set_yscale("log")
-        right.set_title(f"(b) touchdown angle 45°: {shares[1]:.0%} has a stable gait")
-        style.label(right, "retraction rate ω (√(k/m))", "friction coefficient μ")
-        right.set_yticks(figure_9.TICKS[:-1], [f"{tick:g}" for tick in figure_9.TICKS[:-1]])
-        right.minorticks_off()
-        right.set_xticks([-0.02, -0.01, 0.0, 0.01, 0.02])
-        figure.colorbar(mesh, ax=(left, right), label="modulus of the largest eigenvalue", pad=0.01)
-        border = Line2D([], [], color=style.INK, linewidth=1.2, label="modulus 1: border of stability")
-        missing = Patch(color=style.GROUND, label="no gait found")
-        figure.legend(handles=[border, missing], loc="outside lower center", ncols=2)
-        style.save(figure, path)
+    figure, (left, right) = style.subplots(1, 2, figsize=(8.4, 4.5))
+    mesh = _draw_plane(left, first, np.degrees(ANGLES), DAMPINGS)
+    left.set_title(f"(a) friction 0.6: {shares[0]:.0%} of the plane has a stable gait")
+    style.label(left, "touchdown angle θ₀ (°)", "damping c (√(mk))")
+    _draw_plane(right, second, RETRACTIONS, FRICTIONS)
+    right.set_yscale("log")
+    right.set_title(f"(b) touchdown angle 45°: {shares[1]:.0%} has a stable gait")
+    style.label(right, "retraction rate ω (√(k/m))", "friction coefficient μ")
+    right.set_yticks(figure_9.TICKS[:-1], [f"{tick:g}" for tick in figure_9.TICKS[:-1]])
+    right.minorticks_off()
+    right.set_xticks([-0.02, -0.01, 0.0, 0.01, 0.02])
+    figure.colorbar(mesh, ax=(left, right), label="modulus of the largest eigenvalue", pad=0.01)
+    border = Line2D([], [], color=style.INK, linewidth=1.2, label="modulus 1: border of stability")
+    missing = Patch(color=style.GROUND, label="no gait found")
+    figure.legend(handles=[border, missing], loc="outside lower center", ncols=2)
+    return figure
 
 
 def _draw_plane(

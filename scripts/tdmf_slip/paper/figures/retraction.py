@@ -1,9 +1,9 @@
 """The two largest eigenvalues against the rate of swing-leg retraction, at three frictions."""
 
 from collections.abc import Mapping
-from pathlib import Path
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from ...analysis.branches import Branch, trace
 from ...analysis.search import periodic_gait
@@ -13,7 +13,7 @@ from ...pictures import style
 from ...variables.table import FRICTION
 from ..matched import changed, like
 from . import leading
-from .columns import Columns, attributes
+from .columns import Data, attributes
 
 RATE = "hip.retraction_rate"
 FRICTIONS = (0.2, 0.6, 10.0)
@@ -56,7 +56,7 @@ def matched(runner: Runner) -> Mapping[float, tuple[Gait, ...]]:
     return found
 
 
-def table(found: Mapping[float, tuple[Branch, Branch]], alike: Mapping[float, tuple[Gait, ...]]) -> Columns:
+def table(found: Mapping[float, tuple[Branch, Branch]], alike: Mapping[float, tuple[Gait, ...]]) -> Data:
     """Data of the figure by column: each branch from its fold to its largest rate, then matched runners."""
     rows = [
         (friction, value, gait)
@@ -81,34 +81,26 @@ def table(found: Mapping[float, tuple[Branch, Branch]], alike: Mapping[float, tu
     }
 
 
-def draw(
-    path: Path, found: Mapping[float, tuple[Branch, Branch]], alike: Mapping[float, tuple[Gait, ...]]
-) -> None:
+def draw(found: Mapping[float, tuple[Branch, Branch]], alike: Mapping[float, tuple[Gait, ...]]) -> Figure:
     """Draw a panel for each friction, with crosses for matched runners."""
-    with style.styled():
-        figure, panels = style.subplots(len(found), 1, figsize=(7.6, 7.6), sharex=True, sharey=True)
-        for axes, letter, (friction, pair) in zip(panels, "abc", found.items(), strict=True):
-            for number, branch in enumerate(pair):
-                named = axes is panels[0] and number == 1
-                leading.draw(axes, branch.values, branch.gaits, named=named)
-                leading.mark(axes, branch, named=named)
-            rates = [one.runner[RATE] for one in alike[friction]]
-            for heights, colour in zip(leading.leading(alike[friction]).T, leading.COLOURS, strict=True):
-                axes.plot(rates, heights, "x", color=colour, markersize=4.5)
-            if axes is panels[0]:
-                style.name_unstable(axes)
-                axes.plot(
-                    [],
-                    [],
-                    "x",
-                    color=style.FAINT,
-                    markersize=4.5,
-                    label="speed, apex height and leg angle held",
-                )
-            axes.axvline(0.0, **style.STANCE_LINE)
-            axes.set_title(f"({letter}) two largest eigenvalues at friction {friction:g}")
-        panels[0].set_xlim(*SHOWN)
-        panels[0].set_ylim(*EIGENVALUES)
-        panels[0].legend(loc="center right")
-        panels[-1].set_xlabel("retraction rate ω (√(k/m))")
-        style.save(figure, path)
+    figure, panels = style.subplots(len(found), 1, figsize=(7.6, 7.6), sharex=True, sharey=True)
+    for axes, letter, (friction, pair) in zip(panels, "abc", found.items(), strict=True):
+        for number, branch in enumerate(pair):
+            named = axes is panels[0] and number == 1
+            leading.draw(axes, branch.values, branch.gaits, named=named)
+            leading.mark(axes, branch, named=named)
+        rates = [one.runner[RATE] for one in alike[friction]]
+        for heights, colour in zip(leading.leading(alike[friction]).T, leading.COLOURS, strict=True):
+            axes.plot(rates, heights, "x", color=colour, markersize=4.5)
+        if axes is panels[0]:
+            style.name_unstable(axes)
+            axes.plot(
+                [], [], "x", color=style.FAINT, markersize=4.5, label="speed, apex height and leg angle held"
+            )
+        axes.axvline(0.0, **style.STANCE_LINE)
+        axes.set_title(f"({letter}) two largest eigenvalues at friction {friction:g}")
+    panels[0].set_xlim(*SHOWN)
+    panels[0].set_ylim(*EIGENVALUES)
+    panels[0].legend(loc="center right")
+    panels[-1].set_xlabel("retraction rate ω (√(k/m))")
+    return figure

@@ -3,10 +3,9 @@
 The control are runners matched to the gait on one friction.
 """
 
-from pathlib import Path
-
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from ...analysis.first_passage import FirstPassage, strides_to_fall
 from ...blocks import in_order, run_blocks
@@ -16,7 +15,7 @@ from ...terminal.progress import progress_bar
 from ...variables.table import FRICTION
 from ..matched import at_frictions
 from . import figure_9
-from .columns import Columns, attributes
+from .columns import Columns, Data, attributes, select
 
 FRICTIONS = (0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.36, 0.43, 0.5, 0.6, 0.8, 1.2, 2.5, 5.0, 10.0)
 ROUGHNESS = (0.2, 0.3, 0.4, 0.5)
@@ -29,7 +28,7 @@ REFERENCE, MATCHED_ROUGHNESS = 0.2, 0.3
 """Friction of the gait to which runners are matched, and roughness of their ground."""
 
 
-def measure(runner: Runner) -> Columns:
+def measure(runner: Runner) -> Data:
     """Data of the figure by column; if no runner fell, the mean and its upper bound are inf."""
     trials = [
         (runner.replace({FRICTION: friction}), roughness) for roughness in ROUGHNESS for friction in FRICTIONS
@@ -53,43 +52,32 @@ def _passage(trial: tuple[Runner, float]) -> FirstPassage:
     return strides_to_fall(*trial, RUNNERS, SEED, MAX_STRIDES)
 
 
-def draw(path: Path, data: Columns) -> None:
+def draw(data: Columns) -> Figure:
     """Draw the mean number of strides against friction, a curve for each roughness."""
-    with style.styled():
-        figure, axes = style.subplots(figsize=(7.6, 4.8))
-        for roughness, colour in zip(ROUGHNESS, COLOURS, strict=True):
-            for matched in (False, True):
-                chosen = (np.asarray(data["roughness"], float) == roughness) & (
-                    np.asarray(data["matched"], float) == matched
-                )
-                if chosen.any():
-                    drawn = {n: np.asarray(data[n], float)[chosen] for n in DRAWN}
-                    _curve(axes, drawn, colour, f"{roughness:g}{', matched' * matched}", matched)
-        axes.set_yscale("log")
-        axes.set_ylabel("mean number of strides until the fall")
-        figure_9.friction_axis(axes, FRICTIONS)
-        axes.plot([], [], "^", color=style.FAINT, markersize=5, label="no runner fell: lower bound")
-        axes.legend(title="size of the steps (l₀)", loc="upper right")
-        axes.set_title(
-            "matched: every runner with the speed, apex height and leg angle of the gait at friction 0.2",
-            fontsize="small",
-        )
-        style.save(figure, path)
+    figure, axes = style.subplots(figsize=(7.6, 4.8))
+    for roughness, colour in zip(ROUGHNESS, COLOURS, strict=True):
+        for matched in (False, True):
+            drawn = select(data, roughness=roughness, matched=matched)
+            if drawn["friction"].size:
+                _curve(axes, drawn, colour, f"{roughness:g}{', matched' * matched}", matched)
+    axes.set_yscale("log")
+    axes.set_ylabel("mean number of strides until the fall")
+    figure_9.friction_axis(axes, FRICTIONS)
+    axes.plot([], [], "^", color=style.FAINT, markersize=5, label="no runner fell: lower bound")
+    axes.legend(title="size of the steps (l₀)", loc="upper right")
+    axes.set_title(
+        "matched: every runner with the speed, apex height and leg angle of the gait at friction 0.2",
+        fontsize="small",
+    )
+    return figure
 
 
 def _curve(axes: Axes, data: Columns, colour: str, label: str, matched: bool) -> None:
     """Draw means with their intervals, and a triangle at the lower end if no runner fell."""
-    friction, mean, low, high = (np.asarray(data[name]) for name in DRAWN)
-    fell = np.isfinite(mean)
-    axes.plot(
-        friction,
-        np.where(fell, mean, np.nan),
-        "s--" if matched else "o-",
-        color=colour,
-        markersize=3.5,
-        label=label,
-        clip_on=False,
-    )
+    friction, mean, low, high = (data[name] for name in DRAWN)
+    fell, marks = np.isfinite(mean), "s--" if matched else "o-"
+    shown = np.where(fell, mean, np.nan)
+    axes.plot(friction, shown, marks, color=colour, markersize=3.5, label=label, clip_on=False)
     axes.fill_between(friction, low, high, where=fell, color=colour, alpha=0.18, linewidth=0)
     axes.vlines(friction[fell], low[fell], high[fell], color=colour, alpha=0.4, linewidth=1.0, clip_on=False)
     axes.plot(friction[~fell], low[~fell], "^", color=colour, markersize=5)

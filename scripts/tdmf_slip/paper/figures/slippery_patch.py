@@ -1,8 +1,7 @@
 """Shortest patch on which a runner falls downhill, by friction on the patch and around it."""
 
-from pathlib import Path
-
 import numpy as np
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ...analysis.first_passage import strides_to_fall
@@ -14,7 +13,7 @@ from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.style import CurveLabel
 from ...variables.table import FRICTION
-from .columns import Columns
+from .columns import Columns, Data, select
 
 SLOPE = -4.0
 """Slope, degrees."""
@@ -55,7 +54,7 @@ def falls(gait: Gait, friction: float, length: float, seed: int = 0) -> int:
     return strides_to_fall(runner, 0.0, RUNNERS, seed, strides, gait=gait, foot_x="random").falls
 
 
-def measure(runner: Runner) -> Columns:
+def measure(runner: Runner) -> Data:
     """Falls by ground, friction and length of the patch; takes minutes."""
     rows = [
         (gait.friction, matched, gait.stride["speed"], friction, length, falls(gait, friction, length))
@@ -69,42 +68,36 @@ def measure(runner: Runner) -> Columns:
 
 def shortest(data: Columns, friction: float, matched: bool) -> NDArray[np.float64]:
     """Length of the shortest patch with a fall by friction on the patch, infinite if there is none."""
-    columns = {name: np.asarray(values, float) for name, values in data.items()}
-    its = (columns["friction"] == friction) & (columns["matched"] == matched) & (columns["falls"] > 0.0)
-    return np.array(
-        [
-            np.min(columns["length"][its & np.isclose(columns["patch_friction"], on_patch)], initial=np.inf)
-            for on_patch in ON_PATCH
-        ]
-    )
+    its = select(data, data["falls"] > 0.0, friction=friction, matched=matched)
+    of_each = (its["length"][np.isclose(its["patch_friction"], on_patch)] for on_patch in ON_PATCH)
+    return np.array([np.min(lengths, initial=np.inf) for lengths in of_each])
 
 
-def draw(path: Path, data: Columns) -> None:
+def draw(data: Columns) -> Figure:
     """Draw a curve for each ground, and crosses for runners matched to the last ground's."""
-    with style.styled():
-        figure, axes = style.subplots(figsize=(6.4, 4.6))
-        for friction, colour in zip(OUTSIDE, COLOURS, strict=True):
-            own = shortest(data, friction, matched=False)
-            axes.plot(
-                ON_PATCH,
-                np.minimum(own, NEVER),
-                "o-",
-                color=colour,
-                label=f"friction {friction:g} around the patch",
-            )
-            if friction != OUTSIDE[-1]:
-                alike = shortest(data, friction, matched=True)
-                axes.plot(ON_PATCH, np.minimum(alike, NEVER), "x", color=colour, markersize=8)
-        axes.plot([], [], "x", color=style.INK, label="speed and apex height as at friction 0.6")
-        axes.axhline(LENGTHS[-1], **style.LIMIT_LINE)
-        slope = float(np.tan(np.radians(-SLOPE)))
-        axes.axvline(slope, **style.LIMIT_LINE)
-        along = np.array([(slope, length) for length in LENGTHS])
-        CurveLabel(axes, "tangent of the slope", along, distances=(LEADER,))
-        axes.text(ON_PATCH[0], 1.1 * NEVER, "above the dashed line: no fall up to 2,000 l₀", va="bottom")
-        axes.set_yscale("log")
-        axes.set_ylim(0.9 * LENGTHS[0], 1.4 * NEVER)
-        axes.set_xlabel("friction on the patch")
-        axes.set_ylabel("shortest patch on which a runner falls (l₀)")
-        axes.legend(loc="lower right")
-        style.save(figure, path)
+    figure, axes = style.subplots(figsize=(6.4, 4.6))
+    for friction, colour in zip(OUTSIDE, COLOURS, strict=True):
+        own = shortest(data, friction, matched=False)
+        axes.plot(
+            ON_PATCH,
+            np.minimum(own, NEVER),
+            "o-",
+            color=colour,
+            label=f"friction {friction:g} around the patch",
+        )
+        if friction != OUTSIDE[-1]:
+            alike = shortest(data, friction, matched=True)
+            axes.plot(ON_PATCH, np.minimum(alike, NEVER), "x", color=colour, markersize=8)
+    axes.plot([], [], "x", color=style.INK, label="speed and apex height as at friction 0.6")
+    axes.axhline(LENGTHS[-1], **style.LIMIT_LINE)
+    slope = float(np.tan(np.radians(-SLOPE)))
+    axes.axvline(slope, **style.LIMIT_LINE)
+    along = np.array([(slope, length) for length in LENGTHS])
+    CurveLabel(axes, "tangent of the slope", along, distances=(LEADER,))
+    axes.text(ON_PATCH[0], 1.1 * NEVER, "above the dashed line: no fall up to 2,000 l₀", va="bottom")
+    axes.set_yscale("log")
+    axes.set_ylim(0.9 * LENGTHS[0], 1.4 * NEVER)
+    axes.set_xlabel("friction on the patch")
+    axes.set_ylabel("shortest patch on which a runner falls (l₀)")
+    axes.legend(loc="lower right")
+    return figure

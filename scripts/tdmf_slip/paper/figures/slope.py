@@ -1,10 +1,10 @@
 """Speed, cost of transport and eigenvalues against the slope of the ground."""
 
 from collections.abc import Iterator, Mapping
-from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from ...analysis.branches import Branch, trace
 from ...analysis.search import periodic_gait
@@ -15,7 +15,7 @@ from ...pictures import style
 from ...variables.table import FRICTION
 from ..matched import changed, like
 from . import leading
-from .columns import Columns, attributes
+from .columns import Columns, Data, attributes, select
 
 SLOPE = "ground.slope"
 COLOURS: Mapping[float, str] = {0.2: "#e07b00", 0.6: "#0b7a75", 10.0: "#22303c"}
@@ -83,7 +83,7 @@ def _to_the_top(branch: Branch) -> tuple[tuple[float, Gait], ...]:
     return (*climb[:last], (top.value, top.gait))  # the last before the turn may be beyond the fold
 
 
-def measure(runner: Runner) -> Columns:
+def measure(runner: Runner) -> Data:
     """Data of the figure by column, with matched runners last; takes minutes."""
     found, alike = (
         [(friction, slope, gait) for friction, branch in of.items() for slope, gait in branch]
@@ -102,41 +102,34 @@ def measure(runner: Runner) -> Columns:
     }
 
 
-def draw(path: Path, data: Columns) -> None:
+def draw(data: Columns) -> Figure:
     """Draw three panels, a colour for each friction; dashed where the gait is unstable."""
-    with style.styled():
-        figure, panels = style.subplots(3, 1, figsize=(7.6, 8.4), sharex=True)
-        for friction, colour in COLOURS.items():
-            of_it = np.asarray(data["friction"], float) == friction
-            is_matched = np.asarray(data["matched"], float) > 0.0
-            its, alike = (
-                {name: np.asarray(data[name], float)[chosen] for name in ("slope_degrees", "stable", *DRAWN)}
-                for chosen in (of_it & ~is_matched, of_it & is_matched)
-            )
-            for name, panel in DRAWN.items():
-                panels[panel].plot(alike["slope_degrees"], alike[name], ":", color=colour, linewidth=1.4)
-            for name, panel in DRAWN.items():
-                label = f"friction {friction:g}" if name == "speed" else None
-                _curve(panels[panel], its, name, colour, label)
-        for border in (-1.0, 1.0):
-            panels[2].axhline(border, **style.LIMIT_LINE)
-        for axes in panels:
-            axes.axvline(0.0, **style.STANCE_LINE)
-        panels[0].set_title("(a) average speed (l₀√(k/m))")
-        panels[1].set_title("(b) cost of transport")
-        panels[2].set_title("(c) two largest eigenvalues")
-        panels[1].set_ylim(0.0, HIGHEST_COST)
-        panels[2].set_ylim(-2.5, 1.2)
-        style.name_unstable(panels[0])
-        panels[0].plot(
-            [], [], ":", color=style.FAINT, label="matched on level ground to the gait at friction 0.2"
-        )
-        panels[0].legend(loc="lower left")
-        panels[2].set_xlabel("slope of the ground (°); dots mark the steepest climb")
-        style.save(figure, path)
+    figure, panels = style.subplots(3, 1, figsize=(7.6, 8.4), sharex=True)
+    for friction, colour in COLOURS.items():
+        its, alike = (select(data, friction=friction, matched=matched) for matched in (0.0, 1.0))
+        for name, panel in DRAWN.items():
+            panels[panel].plot(alike["slope_degrees"], alike[name], ":", color=colour, linewidth=1.4)
+            label = f"friction {friction:g}" if name == "speed" else None
+            _curve(panels[panel], its, name, colour, label)
+    for border in (-1.0, 1.0):
+        panels[2].axhline(border, **style.LIMIT_LINE)
+    for axes in panels:
+        axes.axvline(0.0, **style.STANCE_LINE)
+    panels[0].set_title("(a) average speed (l₀√(k/m))")
+    panels[1].set_title("(b) cost of transport")
+    panels[2].set_title("(c) two largest eigenvalues")
+    panels[1].set_ylim(0.0, HIGHEST_COST)
+    panels[2].set_ylim(-2.5, 1.2)
+    style.name_unstable(panels[0])
+    panels[0].plot(
+        [], [], ":", color=style.FAINT, label="matched on level ground to the gait at friction 0.2"
+    )
+    panels[0].legend(loc="lower left")
+    panels[2].set_xlabel("slope of the ground (°); dots mark the steepest climb")
+    return figure
 
 
 def _curve(axes: Axes, data: Columns, name: str, colour: str, label: str | None) -> None:
-    slopes, heights = np.asarray(data["slope_degrees"]), np.asarray(data[name])
+    slopes, heights = data["slope_degrees"], data[name]
     style.stable_curve(axes, slopes, heights, data["stable"], colour, label=label)
     axes.plot(slopes[-1], heights[-1], "o", color=colour, markersize=4)

@@ -4,11 +4,11 @@ Solid lines of figure 5 are the default reading, dotted lines the reading with t
 """
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from ...pictures import panels, style
 from ...pictures.panels import Stride
@@ -18,21 +18,20 @@ STICKS, LANDING, THREE_SLIPS, LOW = 10.0, 1.2, 0.6, (0.43, 0.2)
 CLAMPED: Mapping[str, Any] = {"linestyle": (0.0, (1.0, 1.2)), "linewidth": 1.3, "zorder": 2}
 
 
-def draw_sticking(path: Path, stride: Stride, clamped: Stride) -> None:
+def draw_sticking(stride: Stride, clamped: Stride) -> Figure:
     """Draw figure 5: heights, leg, foot velocity and force ratio by both readings."""
-    with style.styled():
-        figure, axes = style.subplots(2, 2, figsize=(8.4, 6.2))
-        _heights(axes[0, 0], stride, clamped)
-        _leg(axes[0, 1], stride, clamped)
-        _velocity(axes[1, 0], stride, clamped)
-        _ratio(axes[1, 1], stride)
-        figure.suptitle(
-            rf"Periodic gait at $\mu = {stride.gait.friction:g}$, word  {style.word(stride.gait.word)};  "
-            "dotted: with the clamp of equation (12)",
-            x=0.02,
-            ha="left",
-        )
-        style.save(figure, path)
+    figure, axes = style.subplots(2, 2, figsize=(8.4, 6.2))
+    _heights(axes[0, 0], stride, clamped)
+    _leg(axes[0, 1], stride, clamped)
+    _velocity(axes[1, 0], stride, clamped)
+    _ratio(axes[1, 1], stride)
+    figure.suptitle(
+        rf"Periodic gait at $\mu = {stride.gait.friction:g}$, word  {style.word(stride.gait.word)};  "
+        "dotted: with the clamp of equation (12)",
+        x=0.02,
+        ha="left",
+    )
+    return figure
 
 
 def _heights(axes: Axes, stride: Stride, clamped: Stride) -> None:
@@ -80,22 +79,19 @@ def _ratio(axes: Axes, stride: Stride) -> None:
     axes.set_title("(d) force ratio in stance; × impulses at the impact")
 
 
-def draw(path: Path, stride: Stride) -> None:
+def draw(stride: Stride) -> Figure:
     """Draw figure 6 or 7: foot velocity and force ratio of a stride."""
-    style.save(panels.velocity_and_ratio(stride), path)
+    return panels.velocity_and_ratio(stride)
 
 
-def draw_low(path: Path, *strides: Stride) -> None:
+def draw_low(*strides: Stride) -> Figure:
     """Draw figure 8: foot velocity in the stance of the two gaits at low friction."""
-    with style.styled():
-        figure, both = style.subplots(1, 2, figsize=(8.4, 3.7))
-        for axes, stride, letter in zip(both, strides, "ab", strict=True):
-            panels.mark_stance(axes, stride)
-            panels.mark_mid_stance(axes, stride)
-            panels.foot_velocity(axes, stride, stance_only=True)
-            axes.set_title(
-                rf"({letter}) $\mu = {stride.gait.friction:g}$, word  {style.word(stride.gait.word)}"
-            )
-        figure.suptitle("Periodic gaits at low friction", x=0.02, ha="left")
-        panels.key_below(figure, strides)
-        style.save(figure, path)
+    figure, both = style.subplots(1, 2, figsize=(8.4, 3.7))
+    for axes, stride, letter in zip(both, strides, "ab", strict=True):
+        panels.mark_stance(axes, stride)
+        panels.mark_mid_stance(axes, stride)
+        panels.foot_velocity(axes, stride, stance_only=True)
+        axes.set_title(rf"({letter}) $\mu = {stride.gait.friction:g}$, word  {style.word(stride.gait.word)}")
+    figure.suptitle("Periodic gaits at low friction", x=0.02, ha="left")
+    panels.key_below(figure, strides)
+    return figure

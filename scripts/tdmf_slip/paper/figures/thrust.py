@@ -1,10 +1,10 @@
 """Cost of transport and slip with leg thrust and with hip torque, at equal speed."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ...analysis.branches import Branch, trace
@@ -15,7 +15,7 @@ from ...pictures import style
 from ...variables.table import FRICTION
 from ..matched import changed, like
 from . import leading
-from .columns import Columns, attributes
+from .columns import Columns, Data, attributes, select
 
 TORQUE, THRUST, ANGLE = "hip.stance_torque", "leg.thrust", "hip.touchdown_angle"
 FRICTIONS = (0.2, 0.6, 10.0)
@@ -35,7 +35,7 @@ HELPED, SPEEDS = 0.1, np.linspace(0.8, 1.5, 8)
 """Thrust and speeds of the matched runners."""
 
 
-def measure(runner: Runner) -> Columns:
+def measure(runner: Runner) -> Data:
     """Data of the figure by column: gaits of each actuation along branches over its strength, by friction.
 
     If the branch ends before the torque is zero, thrust alone has no gait.
@@ -88,9 +88,9 @@ def _both_ways(first: Gait, name: str, end: float) -> Branch:
 
 def actuated(data: Columns) -> dict[str, NDArray[np.bool_]]:
     """Masks of the rows of each actuation."""
-    torque, thrust = np.asarray(data["hip_torque"], float), np.asarray(data["thrust"], float)
+    torque, thrust = data["hip_torque"], data["thrust"]
     beside = torque[np.flatnonzero((torque > 0.0) & (thrust > 0.0))[0]]
-    angle = np.asarray(data["touchdown_angle"], float)
+    angle = data["touchdown_angle"]
     return {
         HIP_ALONE: thrust == 0.0,
         BOTH: torque == beside,
@@ -99,24 +99,22 @@ def actuated(data: Columns) -> dict[str, NDArray[np.bool_]]:
     }
 
 
-def draw(path: Path, data: Columns) -> None:
+def draw(data: Columns) -> Figure:
     """Draw a column for each friction, a colour for each actuation; dashed where the gait is unstable."""
-    with style.styled():
-        figure, panels = style.subplots(2, len(FRICTIONS), figsize=(9.6, 6.4), sharex=True, sharey="row")
-        for column, friction in zip(panels.T, FRICTIONS, strict=True):
-            for name, chosen in actuated(data).items():
-                rows = chosen & (np.asarray(data["friction"], float) == friction)
-                speed, stable = (np.asarray(data[key], float)[rows] for key in ("speed", "stable"))
-                for axes, key in zip(column, ("cost_of_transport", "slip_per_length"), strict=True):
-                    _curve(axes, speed, np.asarray(data[key], float)[rows], stable > 0.0, name)
-            column[0].set_title(f"friction {friction:g}")
-            column[1].set_xlabel("average speed (l₀√(k/m))")
-        panels[0, 0].set_ylim(*COSTS)
-        panels[0, 0].set_ylabel("cost of transport")
-        panels[1, 0].set_ylabel("slip distance per stride length")
-        style.name_unstable(panels[1, -1])
-        panels[1, -1].legend(loc="upper left")
-        style.save(figure, path)
+    figure, panels = style.subplots(2, len(FRICTIONS), figsize=(9.6, 6.4), sharex=True, sharey="row")
+    for column, friction in zip(panels.T, FRICTIONS, strict=True):
+        for name, chosen in actuated(data).items():
+            its = select(data, chosen, friction=friction)
+            for axes, key in zip(column, ("cost_of_transport", "slip_per_length"), strict=True):
+                _curve(axes, its["speed"], its[key], its["stable"] > 0.0, name)
+        column[0].set_title(f"friction {friction:g}")
+        column[1].set_xlabel("average speed (l₀√(k/m))")
+    panels[0, 0].set_ylim(*COSTS)
+    panels[0, 0].set_ylabel("cost of transport")
+    panels[1, 0].set_ylabel("slip distance per stride length")
+    style.name_unstable(panels[1, -1])
+    panels[1, -1].legend(loc="upper left")
+    return figure
 
 
 def _curve(

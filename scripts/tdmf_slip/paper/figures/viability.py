@@ -1,9 +1,7 @@
 """Size of the viable sets against friction, for runners of equal speed and apex height."""
 
-from pathlib import Path
-
-import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from ...library.runner import Runner
 from ...pictures import style
@@ -11,7 +9,7 @@ from ...variables.table import FRICTION
 from ...viable_sets.viability import viability
 from ..matched import at_frictions
 from . import figure_9
-from .columns import Columns, attributes
+from .columns import Columns, Data, attributes
 
 FRICTIONS = (0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.43, 0.6, 0.85, 1.2, 2.5, 5.0, 10.0)
 REFERENCE = 0.6
@@ -24,7 +22,7 @@ CELLS = 64
 BAND, COLOUR = "between the inner and the outer set", "#1f5fa8"
 
 
-def measure(runner: Runner) -> Columns:
+def measure(runner: Runner) -> Data:
     """Data of the figure by column: viable sets of matched runners by the reduced map, at each friction."""
     small = Runner(runner, model="reduced")
     runners = [gait.runner for gait in at_frictions(small, REFERENCE, FRICTIONS, HOLD, VARY)]
@@ -40,24 +38,21 @@ def measure(runner: Runner) -> Columns:
     }
 
 
-def draw(path: Path, data: Columns) -> None:
+def draw(data: Columns) -> Figure:
     """Draw both shares against friction, as bands between the inner and the outer set."""
-    with style.styled():
-        figure, axes = style.subplots(2, 1, figsize=(7.6, 6.6), sharex=True)
-        _band(axes[0], data, "share")
-        axes[0].set_title("(a) viable share of the plane of apex heights and speeds")
-        _band(axes[1], data, "robustness")
-        axes[1].set_ylim(bottom=0.0)
-        axes[1].set_title("(b) viable share of the touchdown angles, averaged over the plane")
-        axes[0].legend(loc="upper left")
-        figure_9.friction_axis(axes[1], FRICTIONS)
-        style.save(figure, path)
+    figure, axes = style.subplots(2, 1, figsize=(7.6, 6.6), sharex=True)
+    _band(axes[0], data, "share")
+    axes[0].set_title("(a) viable share of the plane of apex heights and speeds")
+    _band(axes[1], data, "robustness")
+    axes[1].set_ylim(bottom=0.0)
+    axes[1].set_title("(b) viable share of the touchdown angles, averaged over the plane")
+    axes[0].legend(loc="upper left")
+    figure_9.friction_axis(axes[1], FRICTIONS)
+    return figure
 
 
 def _band(axes: Axes, data: Columns, what: str) -> None:
-    friction, inner, outer = (
-        np.asarray(data[name], float) for name in ("friction", f"inner_{what}", f"outer_{what}")
-    )
+    friction, inner, outer = (data[name] for name in ("friction", f"inner_{what}", f"outer_{what}"))
     axes.fill_between(friction, inner, outer, color=COLOUR, alpha=0.3, linewidth=0, label=BAND)
     for ends in (inner, outer):
         axes.plot(friction, ends, ".-", color=COLOUR, linewidth=0.9, markersize=4)
