@@ -38,7 +38,7 @@ def stride_error(fmu: Fmu, many: Runners, solver: str, tolerance: float) -> floa
         with opened(fmu, "cs") as runner:
             runner.start(starts(fmu, many, solver, tolerance, apex))
             runner.advance(0.0, 1.001 * duration)
-            apices.append([runner.real(name) for name in names])
+            apices.append([runner.value(name) for name in names])
     return many.error(np.array(apices))
 
 
@@ -54,7 +54,7 @@ def measure_fmu(fmu: Fmu, many: Runners, solver: str, effort: float) -> Iterator
                 start = time.perf_counter()
                 runner.advance(0.0, duration)
                 times.append(time.perf_counter() - start)
-                evaluations = runner.integer("solver.evaluations")
+                evaluations = runner.value("solver.evaluations")
         yield Measurement(
             ONE, solver, accuracy, tolerance, error, evaluations / strides, 1e6 * min(times) / strides
         )

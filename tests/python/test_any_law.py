@@ -7,7 +7,6 @@ import pytest
 import tdmf_slip
 from conftest import assert_same
 from tdmf_slip import (
-    AffineLaw,
     Batch,
     InputError,
     RoughGround,
@@ -18,7 +17,6 @@ from tdmf_slip import (
     strides_to_fall,
 )
 from tdmf_slip.analysis.attraction import robustness, volume
-from tdmf_slip.feedback.judgement import judge
 from tdmf_slip.library.engine import FELL
 from tdmf_slip.record import runner_in
 
@@ -46,23 +44,6 @@ class Function:
         return self.law(apices, stride_number)
 
 
-def test_strides_of_a_batch_are_the_same_to_the_bit(gait, affine):
-    starts = gait.apex + np.random.default_rng(1).uniform(-0.2, 0.2, (40, 6))
-    ground = RoughGround(0.7, 3, friction_spread=0.1)
-    noisy = AffineLaw(
-        affine.inputs, affine.apex, affine.nominal, affine.gain, affine.low, affine.high, [0.02] * 6, 5
-    )
-    for law in (affine, noisy):
-        by_engine, by_calls = (
-            Batch(gait, starts, ground, one).run(12, record=True) for one in (law, Function(law))
-        )
-        assert 0 < np.count_nonzero(by_engine.fate == FELL) < 40
-        for name in by_engine:
-            np.testing.assert_array_equal(by_engine[name], by_calls[name], err_msg=name)
-        for name in by_engine.recorded:
-            np.testing.assert_array_equal(by_engine.recorded[name], by_calls.recorded[name], err_msg=name)
-
-
 @pytest.mark.parametrize(
     "analysis",
     [
@@ -70,7 +51,7 @@ def test_strides_of_a_batch_are_the_same_to_the_bit(gait, affine):
         lambda gait, law: strides_to_fall(
             gait, RoughGround(0.3, 2, trips=True, step_weights=(0.8, 0.6)), 60, max_strides=40, law=law
         ),
-        lambda gait, law: rare_falls(gait, 0.5, walkers=8, strides=16, gait=gait, law=law).found,
+        lambda gait, law: rare_falls(gait, 0.5, walkers=4, strides=8, gait=gait, law=law).found,
         lambda gait, law: volume(gait, 200, law=law, ball="none"),
     ],
     ids=["strides to fall", "on ground that trips", "rare falls", "volume"],
@@ -84,11 +65,7 @@ def test_maps_and_judgements_are_the_same_by_a_function(gait, affine):
     np.testing.assert_array_equal(one["fate"], other["fate"])
     np.testing.assert_array_equal(one["strides_until_known"], other["strides_until_known"])
     assert other.attrs["law"].startswith("Function, check sum of settings ")
-    previews = [basin(gait, AXES, 20, law=law, refine="preview") for law in (affine, Function(affine))]
-    np.testing.assert_array_equal(previews[0]["fate"], previews[1]["fate"])
     assert robustness(gait, Function(affine)) == robustness(gait, affine)
-    found = judge(gait, Function(affine), roughness=[0.4])
-    assert found.first_passages == judge(gait, affine, roughness=[0.4]).first_passages
 
 
 def test_a_file_of_a_map_is_not_gone_on_with_under_another_function(gait, affine, tmp_path):

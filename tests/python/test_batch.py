@@ -1,5 +1,6 @@
 """A batch: runs by the engine, one stride with derivatives, stepping, laws, and what is refused."""
 
+import functools
 import pickle
 
 import numpy as np
@@ -20,91 +21,60 @@ def starts(gaits):
     return np.array([gaits[i % 2].apex + rng.uniform(-0.1, 0.1, 6) for i in range(200)])
 
 
-def test_every_instruction_set_ends_alike(gaits, starts):
-    runners = [gaits[k % 2].runner for k in range(len(starts))]
-    ends = {
-        name: Batch(runners, starts, tolerance=1e-11, instructions=name, threads=2).run(3)
-        for name in engine.instruction_sets()
-    }
-    native = ends.pop("one by one")
-    assert ends
-    assert (native["strides"] == 3).all()
-    for found in ends.values():
-        for name in ("fate", "strides", "word_code"):
-            np.testing.assert_array_equal(found[name], native[name])
-        for name in ("apex", "time", "distance", "work", "damper_loss", "friction_loss", "impact_loss"):
-            np.testing.assert_allclose(found[name], native[name], rtol=1e-8, atol=1e-8)
-
-
 CHANGED = ("leg.stiffness", "leg.damping", "hip.kp", "hip.kd", "gravity", "foot.mass", "hip.stance_torque")
 FRICTIONS = (10.0, 1.2, 0.6, 0.43, 0.2)
 
 
-def populations(size):
-    """Runners and starts: around the published gaits, all over the box, and of other runners."""
-    rng = np.random.default_rng(11)
+@functools.cache
+def populations():
+    """Runners, starts and exact strides: near published gaits, all over the box, and of other runners."""
+    rng, size = np.random.default_rng(11), 1000
     gaits = [find_gait(Runner({"ground.friction": mu})) for mu in FRICTIONS]
     numbers = np.arange(size) % len(gaits)
     runners = [gaits[k].runner for k in numbers]
-    near = np.array([gaits[i].apex for i in numbers]) + rng.uniform(-0.05, 0.05, (size, 6))
     low, high = np.array(list(attraction.BOX.values())).T
-    yield "near", runners, near
-    yield "box", runners, rng.uniform(low, high, (size, 6))
     others = []
     for factors in np.exp(rng.uniform(-1.0, 1.0, (size // 4, len(CHANGED)))):
         values = dict(gaits[2].runner)
         values |= {name: factor * values[name] for name, factor in zip(CHANGED, factors, strict=True)}
         values |= {"ground.friction": rng.uniform(0.1, 2.0), "hip.touchdown_angle": rng.uniform(0.3, 1.0)}
         others.append(Runner(values))
-    wild = gaits[2].apex + rng.uniform(-0.2, 0.2, (len(others), 6))
-    yield "other runners", others, wild
+    found = {
+        "near": (runners, np.array([gaits[i].apex for i in numbers]) + rng.uniform(-0.05, 0.05, (size, 6))),
+        "box": (runners, rng.uniform(low, high, (size, 6))),
+        "other runners": (others, gaits[2].apex + rng.uniform(-0.2, 0.2, (len(others), 6))),
+    }
+    return {name: (*given, stride(*given, 1e-13, "one by one")) for name, given in found.items()}
 
 
-def errors(runners, starts, tolerance, instructions):
-    """The largest of each stride that closes: of apex, time, distance and energies, over their scales."""
-
-    def run(tolerance, instructions):
-        return Batch(runners, starts, tolerance=tolerance, instructions=instructions, threads=2).run(1)
-
-    exact, found = run(1e-13, "one by one"), run(tolerance, instructions)
-    np.testing.assert_array_equal(found["strides"], exact["strides"])
-    np.testing.assert_array_equal(found["word_code"], exact["word_code"])
-    scales = np.array([runner.scales for runner in runners])
-    length, time = scales[:, 0], 1.0 / scales[:, 5]
-    energy = np.array([runner["leg.stiffness"] for runner in runners]) * length**2
-    worst = np.max(np.abs(found["apex"] - exact["apex"]) / scales, axis=1)
-    units = {"time": time, "distance": length, "work": energy, "damper_loss": energy}
-    for name, scale in (units | {"friction_loss": energy, "impact_loss": energy}).items():
-        worst = np.maximum(worst, np.abs(found[name] - exact[name]) / scale)
-    return worst[exact["strides"] == 1]
+def stride(runners, starts, tolerance, instructions):
+    return Batch(runners, starts, tolerance=tolerance, instructions=instructions, threads=2).run(1)
 
 
 @pytest.mark.parametrize("instructions", engine.instruction_sets())
 def test_every_stride_keeps_the_promised_accuracy(instructions):
-    """All of them, not most."""
-    compared = 0
-    for name, *population in populations(2000):
-        worst = errors(*population, batch.TOLERANCE, instructions)
-        assert np.mean(worst <= batch.ACCURACY) == 1.0, f"{name}: {worst.max():.1e}"
-        compared += len(worst)
-    assert compared > 3500
+    """All of them, not most: apex, time, distance and energies, over their scales."""
+    for name, (runners, starts, exact) in populations().items():
+        found = stride(runners, starts, batch.TOLERANCE, instructions)
+        for of in ("fate", "strides", "word_code"):
+            np.testing.assert_array_equal(found[of], exact[of])
+        scales = np.array([runner.scales for runner in runners])
+        length, time = scales[:, 0], 1.0 / scales[:, 5]
+        energy = np.array([runner["leg.stiffness"] for runner in runners]) * length**2
+        worst = np.max(np.abs(found["apex"] - exact["apex"]) / scales, axis=1)
+        units = {"time": time, "distance": length, "work": energy, "damper_loss": energy}
+        for of, scale in (units | {"friction_loss": energy, "impact_loss": energy}).items():
+            worst = np.maximum(worst, np.abs(found[of] - exact[of]) / scale)
+        closed = worst[exact["strides"] == 1]
+        assert len(closed) > 0.5 * len(worst) and closed.max() <= batch.ACCURACY, name
 
 
 def test_a_map_keeps_the_promised_accuracy():
     fastest = engine.instruction_sets()[-1]
-    allowed = {"near": ball.ACCURACY / 20.0, "box": ball.ACCURACY}
-    compared = 0
-    for name, runners, starts in populations(2000):
-        if name not in allowed:
-            continue
-        scales = np.array([runner.scales for runner in runners])
-        apices = [
-            Batch(runners, starts, tolerance=tolerance, instructions=kind, threads=2).run(1).apex
-            for tolerance, kind in ((ball.TOLERANCE, fastest), (1e-13, "one by one"))
-        ]
-        assert np.max(np.abs(apices[0] - apices[1]) / scales) <= allowed[name], name
-        compared += 1
-    assert compared == len(allowed)
+    for name, allowed in {"near": ball.ACCURACY / 20.0, "box": ball.ACCURACY}.items():
+        runners, starts, exact = populations()[name]
+        off = stride(runners, starts, ball.TOLERANCE, fastest).apex - exact.apex
+        assert np.max(np.abs(off) / [runner.scales for runner in runners]) <= allowed, name
 
 
 def test_runners_settle_on_their_own_gait(gaits, starts):

@@ -32,8 +32,8 @@ from tdmf_slip.viable_sets import grid
 
 FRICTION, DAMPING = "ground.friction", "leg.damping"
 KINDS = ("in turn", "threads", "processes", "dask")
-SLOW = {"judgement": {"processes"}, "proof": {"processes"}}
-"""Slow analyses, and the executors that run them."""
+SLOW = ("judgement", "proof")
+"""Analyses whose blocks keep their sizes."""
 AXES = {"com_height": (1.2, 2.9), "com_speed": (0.9, 1.6)}
 PLACES = {
     "axes": {"com_height": (1.0, 2.0), "com_speed": (0.6, 1.6)},
@@ -140,9 +140,13 @@ def expected(gait):
 
 @pytest.mark.parametrize(
     ("name", "kind"),
-    [(name, kind) for name in ANALYSES for kind in KINDS if kind in SLOW.get(name, KINDS)],
+    [
+        *((name, "processes") for name in ANALYSES),
+        *(("strides", kind) for kind in KINDS if kind != "processes"),
+    ],
 )
 def test_a_result_does_not_depend_on_the_executor(executors, expected, gait, name, kind):
+    """All blocks go to other processes, and those of one analysis to executors of every kind."""
     assert_same(ANALYSES[name](gait, {"executor": executors(kind)}), expected(name))
 
 
@@ -398,8 +402,6 @@ def interrupted(program, folder, *arguments):
     ("functions", "left"),
     [
         ("blocks.ThreadPoolExecutor", []),
-        ("blocks._next_done", []),
-        ("netcdf.write_dataset", ["grid.nc.parts"]),
         ("os.replace", ["grid.nc.parts"]),
     ],
 )
@@ -412,21 +414,10 @@ def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(functions, left, tmp_pat
     assert status == 130
     assert said[-1].endswith(INTERRUPTED) and no_more_than_a_bar(said[:-1], "sweep"), said
     written = [path.name for path in folder.iterdir()]
-    assert written == left or (functions == "blocks._next_done" and written == ["grid.nc.parts"])
+    assert written == left
     blocks = list((folder / "grid.nc.parts").glob("*"))
     assert (functions != "os.replace" or blocks) and len(blocks) < 500
     assert all(xarray.load_dataset(block)["period"].notnull().all() for block in blocks)
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")
-@pytest.mark.parametrize("functions", ["blocks.ThreadPoolExecutor", "blocks._next_done"])
-def test_an_interrupt_ends_a_map(functions, tmp_path):
-    folder = tmp_path / "folder"
-    folder.mkdir()
-    options = ("--n", "128", "--samples", "0", "--output", "map.nc")
-    status, said = interrupted(INTERRUPT_AT, folder, functions, "basin", *options)
-    assert status == 130
-    assert said[-1].endswith(INTERRUPTED) and no_more_than_a_bar(said[:-1], "basin"), said
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")

@@ -25,14 +25,8 @@ CASES = [
     (math.radians(angle), math.radians(slope), math.radians(rate))
     for angle, slope, rate in [
         (40, 0, 0),
-        (42, 0, 0),
-        (40, -3, 0),
-        (40, 5, 0),
         (44, 5, 0),
-        (44, 0, 20),
         (46, 0, 20),
-        (50, 0, 50),
-        (46, 4, 15),
         (42, -4, 10),
     ]
 ]
@@ -107,30 +101,7 @@ def test_a_gait_repeats_its_height_and_its_slope_is_that_of_the_map(case):
         assert gait.slope == pytest.approx((ahead - behind) / (2.0 * small), abs=1e-6 * gait.slope**2 + 1e-6)
 
 
-def test_steps_down_a_slope_gain_energy_and_up_a_slope_lose_it():
-    """Without anything that gives energy back, both end."""
-    for slope, sign in ((-3.0, 1.0), (3.0, -1.0)):
-        angle = math.radians(42.0)
-        runner = slip(angle, ground_slope=math.radians(slope))
-        height, energy, steps = 1.2, ENERGY, 0
-        while steps < 100:
-            made = step(runner, height, energy)
-            if made.outcome != "flies":
-                break
-            expected = one_step(angle, math.radians(slope), 0.0, height, energy)
-            assert (made.next_height, made.next_energy) == pytest.approx(expected[:2], rel=1e-10)
-            assert sign * (made.next_energy - energy) > 0.0
-            height, energy, steps = made.next_height, made.next_energy, steps + 1
-        assert 2 <= steps < 100
-
-
-def test_retraction_gives_gaits_to_angles_that_have_none():
-    assert classic_slip.fixed_points(math.radians(46.0)) == []
-    retracting = classic_slip.fixed_points(math.radians(46.0), retraction_rate=math.radians(20.0))
-    assert [gait.stable for gait in retracting] == [True, False]
-
-
-@pytest.mark.parametrize(("slope", "rate"), [(0, 0), (-3, 0), (5, 0), (0, 5), (3, 11)])
+@pytest.mark.parametrize(("slope", "rate"), [(0, 0), (3, 11)])
 def test_two_gaits_meet_in_the_fold_and_beyond_it_there_is_none(slope, rate):
     its = {"ground_slope": math.radians(slope), "retraction_rate": math.radians(rate)}
     fold = classic_slip.fold(**its)
@@ -257,49 +228,6 @@ def energy_of(at):
     return MASS * ((vx**2 + vy**2) / 2 + GRAVITY * y) + STIFFNESS * (LENGTH - np.hypot(x, y)) ** 2 / 2
 
 
-@pytest.mark.parametrize("slope", [-10, 0, 5])
-def test_energy_is_kept_and_time_can_be_turned(slope):
-    """The step backward lands where this step took off, on the slope that rises where this one falls."""
-    slope, flights = math.radians(slope), 0
-    for angle in np.radians(np.arange(20, 50, 3)):
-        runner = slip(angle, ground_slope=slope)
-        made = step(runner, 1.4)
-        times = made.touchdown_time + np.linspace(0, made.stance_time, 11)
-        energies = energy_of(classic_slip.path(runner, 1.4, times))
-        assert energies == pytest.approx(energies[0], rel=1e-12)
-        if made.outcome != "flies":
-            continue
-        climbed = MASS * GRAVITY * made.length * math.tan(slope)
-        assert made.length > 0 and made.next_energy == pytest.approx(ENERGY - climbed, rel=1e-12)
-        x, y, *_ = take_off(runner, 1.4, ENERGY)
-        back = step(slip(math.atan2(x, y), ground_slope=-slope), made.next_height, made.next_energy)
-        if back.outcome == "no start":  # the foot would be below the ground at the apex
-            continue
-        flights += 1
-        assert back.next_energy == pytest.approx(ENERGY, rel=1e-12)
-        assert (back.next_height, back.length) == pytest.approx((1.4, made.length), abs=1e-10)
-        assert back.stance_time == pytest.approx(made.stance_time, abs=1e-11)
-    assert flights >= 3
-
-
-def test_a_leg_may_land_upright_or_behind():
-    """A leg that would lengthen from touchdown on takes off at once, downward, and falls."""
-    found = Counter()
-    for angle in np.radians(np.arange(-40, 1, 2)):
-        runner = slip(angle)
-        for speed in np.arange(0.1, 4, 0.1):
-            energy = MASS * (speed**2 / 2 + GRAVITY * 1.2)
-            made = step(runner, 1.2, energy)
-            x, y, vx, vy = classic_slip.path(runner, 1.2, made.touchdown_time, energy)[:, 0]
-            if x * vx + y * vy > 0:
-                assert made.outcome == "falls" and made.stance_time < 1e-6
-                found["lengthens"] += 1
-            elif made.outcome == "flies":
-                assert made.next_energy == pytest.approx(energy, rel=1e-12)
-                found["flies"] += 1
-    assert found["flies"] >= 3 and found["lengthens"] >= 5
-
-
 def test_retraction_is_an_angle_that_depends_on_the_fall():
     """In one step, a leg that retracts is a leg that is held at the angle in which it lands."""
     for rate in np.arange(-0.2, 0.7, 0.2):
@@ -332,31 +260,6 @@ def test_friction_ends_a_stance_in_two_ways(slope):
     assert made.next_energy == pytest.approx(ENERGY - climbed - left, rel=1e-12)
 
 
-def test_friction_is_needed_where_the_leg_turns_back():
-    """The mass of a slow runner does not get over the foot, and falls back behind it."""
-    energy = MASS * (0.2**2 / 2 + GRAVITY * 1.35)
-    made = step(slip(0.2), 1.35, energy)
-    times = made.touchdown_time + np.linspace(0, made.stance_time, 2000)
-    x, y, *_ = classic_slip.path(slip(0.2), 1.35, times, energy)
-    steepest = np.abs(x / y).max()
-    assert made.outcome == "turns back" and x[-1] < 0 and steepest > 1.5 * math.tan(0.2)
-    assert made.stance_friction == pytest.approx(steepest, abs=1e-6)
-    assert made.stance_friction >= steepest
-    assert step(slip(0.2, 0.99 * steepest), 1.35, energy).outcome == "slides"
-    assert step(slip(0.2, 1.01 * steepest), 1.35, energy).outcome == "turns back"
-
-
-def test_a_foot_as_fast_as_the_ground_needs_no_friction_at_its_impact():
-    speed, rate = math.sqrt(2 * (ENERGY / MASS - GRAVITY * 0.9)), 0.0
-    angle = math.radians(80)
-    made = step(slip(angle), 0.9)
-    for _ in range(400):
-        rate += 0.1 * (speed / math.cos(angle - rate * made.touchdown_time) - rate)
-        made = step(slip(angle, retraction_rate=rate), 0.9)
-        assert made.outcome == "flies"
-    assert made.impact_friction == pytest.approx(0, abs=1e-12)
-
-
 def test_steps_that_cannot_begin_or_land():
     assert step(slip(math.radians(40)), 0.5).outcome == "no start"
     assert step(slip(math.radians(40)), 100.0).outcome == "no start"
@@ -374,26 +277,3 @@ def test_steps_that_cannot_begin_or_land():
     for height, energy in ((1.0, math.nan), (math.inf, ENERGY)):
         with pytest.raises(InputError, match="allowed: finite numbers"):
             step(slip(0.7), height, energy)
-
-
-def test_random_steps_account_for_their_energy():
-    random, outcomes = np.random.default_rng(20), Counter()
-    for _ in range(1500):
-        runner = slip(
-            random.uniform(0.02, 1.55),
-            NO_SLIP if random.uniform() < 0.5 else 10 ** random.uniform(-1.3, 0.7),
-            ground_slope=random.uniform(-0.99, 0.99),
-            retraction_rate=random.uniform(-3, 8),
-            stiffness=10 ** random.uniform(3, 6),
-        )
-        height = random.uniform(0.2, 3)
-        energy = MASS * GRAVITY * height * random.uniform(1, 4)
-        made = step(runner, height, energy)
-        outcomes[made.outcome] += 1
-        if made.outcome == "flies":
-            left = made.next_energy / energy
-            climbed = MASS * GRAVITY * made.length * math.tan(runner.parameters["slope"]) / energy
-            assert made.length > 0 and made.next_height > 0
-            assert left + climbed <= 1 + 1e-12
-            assert made.early_take_off or left + climbed == pytest.approx(1, abs=1e-11)
-    assert len(outcomes) == 5 and min(outcomes.values()) > 15

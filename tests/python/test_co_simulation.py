@@ -4,7 +4,6 @@ import multiprocessing
 import pathlib
 
 import fmpy
-import pytest
 from conftest import HANGS
 from fmpy.fmi2 import FMU2Slave
 
@@ -78,20 +77,3 @@ def test_a_serialized_state_goes_on_in_another_process(unpacked):
     other.join()
     slave.step(12.5, 40.0)
     assert slave.read(*OBSERVED) == there
-
-
-def test_directional_derivatives_through_the_importer(new_instance):
-    """Foot acceleration by leg angle, against a central difference, with the foot in flight."""
-    instance = new_instance()
-    instance.start()
-    instance.model.enterContinuousTimeMode()
-    unknown, known = instance.references["der(foot.vx)"], instance.references["leg.angle"]
-    (exact,) = instance.model.getDirectionalDerivative([unknown], [known], [1.0])
-    states = instance.continuous_states()
-    values = []
-    for sign in (1, -1):
-        moved = states.copy()
-        moved[instance.states.index("leg.angle")] += sign * 1e-6
-        instance.set_continuous_states(moved)
-        values.append(instance.real("der(foot.vx)")[0])
-    assert exact == pytest.approx((values[0] - values[1]) / 2e-6, rel=1e-7)

@@ -28,7 +28,7 @@ def test_an_upright_runner_at_rest_stands(interface, fmu):
 
 
 @pytest.mark.parametrize("interface", ["me", "cs"])
-@pytest.mark.parametrize("friction", [5e-324, 1e-300, 1e-9])
+@pytest.mark.parametrize("friction", [5e-324, 1e-9])
 def test_friction_that_vanishes_is_none(interface, friction, fmu):
     options = {"strides": 5, "interface": interface, "record_events": False, "fmu": fmu}
     none = run_unit({"ground.friction": 0.0}, **options)
@@ -38,7 +38,7 @@ def test_friction_that_vanishes_is_none(interface, friction, fmu):
 
 
 @pytest.mark.parametrize("interface", ["me", "cs"])
-@pytest.mark.parametrize("friction", [1e3, 1e6])
+@pytest.mark.parametrize("friction", [1e6])
 def test_friction_without_bound_never_slips(interface, friction, fmu):
     run = run_unit({"ground.friction": friction}, strides=20, interface=interface, fmu=fmu)
     assert (run.stride["count"], run.stride["word"]) == (20, "0+")

@@ -78,21 +78,6 @@ def test_none_takes_what_is_beyond_its_range(command, fmu):
     assert refused == 4 * 27
 
 
-def test_what_rests_on_the_return_map_refuses_a_patch(command):
-    patch = ("--set", "ground.patch_begin=5", "--set", "ground.patch_end=6")
-    for arguments in (
-        ("gait", *patch),
-        ("sweep", "--vary", "ground.friction=0.5:0.6:2", *patch),
-        ("continue", "--vary", "ground.friction=0.5:0.6", *patch),
-        ("basin", *patch),
-        ("gait", "--model", "reduced", *patch),
-        ("sweep", "--vary", "ground.patch_end=5:6:2"),
-    ):
-        status, out, err = command(*arguments)
-        assert status == 2 and not out, arguments
-        assert "ground.patch_end = " in err.splitlines()[-1] and "allowed: " in err
-
-
 def test_a_patch_that_ends_before_it_begins_is_refused(command):
     status, out, err = command("gait", "--set", "ground.patch_begin=6", "--set", "ground.patch_end=5")
     assert status == 2 and not out and "ground.patch_end = 5" in err

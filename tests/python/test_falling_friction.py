@@ -72,11 +72,10 @@ OUTPUT = [f"apex.{name}" for name in COORDINATES] + [
     [
         ("CoSimulation", 1, 1e-11, ""),
         ("CoSimulation", 2, 1e-11, ""),
-        ("CoSimulation", 2, 1e-9, ""),
         ("ModelExchange", 1, 1e-11, ""),
         ("ModelExchange", 1, 1e-11, "3"),
     ],
-    ids=["native", "CVODE", "CVODE, coarsely", "Model Exchange", "Model Exchange, FMI 3"],
+    ids=["native", "CVODE", "Model Exchange", "Model Exchange, FMI 3"],
 )
 @pytest.mark.parametrize(("friction", "ratio"), [(0.6, 1.5), (0.3, 2.0)])
 def test_no_solver_jumps_over_the_layer(friction, ratio, interface, method, tolerance, version, request):
@@ -117,7 +116,7 @@ def test_the_engine_counts_the_steps_in_the_layer(instructions):
 # ---- where it is no other law ------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("friction", [10.0, 1.2, 0.6, 0.43, 0.2])
+@pytest.mark.parametrize("friction", [0.6, 0.2])
 def test_friction_that_does_not_fall_changes_no_bit(friction):
     """Of the published gaits' strides, where the velocity is given as 0."""
     runner = {"ground.friction": friction}

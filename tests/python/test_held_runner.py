@@ -163,11 +163,6 @@ def test_the_controller_s_angle_follows_from_no_input_but_by_a_step(system, tmp_
     assert angles == pytest.approx([0.0, 0.0, 0.05, 0.05, -0.04], abs=1e-15)
 
 
-def test_it_runs_as_long_as_its_description_says(example, structure):
-    (experiment,) = structure.iter("ssd:DefaultExperiment")
-    assert float(experiment.get("stopTime")) == example.LONGEST
-
-
 def test_the_speed_is_held(example):
     """Without the controller the speed stays 1.0609."""
     rows = example.by_communication(STEP, 400.0)

@@ -57,9 +57,7 @@ def test_a_gait_loads_what_it_needs():
 @pytest.mark.parametrize(
     ("arguments", "loaded"),
     [
-        (("sweep", "--friction", "0.6:0.7:2"), set()),
         (("simulate", "--stop-time", "1"), {"fmpy.sundials.cvode"}),
-        (("basin", "--n", "2", "--samples", "0"), {"tqdm", "xarray"}),
         (("basin", "--n", "2", "--samples", "0", "--output", "map.nc"), {"xarray", "netCDF4"}),
     ],
 )
@@ -70,11 +68,6 @@ def test_other_commands_load_what_they_need(arguments, loaded, tmp_path, monkeyp
     assert loaded <= modules and unpacked == (arguments[0] == "simulate")
     assert modules & {"xarray", "netCDF4"} <= loaded
     assert modules & {"matplotlib", "distributed", "numba", "heyoka"} == set()
-
-
-def test_help_is_quick():
-    modules, _ = modules_after("--help")
-    assert modules & HEAVY == set()
 
 
 AXES = "{'com_height': (1.3, 1.4), 'com_speed': (1, 1.1)}"

@@ -1,6 +1,5 @@
 """Laws from apex to settings: what gaits attract and recover from under them, how long runners stay up."""
 
-import json
 import re
 
 import numpy as np
@@ -55,18 +54,6 @@ def test_the_jacobian_under_a_law_is_that_of_differences(gait, settling):
         slope = (following(gait.apex + change) - following(gait.apex - change)) / (2.0 * step)
         np.testing.assert_allclose(jacobian[:, k], slope, atol=1e-5)
     assert np.abs(np.linalg.eigvals(jacobian)).max() < 0.5 * gait.lambda_max
-
-
-def test_a_law_that_changes_nothing_changes_nothing(gait, nothing):
-    assert robustness(gait, nothing) == robustness(gait)
-    assert volume(gait, 500, law=nothing) == volume(gait, 500)
-    free = strides_to_fall(gait.runner, 0.5, 60, 1, 20, gait=gait)
-    assert strides_to_fall(gait.runner, 0.5, 60, 1, 20, gait=gait, law=nothing) == free
-    axes = {"com_height": (0.6, 2.6), "leg_angle": (-1.5, 1.5)}
-    one, other = (basin(gait.runner, axes, (7, 8), law=law) for law in (None, nothing))
-    assert all(np.array_equal(one[name], other[name]) for name in one)
-    assert len(np.unique(one["fate"])) > 1
-    assert json.loads(other.attrs["law"])["inputs"] == list(NAMES)
 
 
 def test_a_law_that_settles_a_runner_keeps_it_up_longer(gait, settling):

@@ -19,8 +19,8 @@ LEDGER = (
 
 
 def test_many_strides_without_chatter(run):
-    """500 of them, or with --release 2000."""
-    count = 2000 if RELEASE else 500
+    """200 of them, or with --release 2000."""
+    count = 2000 if RELEASE else 200
     rows, instance = run(
         (count + 0.5) * PERIOD,
         {},
@@ -36,8 +36,8 @@ def test_many_strides_without_chatter(run):
 
 
 def test_ledger_closes_over_a_hundred_strides(run):
-    """Two published gaits are run, with --release all of both readings."""
-    for gait in some_of(reference_gaits(), 2):
+    """One published gait is run, with --release all of both readings."""
+    for gait in some_of(reference_gaits(), 1):
         start = apex_start(gait["apex"]) | runner_of_gait(gait)
         rows, _ = run(100.2 * gait["period"], start, output=LEDGER, output_interval=2.0)
         change = rows["energy.total"] - rows["energy.total"][0]
@@ -57,12 +57,6 @@ def test_center_of_mass_is_ballistic_in_flight(run):
         if len(phase) > 1:
             assert np.ptp(phase["com.vx"]) < 1e-8
             assert np.ptp(phase["com.vy"] + 0.01 * phase["time"]) < 1e-8
-
-
-def test_foot_stays_above_the_ground(run):
-    for friction in (10.0, 0.2):
-        rows, _ = run(5 * PERIOD, {"ground.friction": friction}, output=("foot.y",), output_interval=0.02)
-        assert rows["foot.y"].min() > -1e-9
 
 
 @pytest.mark.parametrize(

@@ -54,23 +54,6 @@ def test_what_varies_goes_by_either_name(call):
     assert call("touchdown_angle") == call(ANGLE)
 
 
-@pytest.mark.parametrize(
-    ("option", "short", "full"),
-    [
-        (("gait", "--json"), ("--set", "damping=0.19"), ("--set", "leg.damping=0.19")),
-        (
-            ("gait", "--target", "speed=1.05", "--json"),
-            ("--vary", "torque"),
-            ("--vary", "hip.stance_torque"),
-        ),
-        (("sweep", "--json"), ("--vary", "torque=0.2:0.21:2"), ("--vary", "hip.stance_torque=0.2:0.21:2")),
-    ],
-)
-def test_the_command_takes_either_name(command, option, short, full):
-    (one, first, _), (two, second, _) = command(*option, *short), command(*option, *full)
-    assert one == two == 0 and json.loads(first) == json.loads(second)
-
-
 def test_the_command_that_lists_variables_has_the_short_names(command):
     _, printed, _ = command("variables", "--json")
     listed = {variable["name"]: variable["short_name"] for variable in json.loads(printed)["variables"]}
@@ -102,24 +85,6 @@ def test_a_variable_is_not_given_by_both_names(command):
         find_gait({"friction": 0.4, "ground.friction": 0.4})
     status, _, said = command("gait", "--set", "damping=0.1", "--set", "leg.damping=0.1")
     assert status == 2 and "leg.damping is given twice" in said
-
-
-@pytest.mark.parametrize(
-    ("name", "text", "value"),
-    [
-        ("leg.stiffness", "20kN/m", 20e3),
-        ("leg.stiffness", "20 N/mm", 20e3),
-        ("leg.damping", "360 N s/m", 360.0),
-        ("leg.damping", "360 N·s/m", 360.0),
-        ("hip.stance_torque", "336 N m", 336.0),
-        ("gravity", "9.81 m/s²", 9.81),
-        ("gravity", "9.81m/s^2", 9.81),
-        (ANGLE, "45°", np.pi / 4),
-        (ANGLE, "-1e1deg", -np.pi / 18),
-    ],
-)
-def test_a_quantity_is_read_as_people_write_it(fmu, name, text, value):
-    assert fmu.variables[name].value_of(text, "here") == pytest.approx(value, rel=1e-14)
 
 
 def test_a_target_may_be_a_quantity_with_its_unit(command):

@@ -8,7 +8,6 @@ import pandas
 import pytest
 import tdmf_slip
 from tdmf_slip import InputError, Profile
-from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.fitting.measurements import measurements_of, read_measurements
 from tdmf_slip.fmu.inputs import read_tables
 from tdmf_slip.fmu.simulation import run_unit
@@ -63,38 +62,21 @@ MASKED = np.ma.masked_array([0.0, 5.0], [False, True])
 SIX = np.ma.masked_array(np.ones(6), [1, 0, 0, 0, 0, 0])
 NO_NUMBERS = {
     "dates of inputs": lambda: friction_at_the_end({FRICTION: (DATES, [0.6, 0.3])}),
-    "dates with a zone": lambda: friction_at_the_end({FRICTION: (DATES.tz_localize("UTC"), [0.6, 0.3])}),
-    "dates over an index": lambda: friction_at_the_end(
-        pandas.DataFrame({FRICTION: [0.6, 0.3]}, index=DATES.rename("time"))
-    ),
     "a date to stop at": lambda: run_unit({}, stop_time=np.datetime64("2026-01-01")),
     "durations of friction": lambda: friction_at_the_end({FRICTION: ([0.0, 5.0], SECONDS)}),
     "a duration for friction": lambda: tdmf_slip.find_gait({FRICTION: np.timedelta64(1, "s")}),
-    "durations for strides": lambda: run_unit({}, strides=np.timedelta64(1, "s")),
-    "durations along the ground": lambda: Profile(SECONDS, [0.0, 1.0]),
     "dates along the ground": lambda: Profile(DATES, [0.0, 1.0]),
-    "durations of height": lambda: Profile([0.0, 1.0], SECONDS),
-    "edges that are dates": lambda: Profile.steps(DATES, [0.0, 1.0, 0.0]),
     "durations that are frictions": lambda: tdmf_slip.sweep({}, {FRICTION: SECONDS}),
     "complex values of inputs": lambda: friction_at_the_end({FRICTION: ([0.0, 5.0], [0.6, 0.3 + 1j])}),
-    "complex positions": lambda: Profile([0.0, 1.0 + 1j], [0.0, 1.0]),
     "a complex guess": lambda: tdmf_slip.find_gait({}, guess=np.ones(6) * (1 + 1j)),
-    "complex apices": lambda: tdmf_slip.stride_map({}, np.ones(6) * (1 + 1j)),
     "complex friction": lambda: tdmf_slip.find_gait({FRICTION: np.complex128(0.6 + 1j)}),
-    "complex weights": lambda: tdmf_slip.lqr(periodic_gait({}), ["hip.touchdown_angle"], np.eye(6) * 1j),
     "masked times": lambda: friction_at_the_end({FRICTION: (MASKED, [0.6, 0.3])}),
-    "masked values": lambda: friction_at_the_end({FRICTION: ([0.0, 5.0], MASKED)}),
     "masked positions": lambda: Profile(MASKED, [0.0, 1.0]),
-    "masked heights": lambda: Profile([0.0, 1.0], MASKED),
     "a masked guess": lambda: tdmf_slip.find_gait({}, guess=SIX),
-    "masked apices": lambda: tdmf_slip.stride_map({}, SIX),
     "masked apices in a list": lambda: tdmf_slip.stride_map({}, [np.ones(6), SIX]),
     "a masked number": lambda: tdmf_slip.find_gait({FRICTION: np.ma.masked}),
     "masked frictions": lambda: tdmf_slip.sweep({}, {FRICTION: np.ma.masked_array([0.5, 0.6], [1, 0])}),
-    "masked frictions of runners": lambda: tdmf_slip.stride_map({FRICTION: SIX}, np.ones((6, 6))),
-    "masked feet": lambda: tdmf_slip.stride_map({}, np.ones((6, 6)), foot_x=SIX),
     "masked ends": lambda: tdmf_slip.continue_branch({}, {FRICTION: MASKED}),
-    "masked settings": lambda: tdmf_slip.stride_map({}, np.ones(6), strides=6, inputs={FRICTION: SIX}),
     "truth values": lambda: friction_at_the_end({FRICTION: ([0.0, 5.0], [True, False])}),
 }
 
@@ -105,11 +87,6 @@ def test_what_are_no_numbers_is_refused(name):
     with pytest.raises(InputError, match=r"is not allowed; allowed: ") as caught:
         NO_NUMBERS[name]()
     assert len(str(caught.value)) < 400
-
-
-def test_masked_arrays_without_a_masked_value_are_arrays():
-    ground = Profile(np.ma.masked_array([0.0, 1.0]), np.ma.masked_array([0.0, 2.0], [False, False]))
-    assert ground == Profile([0.0, 1.0], [0.0, 2.0])
 
 
 # ---- texts ----
@@ -155,13 +132,6 @@ def test_a_comma_is_no_decimal_sign_beside_points(tmp_path, separator, row):
         read_measurements(written(tmp_path, "data.csv", text))
 
 
-@pytest.mark.parametrize("cell", ["1_05", "1_650.5", "1,650,000"])
-def test_what_is_no_number_is_none_in_a_table(tmp_path, cell):
-    text = TITLES.format(";") + f"1;0,1;{cell};12"
-    with pytest.raises(InputError, match=r"peak_force = .* is not allowed|in a table that has"):
-        read_measurements(written(tmp_path, "data.csv", text))
-
-
 def test_what_has_no_number_was_not_measured(tmp_path):
     """On file as in memory."""
     columns = {"speed [m/s]": [1.0, 1.1], "speed_error [m/s]": 0.01}
@@ -181,30 +151,13 @@ def test_what_has_no_number_was_not_measured(tmp_path):
     "arguments",
     [
         ("gait", "--friction", "0_6"),
-        ("gait", "--set", "ground.friction=0_6"),
         ("gait", "--target", "speed=1_0", "--vary", "hip.stance_torque"),
         ("sweep", "--friction", "0.5:0_6:2"),
         ("sweep", "--friction", "0.5:0.6:1_0"),
         ("simulate", "--strides", "1_0"),
-        ("simulate", "--tolerance", "1e-1_0"),
         ("rough", "--roughness", "0_1"),
-        ("basin", "--n", "1_0"),
-        ("basin", "--workers", "1_0"),
-        (
-            "compare",
-            "--friction",
-            "0.5",
-            "--friction",
-            "0_6",
-            "--hold",
-            "speed",
-            "--vary",
-            "hip.stance_torque",
-        ),
         ("fit", "human_running", "--vary", "leg.stiffness", "--prior", "leg.free_length=1,0_1"),
         ("prove", "--friction", "0_6"),
-        ("prove", "--digits", "1_0"),
-        ("prove", "--box", "1e-1_0"),
     ],
     ids=" ".join,
 )

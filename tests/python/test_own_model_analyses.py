@@ -13,7 +13,6 @@ from tdmf_slip import (
     basin,
     continue_branch,
     continue_curves,
-    dead_beat,
     find_gait,
     gait_at,
     lqr,
@@ -110,16 +109,6 @@ def test_settings_from_stride_to_stride_are_those_of_the_built_in_runner(paper_s
     assert stepping.apices[0] == pytest.approx(own, abs=1e-7)
 
 
-def test_an_optimum_is_that_of_the_built_in_runner(paper_s):
-    vary = {"hip.stance_torque": (0.15, 0.25), "hip.touchdown_angle": (0.6, 0.75)}
-    mine, own = (
-        tdmf_slip.optimize(runner, vary, minimize="cost_of_transport", target={"speed": 1.0}, starts=1)
-        for runner in (paper_s, None)
-    )
-    for name in vary:
-        assert mine.parameters[name] == pytest.approx(own.parameters[name], abs=1e-6)
-
-
 def test_a_target_and_a_branch_of_the_ball_are_those_of_the_closed_form(ball):
     """The speed after an impact is push/(1 - restitution), the period twice that over gravity."""
     gait = find_gait(ball, target={"period": 1.2}, vary=["push"])
@@ -128,12 +117,6 @@ def test_a_target_and_a_branch_of_the_ball_are_those_of_the_closed_form(ball):
     values = branch["restitution"].values
     assert branch["apex_height"].values == pytest.approx((1 / (1 - values)) ** 2 / 2 / 9.81, rel=1e-9)
     assert branch["lambda_max"].values == pytest.approx(values, abs=1e-9)
-
-
-def test_feedback_that_is_dead_beat_is_that_of_the_built_in_runner(paper_s):
-    mine, own = dead_beat(find_gait(paper_s), SETTINGS), dead_beat(find_gait(), SETTINGS)
-    assert np.asarray(mine.gain) == pytest.approx(np.asarray(own.gain), abs=1e-5)
-    assert np.abs(mine.eigenvalues) == pytest.approx(np.abs(own.eigenvalues), abs=1e-5)
 
 
 def test_curves_of_special_points_are_those_of_the_built_in_runner(paper_s):
@@ -219,14 +202,6 @@ def test_a_simulation_of_the_ball_by_its_unit_is_its_parabolas(ball):
         tdmf_slip.simulate(ball, strides=3)
 
 
-def test_a_trajectory_of_the_paper_s_runner_is_that_of_the_engine(paper_s):
-    gait = find_gait(paper_s)
-    times = np.linspace(0, 0.99 * gait.period, 60)
-    mine, own = (tdmf_slip.trajectory(runner, gait.apex, times=times) for runner in (paper_s, None))
-    for name in ("com.y", "foot.y", "leg.angle", "hip.torque", "energy.total"):
-        assert mine[name].values == pytest.approx(own[name].values, abs=1e-8), name
-
-
 def test_derivatives_of_a_trajectory_are_those_of_the_engine(paper_s):
     """By more names than the library varies at once, and by parameters of one's own as differences."""
     gait = find_gait(paper_s)
@@ -274,19 +249,6 @@ def test_what_needs_the_package_s_own_models_says_so(my_runner, ball):
         find_gait(ball, stiffness=1)
     with pytest.raises(InputError, match="push cannot change in a run; allowed: none; a page declares"):
         Batch(ball, [1.0], inputs={"push": 2.0})
-
-
-@pytest.mark.parametrize("draw", ["gait", "branch", "sweep"])
-def test_pictures_of_models_of_one_s_own_are_drawn(my_runner, draw):
-    pytest.importorskip("matplotlib")
-    values = {"stance_kp": [0.0, 0.01]}
-    made = {
-        "branch": lambda: continue_branch(my_runner, {"stance_kp": (0.0, 0.01)}),
-        "sweep": lambda: sweep(my_runner, values).gaits,
-        "gait": lambda: find_gait(my_runner),
-    }
-    figure = tdmf_slip.plot(made[draw]())
-    assert len(figure.axes) >= 2
 
 
 @pytest.mark.parametrize("draw", ["branch", "sweep", "gait", "strides", "trajectory"])

@@ -86,7 +86,7 @@ def test_machines_of_this_kind_have_lanes(hopper):
     assert set(widths_of(hopper)) <= {1, *LANES}
 
 
-@pytest.mark.parametrize("count", range(1, 18))
+@pytest.mark.parametrize("count", [1, 2, 3, 5, 8, 17])
 def test_any_number_of_runs_in_any_order_ends_as_the_driver_ends_them(hopper, count):
     ends = np.random.default_rng(count).uniform(3, 12, count)
     wanted = [bits(run) for run in driven([random_hopper(hopper, i) for i in range(count)], ends)]
@@ -114,15 +114,15 @@ def test_strides_and_jacobians_in_lanes_are_those_of_the_driver(whole, width):
     seeds = ["seen_y", "seen_vx", "length", "angle", "length_rate", "angle_rate", "friction", "kp"]
 
     def runs():
-        return [runner_near_the_gait(whole, i, seeds=seeds, tolerance=1e-11) for i in range(60)]
+        return [runner_near_the_gait(whole, i, seeds=seeds, tolerance=1e-11) for i in range(30)]
 
     wanted, mine = runs(), runs()
-    for _ in range(3):
+    for _ in range(2):
         driven(wanted, stop="apex")
         work = run_batch(mine, stop="apex", width=width)
         assert [bits(run) for run in mine] == [bits(run) for run in wanted]
     assert work.steps > 3 * work.single_steps
-    assert sum(run.outcome == "stopped" for run in mine) > 30
+    assert sum(run.outcome == "stopped" for run in mine) > 15
 
 
 @pytest.mark.parametrize("width", LANES)
@@ -137,7 +137,7 @@ def test_random_runs_with_everything_on_end_as_the_driver_ends_them(whole, width
         given |= {"swing_clamp": number % 2, "tolerance": 1e-11, "step_limit": 2000}
         return whole.start(seeds=["seen_y", "gravity"], **given), segments
 
-    mine, wanted = ([start(i) for i in range(150)] for _ in range(2))
+    mine, wanted = ([start(i) for i in range(60)] for _ in range(2))
     for part in range(len(mine[0][1])):
         until = []
         for run, segments in (*mine, *wanted):
@@ -151,10 +151,10 @@ def test_random_runs_with_everything_on_end_as_the_driver_ends_them(whole, width
             assert bits(run) == bits(other)
         kept = [i for i, (run, _) in enumerate(wanted) if run.outcome == "arrived"]
         mine, wanted = [mine[i] for i in kept], [wanted[i] for i in kept]
-    assert 50 < len(mine) < 150
+    assert 20 < len(mine) < 60
 
 
-@pytest.mark.parametrize("count", [1, 3, 25])
+@pytest.mark.parametrize("count", [1, 13])
 def test_batches_sample_as_the_driver_does(whole, count):
     """Densely and rarely, at events, beyond the end, and in runs that fall."""
 

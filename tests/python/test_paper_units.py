@@ -39,8 +39,6 @@ def test_a_gait_says_its_units_and_keeps_its_values():
         ("gait", "--friction", "0.43"),
         ("simulate", "--strides", "1"),
         ("sweep", "--friction", "0.5:0.6:2"),
-        ("compare", "--friction", "0.43", "--friction", "0.5", "--hold", "speed", "--vary", "torque"),
-        ("optimize", "--maximize", "speed", "--vary", "torque=0.19:0.21", "--starts", "1"),
     ],
 )
 def test_the_command_labels_by_the_runner(command, arguments):
@@ -56,8 +54,6 @@ def test_the_command_labels_by_the_runner(command, arguments):
     [
         lambda runner: tdmf_slip.simulate(runner, strides=1),
         lambda runner: tdmf_slip.sweep(runner, {"friction": [0.5, 0.6]}),
-        lambda runner: tdmf_slip.continue_branch(runner, {"friction": (0.6, 0.58)}, switch=False),
-        lambda runner: tdmf_slip.stride_map(runner, find_gait(runner).apex),
     ],
 )
 def test_pictures_label_by_the_runner(result):

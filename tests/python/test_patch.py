@@ -31,11 +31,6 @@ def start_with_the_foot_at_0(run_over):
     return start | {"foot.x": 0.0, "foot.y": start["foot.y"] + body_ahead * np.tan(slope)}
 
 
-def test_there_are_nine_and_most_have_a_patch():
-    with_patch = [run for run in RUNS if "ground.patch_end" in run["start_values"]]
-    assert (len(RUNS), len(with_patch)) == (9, 8)
-
-
 @each_run
 @pytest.mark.parametrize("by", [0.0, -40.0], ids=["at 0", "at -40 m"])
 def test_the_engine_makes_each_stride(run_over, by):
@@ -86,7 +81,7 @@ def test_model_exchange(run_over, run):
     assert_ends_as(run_over, rows, 1e-6)
 
 
-@pytest.mark.parametrize("friction", [10.0, 1.2, 0.6, 0.43, 0.2])
+@pytest.mark.parametrize("friction", [0.6, 0.2])
 def test_a_patch_of_no_length_changes_no_bit(friction):
     """The strides are those of the published gaits; the patch has any friction and position."""
     runner = {"ground.friction": friction}
@@ -116,7 +111,6 @@ def test_where_a_foot_lands_decides():
     [
         lambda: tdmf_slip.find_gait(PATCH),
         lambda: tdmf_slip.find_gait(PATCH, model="reduced"),
-        lambda: tdmf_slip.sweep(PATCH, {"leg.damping": [0.2, 0.21]}),
         lambda: tdmf_slip.basin(PATCH, n=2),
         lambda: tdmf_slip.stride_map(PATCH, [1.4, 1.05], model="reduced"),
         lambda: tdmf_slip.stride_map(
@@ -128,7 +122,6 @@ def test_where_a_foot_lands_decides():
     ids=[
         "gait",
         "reduced gait",
-        "sweep",
         "basin",
         "reduced strides",
         "one of many",
@@ -180,9 +173,3 @@ def test_strides_to_fall_begins_on_the_gait_without_the_patch_at_any_phase():
     assert (given.falls, given.strides) == (found.falls, found.strides)
     behind = tdmf_slip.strides_to_fall(DOWNHILL, 0.0, runners=4, max_strides=120, foot_x=600.0)
     assert behind.falls == 0
-
-
-@pytest.mark.parametrize("foot_x", ["anywhere", [0.0, 1.0], float("inf")])
-def test_strides_to_fall_refuses_a_foot_x_that_is_none(foot_x):
-    with pytest.raises(tdmf_slip.InputError, match="foot_x"):
-        tdmf_slip.strides_to_fall(DOWNHILL, 0.0, runners=3, max_strides=1, foot_x=foot_x)

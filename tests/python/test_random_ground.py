@@ -49,12 +49,6 @@ def test_friction_by_stride_is_that_given(gait):
     same_apices(runs(gait, ground, tolerance=1e-11), given(gait, "ground.friction", frictions))
 
 
-def test_results_do_not_depend_on_lanes(gait):
-    ground = RoughGround(0.2, 3, correlated_weights(0.5), True, 0.2)
-    alone = runs(gait, ground, instructions="one by one", tolerance=1e-11)
-    assert alone["apex"] == pytest.approx(runs(gait, ground, tolerance=1e-11)["apex"], abs=1e-6)
-
-
 @pytest.mark.parametrize("correlation", [-0.6, 0.3, 0.9])
 def test_a_correlation_is_what_it_is_called(correlation):
     ground = RoughGround(0.2, 5, step_weights=correlated_weights(correlation))
@@ -105,15 +99,3 @@ def test_first_passage_takes_such_ground(gait):
 def test_what_makes_no_sense_is_refused(arguments):
     with pytest.raises(InputError, match=next(iter(arguments))):
         RoughGround(0.1, **arguments)
-
-
-def test_friction_is_drawn_in_the_full_model_only():
-    reduced = find_gait({"ground.friction": 0.6}, model="reduced")
-    with pytest.raises(InputError):
-        Batch(reduced, reduced.apex, RoughGround(friction_spread=0.1))
-
-
-def test_the_command_knows_of_it(command):
-    options = ("--roughness", "0.5", "--runners", "40", "--correlation", "0.7", "--friction-spread", "0.1")
-    status, out, _ = command("rough", *options, "--trips", "--json")
-    assert status == 0 and '"falls"' in out

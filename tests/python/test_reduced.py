@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from tdmf_slip import Batch, InputError, RunError, Runner, basin, find_gait
 from tdmf_slip.analysis import attraction, special_points
-from tdmf_slip.analysis.branches import trace
 from tdmf_slip.analysis.stability import stability
 from tdmf_slip.analysis.sweeps import sweep_row
 from tdmf_slip.library.binding import c, ffi
@@ -102,17 +101,6 @@ def test_the_larger_eigenvalue_is_that_of_the_full_model(clamp, larger, second):
     assert compared == 6
 
 
-def test_the_command_tells_the_same_keys(command):
-    full = json.loads(command("gait", "--json")[1])
-    small = json.loads(command("gait", "--model", "reduced", "--json")[1])
-    assert small.keys() == full.keys()
-    assert small["apex"] == pytest.approx(GAITS[2]["apex"], abs=1e-10)
-    assert np.shape(small["eigenvalues"]) == (2, 2)
-    assert small["work"] == pytest.approx(GAITS[2]["stance_work"], abs=1e-10)
-    assert small["start_values"]["leg.angle"] == pytest.approx(np.radians(40.0))
-    assert command("gait", "--model", "smaller")[0] == 2
-
-
 def test_a_sweep_has_the_borders_of_the_reduced_map():
     found = sweep_row(reduced(), "ground.friction", [1.2, 0.6, 0.5, 0.4])
     assert [gait.word for gait in found.gaits] == ["+0+", "+0-0+", "+0-0+", "+0-"]
@@ -127,16 +115,6 @@ def test_a_sweep_has_the_borders_of_the_reduced_map():
     assert words == ["+0+", "+0-0+", "+0-+", "+0-"]
     one = special_points.borders_between(reduced(), "ground.friction", found.gaits[2], found.gaits[3])
     assert [border.value for border in one] == [border.value for border in found.borders[1:]]
-
-
-def test_a_branch_is_followed_in_the_plane():
-    first = find_gait(model="reduced")
-    branch = trace(first.runner, "hip.touchdown_angle", first, np.radians(44.0))
-    assert branch.ended == "end of the range"
-    assert branch.gaits[-1].apex.shape == (2,)
-    apex, jacobian, _ = stride_from(branch.gaits[-1].runner, branch.gaits[-1].apex, "hip.touchdown_angle")
-    assert apex == pytest.approx(branch.gaits[-1].apex, abs=1e-10)
-    assert jacobian.shape == (2, 2)
 
 
 def test_runners_by_the_map_end_where_strides_in_turn_lead():

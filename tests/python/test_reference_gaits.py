@@ -3,8 +3,6 @@
 The slowest of them; with --release all. Validation runs all, from the gaits on.
 """
 
-import dataclasses
-
 import numpy as np
 import pytest
 from conftest import apex_start, name_of_gait, reference_gaits, runner_of_gait, some_of
@@ -16,18 +14,8 @@ LEFT = 1e-9
 """Of the distance from a gait, where a run has settled: the slowest, at friction 0.2, takes 218 strides."""
 
 
-@dataclasses.dataclass
-class Settled:
-    """What the unit made of a gait: the apex it settled on, and one more stride from there."""
-
-    apex: np.ndarray
-    rows: np.ndarray
-    stride: dict
-    word: str
-    liftoff_angle: float
-
-
-def settle(reference, run):
+@pytest.mark.parametrize("reference", some_of(reference_gaits()[::-1], 1), ids=name_of_gait)
+def test_the_unit_settles_on_the_published_gait(reference, run):
     """A long run, then one stride from its last apex.
 
     A gait shrinks a distance by its largest eigenvalue a stride, so it piles up the solver's error of one
@@ -37,57 +25,17 @@ def settle(reference, run):
     strides = np.ceil(np.log(LEFT) / np.log(find_gait(given).lambda_max))
     _, instance = run((strides + 0.5) * reference["period"], given, tolerance=1e-10, output_interval=2.0)
     apex = instance.real(*(f"apex.{name}" for name in APEX))
+    assert apex == pytest.approx(reference["apex"], abs=1e-5)
     counts = ("stride.count", "event.count")
     rows, instance = run(2.1 * reference["period"], apex_start(apex) | given, tolerance=1e-9, output=counts)
-    stride = dict(zip(SCALARS, instance.real(*(f"stride.{name}" for name in SCALARS)), strict=True))
-    return Settled(apex, rows, stride, instance.text("stride.word"), instance.real("hip.liftoff_angle")[0])
-
-
-@pytest.fixture(scope="module", params=some_of(reference_gaits()[::-1], 1), ids=name_of_gait)
-def reference(request):
-    return request.param
-
-
-@pytest.fixture(scope="module")
-def settled_runs():
-    return {}
-
-
-@pytest.fixture
-def settled(reference, run, settled_runs):
-    name = name_of_gait(reference)
-    if name not in settled_runs:
-        settled_runs[name] = settle(reference, run)
-    return settled_runs[name]
-
-
-def test_word(settled, reference):
-    assert settled.word == reference["word"]
-
-
-@pytest.mark.parametrize("name", SCALARS)
-def test_stride(settled, reference, name):
-    assert settled.stride[name] == pytest.approx(reference[name], rel=1e-6)
-
-
-def test_apex(settled, reference):
-    assert settled.apex == pytest.approx(reference["apex"], abs=1e-5)
-
-
-def test_lift_off_angle(settled, reference):
-    assert settled.liftoff_angle == pytest.approx(reference["liftoff_angle"], abs=1e-6)
-
-
-def test_event_times(settled, reference):
-    """Every event of the reference is one that the importer was led into, at the same time after the apex."""
-    times, counts = np.unique(settled.rows["time"], return_counts=True)
-    events = times[counts > 1]
+    assert instance.text("stride.word") == reference["word"]
+    assert instance.real("hip.liftoff_angle")[0] == pytest.approx(reference["liftoff_angle"], abs=1e-6)
+    for name in SCALARS:
+        assert instance.real(f"stride.{name}")[0] == pytest.approx(reference[name], rel=1e-6), name
+    # Every event of the reference is one that the importer was led into, at the same time after the apex.
+    times, counts = np.unique(rows["time"], return_counts=True)
     for name, time in reference["events"]:
-        assert np.min(np.abs(events - time)) <= 1e-6 * time, name
-
-
-def test_events_of_a_stride_are_counted(settled, reference):
-    """The clamp's release is a kink of the torque and no event."""
-    rows = settled.rows
+        assert np.min(np.abs(times[counts > 1] - time)) <= 1e-6 * time, name
+    # The clamp's release is a kink of the torque and no event.
     listed = [name for name, _ in reference["events"] if name != "retract_clamp_release"]
     assert rows["event.count"][rows["stride.count"] == 1][0] == len(listed)

@@ -3,8 +3,6 @@
 import copy
 import dataclasses
 import pickle
-import subprocess
-import sys
 from concurrent.futures import ProcessPoolExecutor
 
 import numpy as np
@@ -12,7 +10,7 @@ import pytest
 import tdmf_slip
 from tdmf_slip import InputError, Runner, find_gait
 from tdmf_slip.library.members import FLAGS, MOVING
-from tdmf_slip.variables.parameters import preset_names, read_parameters
+from tdmf_slip.variables.parameters import preset_names
 from tdmf_slip.variables.table import DIMENSIONS, MODELS, STATES, VARIABLES
 
 FRICTION = "ground.friction"
@@ -111,32 +109,6 @@ def test_a_runner_cannot_change():
             array[0] = 0
 
 
-class Series:
-    """As much of pandas' Series as a library may ask for without pandas."""
-
-    def __init__(self, values):
-        self.values, self.index = values, list(values)
-
-    def to_numpy(self):
-        return np.array(list(self.values.values()))
-
-    def items(self):
-        return self.values.items()
-
-
-def test_whatever_stands_for_a_runner_is_taken(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    slow = Runner(friction=0.43)
-    (tmp_path / "slow.toml").write_text("friction = 0.43\n", encoding="utf-8")
-    gait = find_gait(slow)
-    for given in ({"friction": 0.43}, {FRICTION: 0.43}, Series({"friction": 0.43}), "slow.toml", slow, gait):
-        assert Runner(given) == slow
-        assert np.array_equal(find_gait(given).apex, gait.apex)
-    assert Runner(tmp_path / "slow.toml") == slow
-    assert Runner() == Runner(None) == Runner({}) == Runner("paper")
-    assert Runner("human") == Runner(read_parameters("human"))
-
-
 def test_every_preset_is_found_by_name_and_by_file_name(tmp_path, monkeypatch, command):
     monkeypatch.chdir(tmp_path)
     assert {"human", "human_running", "paper"} <= set(preset_names())
@@ -166,12 +138,3 @@ def test_values_are_checked_when_a_runner_is_made(values, match):
     if "stride.period" not in values and "nosuch" not in values:
         with pytest.raises(InputError, match=match):
             Runner().replace(values)
-
-
-def test_the_table_is_read_without_xml_and_fmpy():
-    program = (
-        "import sys, tdmf_slip.variables.table as table; assert len(table.VARIABLES) > 130; "
-        "print(any(name.split('.')[0] in ('xml', 'fmpy', 'zipfile', 'lxml') for name in sys.modules))"
-    )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
-    assert done.stdout.split() == ["False"], done.stderr

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import tdmf_slip
 import xarray
-from conftest import reference_gaits, release, some_of
+from conftest import reference_gaits
 from scipy_strides import Stride
 from tdmf_slip import Batch, InputError, Runner, find_gait, stride_map, sweep
 from tdmf_slip.record import runner_in
@@ -17,7 +17,6 @@ REFERENCE = json.loads(pathlib.Path(__file__).with_name("free_swing.json").read_
 """Reference values without the clamp beside the published gaits; two independent programs agree on them."""
 FRICTIONS = (10.0, 1.2, 0.6, 0.43, 0.2)
 FREE = {gait["friction"]: gait for gait in [*reference_gaits(False), *REFERENCE["gaits"]]}
-EXACT = {10.0: "10", 1.2: "1.2", 0.6: "0.6", 0.43: "0.43", 0.2: "0.2"}
 
 
 @pytest.mark.parametrize("friction", FREE)
@@ -32,13 +31,6 @@ def test_gaits_without_the_clamp_are_those_of_the_reference(friction):
     assert np.abs(gait.jacobian - reference["jacobian"]).max() < 1e-8
     lasting = gait.eigenvalues[:3] - np.array(reference["eigenvalues"])[:3]  # the others are rounded to 0
     assert np.abs(lasting).max() < 1e-8
-
-
-def test_the_leg_waits_at_the_angle_that_the_paper_says():
-    """Figure 5(b): it converges to eta theta_LO; with the clamp it swings freely forward."""
-    free, clamped = (find_gait({"ground.friction": 10.0, CLAMP: clamp}) for clamp in (False, True))
-    assert np.degrees(free.apex[3]) == pytest.approx(np.degrees(1.2 * free.liftoff_angle), abs=0.05)
-    assert np.degrees(clamped.apex[3]) == pytest.approx(53.08, abs=0.01)
 
 
 @pytest.mark.parametrize("clamp", [False, True])
@@ -75,49 +67,12 @@ def test_strides_of_random_runners_are_those_of_the_reference(number):
 # ---- proofs ------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("friction", some_of(FRICTIONS, 1))
-def test_gaits_without_the_clamp_are_proved(friction):
-    pytest.importorskip("flint")
-    reference = FREE[friction]
-    proof = tdmf_slip.prove({"ground.friction": EXACT[friction], CLAMP: "false"}, digits=10)
-    assert proof.proved and proof.stable and proof.word == reference["word"]
-    assert f"{CLAMP} = false" in proof.sentence and "clamp" not in dict(proof.events)
-    assert proof.as_json()["parameters"][CLAMP] == "false"
-    for ball, value in zip(proof.apex, reference["apex"], strict=True):
-        assert abs(float(ball) - value) < 1e-11
-    for name in ("period", "length", "work", "speed", "cost_of_transport", "liftoff_angle", "stance_time"):
-        assert abs(float(proof.quantities[name]) - reference[name]) < 1e-11, name
-    times = [float(time) for _, time in proof.events]
-    assert times == pytest.approx([time for _, time in reference["events"]], abs=1e-11)
-
-
-SMOOTH = [border for border in REFERENCE["borders"] if (border["from"], border["to"]) != ("+0+", "+0-0+")]
-
-
-@pytest.mark.parametrize("border", some_of(SMOOTH, 1), ids=lambda border: border["to"])
-def test_borders_without_the_clamp_are_proved(border):
-    pytest.importorskip("flint")
-    proof = tdmf_slip.prove_border(border["friction"], {CLAMP: False}, sides=False)
-    assert proof.proved, proof.sentence
-    assert abs(float(proof.value) - border["friction"]) < 1e-10
-    assert proof.word_continued in (border["from"], border["to"])
-
-
 @pytest.mark.parametrize(("clamp", "friction"), [(True, 1.1441404), (False, 1.1369892702)])
 def test_a_border_where_the_slip_would_begin_as_the_drive_ends_stays_undecided(clamp, friction):
     """Both events are at one instant there, and a proof does not say which is first, whatever the swing."""
     pytest.importorskip("flint")
     proof = tdmf_slip.prove_border(friction, {CLAMP: clamp}, sides=False)
     assert not proof.proved and "slip onset backwards or mid-stance" in proof.sentence
-
-
-@release
-@pytest.mark.parametrize("friction", FRICTIONS)
-def test_what_gaits_without_the_clamp_attract_is_proved(friction):
-    pytest.importorskip("flint")
-    found = tdmf_slip.prove_attraction({"ground.friction": EXACT[friction], CLAMP: False})
-    assert found.proved and found.radius > 1e-9
-    assert found.as_json()["parameters"][CLAMP] == "false"
 
 
 # ---- where it is set ---------------------------------------------------------------------------------------
@@ -203,17 +158,3 @@ def test_the_reduced_map_does_not_depend_on_it_and_says_so(command):
     status, out, err = command("gait", "--model", "reduced", "--set", f"{CLAMP}=false", "--json")
     assert status == 0 and json.loads(out)["model"] == "reduced"
     assert err == f"tdmf-slip: warning: --set {CLAMP}: has no effect in the reduced map\n"
-
-
-def test_a_comparison_tells_runners_apart_by_it():
-    found = tdmf_slip.compare([{CLAMP: True}, {CLAMP: False}], hold=["speed"], vary=["hip.stance_torque"])
-    assert found[CLAMP].sel(step="after").values.tolist() == [True, False]
-    speeds = found["speed"].sel(step="after").values
-    assert speeds[1] == pytest.approx(speeds[0], rel=1e-8)
-
-
-def test_a_sweep_on_file_with_another_clamp_is_refused(tmp_path):
-    over = {"ground.friction": [0.6], "leg.damping": [0.2]}
-    sweep(Runner({CLAMP: True}), over, path=tmp_path / "grid.nc")
-    with pytest.raises(InputError, match=f"not this sweep: another {CLAMP}"):
-        sweep(Runner({CLAMP: False}), over, path=tmp_path / "grid.nc")

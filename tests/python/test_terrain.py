@@ -7,7 +7,7 @@ import pytest
 from tdmf_slip import AffineLaw, Batch, InputError, find_gait, stride_map, strides_to_fall
 from tdmf_slip.analysis.rare_falls import rare_falls
 from tdmf_slip.library.engine import FATES, instruction_sets
-from tdmf_slip.library.ground import RoughGround, correlated_weights, read_heights, spectrum_weights
+from tdmf_slip.library.ground import RoughGround, correlated_weights, spectrum_weights
 
 FELL, UNDECIDED = FATES.index("fell"), FATES.index("undecided")
 TOUCHDOWN, LIFTOFF = 13.8292, 14.0363
@@ -208,23 +208,13 @@ def test_where_no_apex_comes_back_nothing_settles_and_nothing_is_split(gait):
         rare_falls(gait.runner, RoughGround(0.1, segment_length=1.0), gait=gait)
 
 
-def test_heights_come_from_a_file(tmp_path):
-    path = tmp_path / "heights.csv"
-    path.write_text("0, 0.1  # the first two\n\n-0.05\n", encoding="utf-8")
-    assert read_heights(str(path)) == (0.0, 0.1, -0.05)
-    path.write_text("0\nhigh\n", encoding="utf-8")
-    with pytest.raises(InputError, match="line 2: 'high'"):
-        read_heights(str(path))
-    with pytest.raises(InputError, match="No such file"):
-        read_heights(str(tmp_path / "none"))
-
-
 def test_the_command_has_it(tmp_path, command):
     path = tmp_path / "heights.txt"
     path.write_text("0 0.02 -0.02", encoding="utf-8")
     given = ["rough", "--runners", "4", "--max-strides", "4", "--json", "--segment-length", "3"]
     printed = json.loads(command(*given, "--heights", str(path))[1])
-    drawn = json.loads(command(*given, "--roughness", "0.02")[1])
+    more = ("--correlation", "0.7", "--friction-spread", "0.1", "--trips")
+    drawn = json.loads(command(*given, "--roughness", "0.02", *more)[1])
     assert printed["strides"] == drawn["strides"] == 16
 
 

@@ -26,8 +26,7 @@ from ..library.section import Apex
 from ..library.shared_steps import shares_steps
 from ..terminal.text import quantity
 from ..variables.parameters import RunnerLike
-from ..variables.table import Model
-from ..variables.values import model_of
+from ..variables.table import Model, model_of
 from ..variables.variable import Given
 from .search import periodic_gait
 from .target import Help, Iterate, Target, initial_iterates, nearest_from, parameters_that_help
@@ -211,7 +210,7 @@ def checked_target(target: object, model: Model, from_zero: Sequence[str] = ()) 
         checked_quantity(name, "target", model)
     if all(name in given for name in TRAVEL):
         raise InputError("target: speed, frequency and length; allowed: two of them, for they set the third")
-    signed = allowed_quantities(model) if model.map_class else SIGNED
+    signed = allowed_quantities(model) if model.is_own else SIGNED
     maximum, minimum = {"duty_factor": 1.0}, dict.fromkeys(signed, -MAXIMUM) | dict.fromkeys(from_zero, 0.0)
     numbers = {name: quantity_given(name, value, "target", model) for name, value in given.items()}
     return {

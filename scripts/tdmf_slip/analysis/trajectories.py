@@ -21,8 +21,7 @@ from ..library.section import COORDINATES, Apex, checked_apex
 from ..library.shared_steps import shares_steps
 from ..record import dataset
 from ..variables.parameters import RunnerLike
-from ..variables.table import VARIABLES, Model, full_names
-from ..variables.values import model_of
+from ..variables.table import VARIABLES, Model, full_names, model_of
 
 if TYPE_CHECKING:
     import xarray

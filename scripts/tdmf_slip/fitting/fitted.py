@@ -20,8 +20,7 @@ from ..library.section import Apex
 from ..library.shared_steps import shares_steps
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import Model, full_names
-from ..variables.values import model_of
+from ..variables.table import Model, full_names, model_of
 from .conclusion import BetterFitError, Conclusion, is_met
 from .measurements import Data, Errors, Measurements, Units, measurements_of
 from .problem import PriorGiven, Problem, Request, bounds_of, checked_priors

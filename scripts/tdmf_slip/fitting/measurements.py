@@ -88,7 +88,7 @@ def shipped(name: str) -> Path:
 
 def measurable(model: Model) -> tuple[str, ...]:
     """Quantities of a model's strides that may be measured."""
-    return allowed_quantities(model) if model.map_class else MEASURABLE
+    return allowed_quantities(model) if model.is_own else MEASURABLE
 
 
 def measurements_of(
@@ -184,9 +184,9 @@ def _column(title: str, where: str, units: Units, model: Model) -> tuple[str, fl
     name = name.strip()
     quantity = name.removesuffix(ERROR)
     if quantity not in measurable(model):
-        known, usual = SYNONYMS.get(quantity), measurable(model) if model.map_class else USUAL
+        known, usual = SYNONYMS.get(quantity), measurable(model) if model.is_own else USUAL
         hint = f"; near matches: {known}" if known in usual else near_matches(quantity, usual)
-        others = "" if model.map_class else f", or another of {', '.join(MEASURES)}"
+        others = "" if model.is_own else f", or another of {', '.join(MEASURES)}"
         raise InputError(
             f"{where}: column {shown(title)} is unknown; allowed: {', '.join(usual)}{others}, each with "
             f"{ERROR} as well{hint}"
@@ -246,7 +246,7 @@ def _rows(
             if name in given:
                 share, each = given[name]
                 error = repr(abs(_number(value)) * each[number - 1] if share else each[number - 1])
-            low = -MAXIMUM if model.map_class or name in SIGNED else 0.0
+            low = -MAXIMUM if model.is_own or name in SIGNED else 0.0
             measured[name] = _measured(name, (value, factor), (error, error_factor), here, low)
         if not measured:
             raise InputError(f"{here}: nothing is measured; allowed: one quantity or more")

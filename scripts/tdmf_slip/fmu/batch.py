@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
@@ -25,18 +24,8 @@ if TYPE_CHECKING:
     import xarray
 
 
-@dataclass(frozen=True)
-class Result:
-    """How a run ended."""
-
-    stride: Mapping[str, float | int | str]
-    """The last completed stride, by the unit's names in the group `stride`."""
-    fallen: bool
-    """The run ended in a fall."""
-    problem: str
-    """Why there is no result, or nothing."""
-
-
+Result: TypeAlias = tuple[Mapping[str, float | int | str], bool, str]
+"""How a run ended: its last stride, whether it fell, and why there is no result, if there is none."""
 OVER = ("run",)
 """The dimension of all arrays."""
 
@@ -46,8 +35,8 @@ def run_one(strides: int, tolerance: float, interface: str, starts: Mapping[str,
     try:
         run = run_unit(starts, strides=strides, tolerance=tolerance, interface=interface)
     except TdmfSlipError as problem:  # the unit may refuse how several values go together
-        return Result({}, False, str(problem))
-    return Result(run.stride, run.fallen, "")
+        return {}, False, str(problem)
+    return run.stride, run.fallen, ""
 
 
 def simulate_many(
@@ -118,12 +107,12 @@ def _runs(starts: Sequence[Mapping[str, Value]], results: Sequence[Result], fmu:
     names = list(dict.fromkeys(name for its in starts for name in its))
     alike = {name: value for name, value in fmu.variables.all_start_values({}).items() if name not in names}
     arrays: dict[str, tuple[Any, ...]] = {
-        "fallen": (OVER, [result.fallen for result in results]),
-        "problem": (OVER, np.array([result.problem for result in results], dtype=object)),
+        "fallen": (OVER, [fallen for _, fallen, _ in results]),
+        "problem": (OVER, np.array([problem for *_, problem in results], dtype=object)),
     }
     for variable in fmu.variables.group("stride"):
         is_text = variable.type == "String"
-        values = [result.stride.get(variable.member, "" if is_text else np.nan) for result in results]
+        values = [stride.get(variable.member, "" if is_text else np.nan) for stride, *_ in results]
         arrays[variable.member] = (
             OVER,
             np.array(values, dtype=object if is_text else float),

@@ -16,7 +16,7 @@ import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from types import ModuleType
-from typing import Protocol
+from typing import Any, Protocol
 
 import fmpy
 import fmpy.simulation
@@ -206,33 +206,14 @@ class Instance:
         """Present values by name: Real float, Integer and Enumeration int, Boolean bool, String str."""
         return {name: self.value(name) for name in names}
 
-    def real(self, name: str) -> float:
-        """Present value of a Real variable."""
-        return float(self._fmu.getReal([self.fmu.variables[name].reference])[0])
-
-    def integer(self, name: str) -> int:
-        """Present value of an Integer or Enumeration variable."""
-        return int(self._fmu.getInteger([self.fmu.variables[name].reference])[0])
-
-    def boolean(self, name: str) -> bool:
-        """Present value of a Boolean variable."""
-        return bool(self._fmu.getBoolean([self.fmu.variables[name].reference])[0])
-
-    def text(self, name: str) -> str:
-        """Present value of a String variable."""
-        value: bytes = self._fmu.getString([self.fmu.variables[name].reference])[0]
-        return value.decode("utf-8")
-
-    def value(self, name: str) -> float | int | bool | str:
+    def value(self, name: str) -> Any:
         """Present value of one variable."""
-        getters: Mapping[str, Callable[[str], float | int | bool | str]] = {
-            "Real": self.real,
-            "Integer": self.integer,
-            "Enumeration": self.integer,
-            "Boolean": self.boolean,
-            "String": self.text,
-        }
-        return getters[self.fmu.variables[name].type](name)
+        variable = self.fmu.variables[name]
+        get = getattr(self._fmu, f"get{variable.type.replace('Enumeration', 'Integer')}")
+        (value,) = get([variable.reference])
+        if variable.type == "String":
+            return value.decode("utf-8")
+        return {"Real": float, "Boolean": bool}.get(variable.type, int)(value)
 
     def simulate(
         self, experiment: Experiment, step_finished: Callable[[float, Recorder], bool]

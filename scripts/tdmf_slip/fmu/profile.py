@@ -71,14 +71,6 @@ class Profile:
         at, high = (f"{np.min(row):g} to {np.max(row):g} m" for row in (self.x, self.y))
         return f"<Profile of {len(self.x)} points: positions {at}, heights {high}>"
 
-    def __eq__(self, other: object) -> bool:
-        """Whether another has the same points."""
-        if not isinstance(other, Profile):
-            return NotImplemented
-        return np.array_equal(self.x, other.x) and np.array_equal(self.y, other.y)
-
-    __hash__ = None  # type: ignore[assignment] # its points may be changed
-
     @classmethod
     def steps(cls, edges: ArrayLike, heights: ArrayLike) -> Profile:
         """Level ground with steps.

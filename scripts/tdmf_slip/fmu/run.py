@@ -98,10 +98,18 @@ class Run:
     messages: list[str] = field(default_factory=list)
     """Messages of the unit."""
 
-    stride: Mapping[str, float | int | str] = field(default_factory=dict)
-    """The last completed stride: `count`, `period`, `word` and so on; zero and empty without one."""
-    apex: Mapping[str, float] = field(default_factory=dict)
-    """The section at the last apex: `time`, `com_height` and so on."""
+    @property
+    def stride(self) -> dict[str, Any]:
+        """The last completed stride: `count`, `period`, `word` and so on; zero and empty without one."""
+        return self._latched("stride")
+
+    @property
+    def apex(self) -> dict[str, Any]:
+        """The section at the last apex: `time`, `com_height` and so on."""
+        return self._latched("apex")
+
+    def _latched(self, group: str) -> dict[str, Any]:
+        return {of.member: self.final[of.name] for of in self.variables.group(group)}
 
     def label(self, unit: str) -> str:
         """The label of a unit in texts and pictures of this run: `l0` for `m` in the paper's units."""

@@ -23,8 +23,7 @@ from ..terminal.progress import progress_bar
 from ..variables import paper_units
 from ..variables.paper_units import SCALES
 from ..variables.parameters import RunnerLike, start_values_of
-from ..variables.table import Model
-from ..variables.values import model_of
+from ..variables.table import Model, model_of
 from ..variables.variable import Value
 from .fmu import Fmu, load_fmu
 from .inputs import InputTables, signals
@@ -64,14 +63,14 @@ def run_over(
     rows = [(0.0, *instance.read(names).values())]
     total, unit = (experiment.stop_time, "s") if strides is None else (strides, "strides")
     with progress_bar("simulate", total, unit, progress) as bar:
-        while not instance.boolean("status.fallen"):
-            time, closed = float(rows[-1][0]), instance.integer("stride.count")
+        while not instance.value("status.fallen"):
+            time, closed = float(rows[-1][0]), instance.value("stride.count")
             bar.update((time if strides is None else closed) - bar.n)
             if time >= experiment.stop_time or (strides is not None and closed >= strides):
                 break
             if len(rows) > experiment.max_rows:
                 raise experiment.too_many_rows(time)
-            instance.set(_line_below(profile, instance.real("foot.x")))
+            instance.set(_line_below(profile, instance.value("foot.x")))
             instance.advance(time, step)
             rows.append((len(rows) * step, *instance.read(names).values()))
     kinds = [("time", float), *((name, TYPES.get(fmu.variables[name].type, int)) for name in names)]
@@ -191,11 +190,11 @@ def simulate(
     2 0
     """
     own = model_of(runner, None)
-    fmu = load_fmu(own.unit if own.map_class and fmu is None else fmu)  # type: ignore[attr-defined]
+    fmu = load_fmu(own.unit if own.is_own and fmu is None else fmu)  # type: ignore[attr-defined]
     interface = interface_over(profile, interface, inputs, fmu)
-    given = own_start_values(runner, own, fmu) if own.map_class else start_values_of(runner)
+    given = own_start_values(runner, own, fmu) if own.is_own else start_values_of(runner)
     starts = fmu.variables.start_values(given, "start values")
-    if isinstance(runner, Mapping) and not hasattr(runner, "start_values") and not own.map_class:
+    if isinstance(runner, Mapping) and not hasattr(runner, "start_values") and not own.is_own:
         paper_units.warn_of_mixture({n: fmu.variables.start_of(n, starts) for n in paper_units.COMPARED})
     counts = STRIDES in fmu.variables and set(SCALES) <= set(fmu.variables)
     if strides is not None and not counts:
@@ -209,7 +208,7 @@ def simulate(
     record_events = checked_flag("record_events", record_events)
     recorded = _recorded(fmu, variables)
     experiment = Experiment(
-        stop_time=_stop_time(fmu, starts, stop_time, strides),
+        stop_time=longest_time(fmu, starts, strides or 0) if stop_time is None else stop_time,
         tolerance=checked("tolerance", tolerance, *TOLERANCES),
         output_interval=_interval(fmu, starts, output_interval, profile is not None, stop_time),
         start_values=starts,
@@ -218,7 +217,9 @@ def simulate(
             dict.fromkeys([*recorded, *(n for n in (MODE, PHASE, FALLEN) if n in fmu.variables)])
         ),
     )
-    _check_rows(experiment, _min_duration(fmu, starts, stop_time, strides))
+    # No stride is shorter than sqrt(m/k), as the leg's spring has to swing back.
+    least = math.inf if strides is None else strides * time_unit(fmu, starts)
+    _check_rows(experiment, least if stop_time is None else min(least, stop_time))
     with opened(fmu, interface) as instance:
         if profile is None:
             table = _run(instance, experiment, stop_time, strides, progress)
@@ -274,14 +275,6 @@ def _recorded(fmu: Fmu, variables: Iterable[str] | None) -> list[str]:
     return [name for name, variable in found.items() if variable.causality != "independent"]
 
 
-def _stop_time(fmu: Fmu, starts: Mapping[str, Value], stop_time: float | None, strides: int | None) -> float:
-    """The time that is given, or one in which the strides have closed if they do at all."""
-    longest = math.inf
-    if strides is not None:
-        longest = longest_time(fmu, starts, strides)
-    return longest if stop_time is None else stop_time
-
-
 def _interval(
     fmu: Fmu,
     starts: Mapping[str, Value],
@@ -295,14 +288,6 @@ def _interval(
     if stop_time is not None and not set(SCALES) <= set(fmu.variables):
         return stop_time / ROWS
     return time_unit(fmu, starts) / points
-
-
-def _min_duration(
-    fmu: Fmu, starts: Mapping[str, Value], stop_time: float | None, strides: int | None
-) -> float:
-    """Without a fall; no stride is shorter than sqrt(m/k), as the leg's spring has to swing back."""
-    by_strides = math.inf if strides is None else strides * time_unit(fmu, starts)
-    return min(by_strides, math.inf if stop_time is None else stop_time)
 
 
 def _check_rows(experiment: Experiment, duration: float) -> None:
@@ -323,7 +308,7 @@ def _run(
     with progress_bar("simulate", total, unit, show) as bar:
 
         def step_finished(time: float, recorder: Recorder) -> bool:
-            closed = instance.integer(STRIDES) if strides is not None else 0
+            closed = instance.value(STRIDES) if strides is not None else 0
             bar.update((closed if stop_time is None else time) - bar.n)
             if len(recorder.rows) > experiment.max_rows:
                 raise experiment.too_many_rows(time)
@@ -344,7 +329,7 @@ def _result(
     model: str,
 ) -> Run:
     fmu = instance.fmu
-    fallen = FALLEN in fmu.variables and instance.boolean(FALLEN)
+    fallen = FALLEN in fmu.variables and instance.value(FALLEN)
     if fallen and not table[FALLEN][-1]:  # FMPy stops before it records the row in which the runner falls
         _, *names = table.dtype.names or ()
         last = (table["time"][-1], *instance.read(names).values())
@@ -365,8 +350,6 @@ def _result(
         final=instance.read(fmu.variables),
         events=events,
         messages=list(instance.messages),
-        stride={variable.member: instance.value(variable.name) for variable in fmu.variables.group("stride")},
-        apex={variable.member: instance.real(variable.name) for variable in fmu.variables.group("apex")},
     )
 
 

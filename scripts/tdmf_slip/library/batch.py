@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -20,16 +21,17 @@ from ..errors import InputError
 from ..given import numbers_by, numbers_of, row_of
 from ..uninterrupted import in_block
 from ..variables.table import by_full_name
-from . import c_structs, engine
+from . import c_structs, own_runs
 from .batch_given import TOLERANCE as TOLERANCE
 from .batch_given import Given
-from .batch_tables import ends_table, exact_table, own_strides, recorded_table
+from .batch_tables import ends_table, recorded_table, strides_table
 from .c_structs import WIDTH
 from .engine import LAST_STRIDE, Engine
 from .laws import AffineLaw, CheckedLaw
 from .own_engine import OwnEngine
 from .own_model import OwnModel
 from .return_map import Along, checked_direction
+from .returns import RunnerStrides, Strides
 from .settings import setting_number
 from .tables import Table
 
@@ -45,35 +47,17 @@ class Session:
 
     def __init__(self, batch: Given) -> None:
         self.batch = batch
-        law, ground, single = batch.law, batch.ground, batch.is_single
-        number = engine.ONE_BY_ONE if single else engine.BEST
+        law, single = batch.law, batch.is_single
         threads = batch.threads or (1 if single or in_block() else os.cpu_count() or 1)
-        runners = (batch.models, batch.held, batch.starts)
-        options: dict[str, Any] = {
-            "tolerance": batch.tolerance,
-            "threads": threads,
-            "first_number": batch.first_number,
-            "step_limit": batch.step_limit or 0,
-        }
-        self.engine: Any
-        if isinstance(batch.model, OwnModel):
-            self.engine = OwnEngine(batch.model, *runners, batch.runner.scales, **options)
-        else:
-            instructions = number if batch.instructions is None else engine.INSTRUCTIONS[batch.instructions]
-            self.engine = Engine(
-                *runners,
-                reduced=batch.runner.reduced,
-                instructions=instructions,
-                foot_x=batch.foot_x,
-                **options,
-            )
-        if ground.is_drawn and isinstance(self.engine, Engine):
-            self.engine.run_on(ground.rules, ground.terrain)
+        self.engine: Any = (OwnEngine if self.batch.model.is_own else Engine)(batch, threads)
         self.function: CheckedLaw | None = None
-        if isinstance(law, AffineLaw):
+        if isinstance(law, AffineLaw) and isinstance(self.engine, Engine):
             self.engine.obey(law.settings)
         elif law is not None:
-            self.function = CheckedLaw(law, batch.runner, ground, tuple(batch.varied), tuple(batch.inputs))
+            function = partial(law, first_number=batch.first_number) if isinstance(law, AffineLaw) else law
+            self.function = CheckedLaw(
+                function, batch.runner, batch.ground, tuple(batch.varied), tuple(batch.inputs)
+            )
             self.engine.keep_checkpoints()
         self.names: tuple[str, ...] = ()
         self.values = np.empty((len(batch), 1, 0))
@@ -262,10 +246,10 @@ class Batch(Given):
         -------
         Table
             Over `runner`, unless there is one with a single apex: `outcome`, 0 where the stride closed,
-            `word`, `apex`, `next_apex`, `liftoff_angle`, and quantities by their names. With derivatives also
-            `jacobian`, shape (..., n, n), `next_apex_by`, shape (..., n, by), and for quantities such as
-            `speed` the derivatives as `speed_by`, shape (..., by): by the n coordinates, then along the
-            directions. All are NaN where a stride has not closed.
+            `word`, `why_not` it did not close, `apex`, `next_apex`, and quantities by their names. With
+            derivatives also `jacobian`, shape (..., n, n), `next_apex_by`, shape (..., n, by), and for
+            quantities such as `speed` the derivatives as `speed_by`, shape (..., by): by the n coordinates,
+            then along the directions. All are NaN where a stride has not closed.
 
         Raises
         ------
@@ -277,31 +261,47 @@ class Batch(Given):
             checked_direction(one, self.runner.model)
             for one in row_of(along, "along", "names or mappings in a list")
         ]
-        differentiated, size = jacobian or len(along) > 0, self.size
+        is_differentiated = jacobian or len(along) > 0
+        most = own_runs.SEEDS if self.model.is_own else c_structs.SEEDS
+        parts = [
+            self._exact_strides(is_differentiated, along[first : first + most])
+            for first in range(0, max(len(along), 1), most)
+        ]
+        return strides_table(self, parts, along, is_differentiated=is_differentiated)
+
+    def _exact_strides(self, is_differentiated: bool, along: Sequence[Along]) -> Strides:
+        starts = self.starts[:, : self.size].copy()
         if isinstance(self.model, OwnModel):
-            return own_strides(self, differentiated, along)
-        returns = self._exact_strides(differentiated, along[: c_structs.SEEDS], measured=differentiated)
-        variations = returns["variations"][:, : size + len(along[: c_structs.SEEDS])]
-        for first in range(c_structs.SEEDS, len(along), c_structs.SEEDS):
-            some = along[first : first + c_structs.SEEDS]
-            further = self._exact_strides(True, some, measured=True)["variations"]
-            variations = np.concatenate([variations, further[:, size : size + len(some)]], axis=1)
+            return own_runs.strides_of(
+                self.model,
+                self.models,
+                self.held,
+                starts,
+                tolerance=self.runner.tolerance,
+                seeds=own_runs.seeds_of(self.model, along) if is_differentiated else None,
+                step_limit=self.step_limit or 0,
+                threads=self.threads or 1,
+            )
 
-        def measured() -> NDArray[Any]:
-            return returns if differentiated else self._exact_strides(False, (), measured=True)
+        def made(measured: bool) -> NDArray[Any]:
+            return c_structs.exact_strides(
+                self.runner.solver(),
+                self.models,
+                self.held,
+                self.starts,
+                reduced=self.runner.reduced,
+                derivatives=is_differentiated,
+                along=along,
+                measured=measured,
+            )
 
-        return exact_table(self, returns, variations if differentiated else None, along, measured)
-
-    def _exact_strides(self, differentiated: bool, along: Sequence[Along], *, measured: bool) -> NDArray[Any]:
-        return c_structs.exact_strides(
-            self.runner.solver(),
-            self.models,
-            self.held,
-            self.starts,
-            reduced=self.runner.reduced,
-            derivatives=differentiated,
-            along=along,
-            measured=measured,
+        return RunnerStrides(
+            made(is_differentiated),
+            starts,
+            self.value_of,
+            self.runner.reduced,
+            along=along if is_differentiated else None,
+            measured=None if is_differentiated else lambda: made(True),
         )
 
     # ---- many strides ---------------------------------------------------------------------------------

@@ -13,8 +13,7 @@ from ..checks import check_kind, check_size, checked_between, checked_threads, c
 from ..errors import InputError
 from ..given import is_series, numbers_by, row_of
 from ..variables.parameters import RunnerLike
-from ..variables.table import MODELS, Model, by_full_name
-from ..variables.values import model_of
+from ..variables.table import MODELS, Model, by_full_name, model_of
 from . import c_structs
 from .c_structs import WIDTH
 from .engine import LAST_STRIDE, instruction_sets

@@ -14,19 +14,9 @@ from .batch_given import Given
 from .engine import FATES, SETTLED, STOPPED, Engine
 from .laws import AffineLaw
 from .own_engine import OwnEngine
-from .own_model import OwnModel
-from .own_runs import SEEDS, OwnStrides, seeds_of, strides_of
-from .quantities import (
-    LEDGER,
-    MEASURED,
-    STRIDE_QUANTITIES,
-    Quantities,
-    differentiable,
-    reported_quantities,
-    weight_by,
-    weight_of,
-)
+from .quantities import LEDGER, STRIDE_QUANTITIES
 from .return_map import Along
+from .returns import Strides
 from .tables import Table
 
 STRIDE_FATES = ("closed", "fell", "too_long", *FATES[3:6])
@@ -38,7 +28,6 @@ GROUND = "ground.height"
 FOOT_X = "foot.x"
 
 
-OF_WEIGHT = ("body.mass", "foot.mass", "gravity")
 _ENERGIES = ("work", "hip_work", "leg_work", *LEDGER)
 ABOUT: Mapping[str, Mapping[str, Any]] = {
     **{name: {"units": "J", "long_name": f"{name.replace('_', ' ')} of the stride"} for name in LEDGER},
@@ -63,102 +52,15 @@ ABOUT_ENDS: Mapping[str, Mapping[str, Any]] = {
 """Units and descriptions at the ends of runs."""
 
 
-def exact_table(
-    batch: Given,
-    returns: NDArray[Any],
-    variations: NDArray[Any] | None,
-    along: Sequence[Along],
-    measured: Callable[[], NDArray[Any]],
-) -> Table:
-    """Strides with derivatives, or without; `measured` makes them with what is measured along a stride."""
-    size, reduced = batch.size, batch.runner.reduced
-    starts, weights = batch.starts[:, :size].copy(), {name: batch.value_of(name) for name in OF_WEIGHT}
-    closed = returns["outcome"] == 0
-    quantities: dict[bool, Quantities] = {}
-
-    def quantities_of(is_measured: bool) -> Quantities:
-        if is_measured not in quantities:
-            structs = measured() if is_measured else returns
-            quantities[is_measured] = Quantities(structs, starts, weight_of(weights), is_measured)
-        return quantities[is_measured]
-
-    def made(name: str) -> NDArray[Any]:
-        if name in ("outcome", "solver"):
-            return np.asarray(returns[name])
-        if name == "word":
-            return returns["stride"]["word"].astype(str)
-        if name == "apex":
-            return starts
-        if name == "next_apex":
-            return np.asarray(returns["apex"][:, :size])
-        if variations is not None and name in ("next_apex_by", "jacobian"):
-            some = variations if name == "next_apex_by" else variations[:, :size]
-            return np.asarray(some["apex"][..., :size].swapaxes(1, 2))
-        if variations is not None and name.endswith("_by"):
-            by = weights_by(weights, size, along)
-            with np.errstate(divide="ignore", invalid="ignore"):  # where a stride has not closed
-                return quantities_of(not reduced).derivative(name.removesuffix("_by"), variations, by)
-        return quantities_of(name in MEASURED and not reduced)[name]
-
-    names = ("outcome", "solver", "word", *reported_quantities(reduced))
-    by = None if variations is None else differentiable(reduced)
-    return _strides_table(batch, made, closed, along, _dimensions(batch.is_single, names, by))
-
-
-def own_strides(batch: Given, differentiated: bool, along: Sequence[Along]) -> Table:
-    """Strides of runners of a model of one's own, with derivatives or without."""
-    model, size = batch.model, batch.size
-    assert isinstance(model, OwnModel)
-
-    def strides_by(some: Sequence[Along]) -> OwnStrides:
-        return strides_of(
-            model,
-            batch.models,
-            batch.held,
-            batch.starts[:, :size],
-            tolerance=batch.runner.tolerance,
-            seeds=seeds_of(model, some) if differentiated else None,
-            step_limit=batch.step_limit or 0,
-            threads=batch.threads or 1,
-        )
-
-    parts = [strides_by(along[first : first + SEEDS]) for first in range(0, max(len(along), 1), SEEDS)]
-    strides = parts[0]
-
-    def by(value_of: Callable[[OwnStrides], NDArray[np.float64]]) -> NDArray[np.float64]:
-        """Derivatives by the coordinates, and then along all directions."""
-        rows = [value_of(part) for part in parts]
-        return np.concatenate([rows[0], *(row[..., size:] for row in rows[1:])], axis=-1)
-
-    def made(name: str) -> NDArray[Any]:
-        if name == "outcome":
-            return strides.outcome
-        if name == "word":
-            return np.array(strides.words)
-        if name == "why_not":
-            return np.array([strides.why_not(k) or "" for k in range(len(batch))])
-        if name in ("apex", "next_apex"):
-            return strides.points if name == "apex" else strides.next_points
-        if name in ("jacobian", "next_apex_by"):
-            found = by(lambda part: part.next_points_by)
-            return found[..., :size] if name == "jacobian" else found
-        if name.endswith("_by") and differentiated:
-            return by(lambda part: part.derivative(name.removesuffix("_by")))
-        return strides.quantity(name)
-
-    quantities = tuple(model.quantities)
-    names = ("outcome", "word", "why_not", *quantities)
-    dimensions = _dimensions(batch.is_single, names, quantities if differentiated else None)
-    return _strides_table(batch, made, strides.outcome == 0, along, dimensions)
-
-
 @cache
 def _dimensions(
     single: bool, names: tuple[str, ...], differentiated: tuple[str, ...] | None
 ) -> Mapping[str, tuple[str, ...]]:
     """Dimensions of the arrays of strides, by their names."""
     over: tuple[str, ...] = () if single else ("runner",)
-    found = dict.fromkeys(names, over) | dict.fromkeys(("apex", "next_apex"), (*over, "coordinate"))
+    found = dict.fromkeys(("outcome", "word", "why_not", *names), over) | dict.fromkeys(
+        ("apex", "next_apex"), (*over, "coordinate")
+    )
     if differentiated is not None:
         found["jacobian"] = (*over, "coordinate", "by_coordinate")
         found["next_apex_by"] = (*over, "coordinate", "by")
@@ -166,14 +68,30 @@ def _dimensions(
     return found
 
 
-def _strides_table(
-    batch: Given,
-    made: Callable[[str], NDArray[Any]],
-    closed: NDArray[np.bool_],
-    along: Sequence[Along],
-    dimensions: Mapping[str, tuple[str, ...]],
+def strides_table(
+    batch: Given, parts: Sequence[Strides], along: Sequence[Along], *, is_differentiated: bool
 ) -> Table:
-    """Table of strides, whose numbers are NaN where a stride has not closed."""
+    """Strides, NaN where they have not closed; each part has derivatives along some of the directions."""
+    strides, size, closed = parts[0], batch.size, parts[0].outcome == 0
+
+    def by(value_of: Callable[[Strides], NDArray[np.float64]]) -> NDArray[np.float64]:
+        """Derivatives by the coordinates, and then along all directions."""
+        first, *rows = [value_of(part) for part in parts]
+        return np.concatenate([first, *(row[..., size:] for row in rows)], axis=-1) if rows else first
+
+    def made(name: str) -> NDArray[Any]:
+        if name in ("apex", "next_apex"):
+            return strides.points if name == "apex" else strides.next_points
+        if name in ("outcome", "word"):
+            return np.asarray(strides.outcome if name == "outcome" else strides.words)
+        if name == "why_not":
+            return np.array([strides.why_not(k) for k in range(len(batch))])
+        if is_differentiated and name in ("jacobian", "next_apex_by"):
+            found = by(lambda part: part.next_points_by)
+            return found[..., :size] if name == "jacobian" else found
+        if is_differentiated and name.endswith("_by"):
+            return by(lambda part: part.derivative(name.removesuffix("_by")))
+        return strides.quantity(name)
 
     def make(name: str) -> NDArray[Any]:
         values = made(name)
@@ -183,19 +101,13 @@ def _strides_table(
         return one
 
     def labels() -> dict[str, NDArray[Any]]:
-        by = [*batch.runner.coordinates, *map(title, along)]
-        return {**labels_of(batch), "by": np.array(by), "by_coordinate": np.array(batch.runner.coordinates)}
+        names = np.array([*batch.runner.coordinates, *map(title, along)])
+        return {**labels_of(batch), "by": names, "by_coordinate": np.array(batch.runner.coordinates)}
 
+    dimensions = _dimensions(
+        batch.is_single, strides.names, strides.differentiable if is_differentiated else None
+    )
     return Table(dimensions, make, labels, about_of(batch.model), batch.runner.record)
-
-
-def weights_by(values: Mapping[str, Any], size: int, along: Sequence[Along]) -> NDArray[np.float64]:
-    """Derivatives of the weight by the coordinates and along directions, shape (..., by)."""
-    rows = [np.zeros(np.shape(weight_of(values)))] * size
-    for direction in along:
-        shares = direction if isinstance(direction, Mapping) else {direction: 1.0}
-        rows.append(rows[0] + sum(share * weight_by(values, name) for name, share in shares.items()))
-    return np.stack(rows, axis=-1)
 
 
 def title(direction: Along) -> str:
@@ -281,7 +193,7 @@ def recorded_table(
     if batch.ground.roughness:
         arrays[GROUND] = of(recorded["ground_height"], begun)
     law = batch.law
-    for number, name in enumerate(law.inputs if isinstance(law, AffineLaw) else ()):
+    for number, name in enumerate(law.inputs if isinstance(law, AffineLaw) and not own else ()):
         arrays[name] = of(recorded["set"][..., number], begun)
     arrays |= {name: of(values, begun) for name, values in given.items()}
     over = ("runner", "stride", "coordinate")

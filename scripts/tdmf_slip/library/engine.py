@@ -1,7 +1,9 @@
 """A request to the C ensemble engine, with the memory that it points to."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +12,9 @@ from ..errors import StoppedError
 from ..uninterrupted import stop_flag, uninterrupted
 from .binding import c, ffi, text_of
 from .c_structs import END, MODEL, STATE, STRIDE, WIDTH, address, dtype_of
+
+if TYPE_CHECKING:
+    from .batch_given import Given
 
 FEW = 64
 """Strides that run without a thread of their own: they take milliseconds."""
@@ -46,7 +51,6 @@ class AffineSettings:
         seed: int,
     ) -> None:
         size, wide = len(apex), np.zeros((len(numbers), WIDTH))
-        self.numbers = tuple(numbers)
         wide[:, :size] = gain
         self._arrays: dict[str, NDArray[Any]] = {
             "settings": np.array(numbers, np.intc),
@@ -77,20 +81,8 @@ class Engine:
     `ends` and, where strides are recorded, `recorded` are what the engine writes, over runners.
     """
 
-    def __init__(
-        self,
-        models: NDArray[Any],
-        inputs: NDArray[Any],
-        starts: NDArray[np.float64],
-        *,
-        reduced: bool,
-        tolerance: float,
-        threads: int,
-        instructions: int,
-        first_number: int = 0,
-        step_limit: int = 0,
-        foot_x: NDArray[np.float64] | None = None,
-    ) -> None:
+    def __init__(self, batch: Given, threads: int) -> None:
+        models, inputs, starts, foot_x = batch.models, batch.held, batch.starts, batch.foot_x
         count = len(starts)
         self.made = 0
         self.ends = np.zeros(count, END)
@@ -111,10 +103,15 @@ class Engine:
         request.starts, request.count = ffi.cast("double (*)[6]", self._pointer("double[]", starts)), count
         if foot_x is not None:
             request.foot_x = self._pointer("double[]", foot_x)
-        request.first_number, request.relative_tolerance = first_number, tolerance
-        request.step_limit, request.threads, request.instructions = step_limit, threads, instructions
-        request.map = c.TDMF_REDUCED_MAP if reduced else c.TDMF_RETURN_MAP
+        request.first_number, request.relative_tolerance = batch.first_number, batch.tolerance
+        request.step_limit, request.threads = batch.step_limit or 0, threads
+        request.instructions = ONE_BY_ONE if batch.is_single else BEST
+        if batch.instructions is not None:
+            request.instructions = INSTRUCTIONS[batch.instructions]
+        request.map = c.TDMF_REDUCED_MAP if batch.runner.reduced else c.TDMF_RETURN_MAP
         self._ends = ffi.from_buffer("tdmf_ensemble_end[]", self.ends)
+        if batch.ground.is_drawn:
+            self._run_on(batch.ground.rules, batch.ground.terrain)
 
     @property
     def fates(self) -> NDArray[np.int32]:
@@ -146,7 +143,7 @@ class Engine:
             wide[:, : balls.shape[1], : balls.shape[2]] = balls
             self.rules["balls"] = self._address(wide)
 
-    def run_on(self, ground: Mapping[str, Any], terrain: Mapping[str, Any]) -> None:
+    def _run_on(self, ground: Mapping[str, Any], terrain: Mapping[str, Any]) -> None:
         """Write uneven ground into the rules: numbers, and rows of weights and heights."""
         for fields, rules in ((ground, self.rules), (terrain, self.rules["terrain"])):
             for name, value in fields.items():

@@ -2,7 +2,6 @@
 
 import contextlib
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +10,8 @@ from ..errors import GaitNotFoundError, RunError
 from ..numerics.newton import NotSolvedError, solve
 from .gait import Gait
 from .members import at_friction, check_comes_down, check_has_gaits
-from .return_map import Along, derivatives, map_of
+from .return_map import Along, derivatives, refuse_patch
+from .returns import Strides
 from .runner import Runner
 from .section import Apex, checked_apex
 from .shared_steps import joins_search, search_under_way
@@ -42,10 +42,10 @@ class Closing:
 
         The scales are the runner's own, unless others are given.
         """
+        refuse_patch(runner)
         check_has_gaits(runner)
         check_comes_down(runner)
         self.runner, self.strides, self.along = runner, strides, along
-        self.map = map_of(runner)
         self.scales = runner.scales if scales is None else scales
         self.until = longest_stride(runner)
         self.unsolved = ""
@@ -55,7 +55,7 @@ class Closing:
         """Last apex minus first, over the scales."""
         apex = x * self.scales
         for _ in range(self.strides):
-            apex = self._next(self.stride(apex, False))
+            apex = self.stride(apex, False).next_points[0]
         residual: NDArray[np.float64] = apex / self.scales - x
         return residual
 
@@ -71,23 +71,19 @@ class Closing:
         apex, jacobian, along = x * self.scales, np.eye(len(x)), np.zeros(len(x))
         for _ in range(self.strides):
             stride = self.stride(apex, True)
-            by_apex, by_parameter = derivatives(self.map, stride)
-            apex, jacobian, along = self._next(stride), by_apex @ jacobian, by_apex @ along + by_parameter
+            by_apex, by_parameter = derivatives(self.runner, stride)
+            apex, jacobian, along = stride.next_points[0], by_apex @ jacobian, by_apex @ along + by_parameter
         residual = apex / self.scales - x
         return residual, scaled_less_one(jacobian, self.scales), along / self.scales
 
-    def stride(self, apex: NDArray[np.float64], varied: bool) -> Any:
+    def stride(self, apex: NDArray[np.float64], varied: bool) -> Strides:
         """One stride from an apex; RunError where it does not close."""
         self.unsolved = ""
-        stride = self.map.stride(apex, self.until, varied=varied, along=self.along)
-        why_not = self.map.why_not(stride)
-        if why_not is not None:
-            self.unsolved = why_not if self.map.is_unsolved(stride) else ""
+        stride = self.runner.stride(apex, self.until, varied=varied, along=self.along)
+        if why_not := stride.why_not():
+            self.unsolved = why_not if stride.is_unsolved else ""
             raise RunError(why_not)
         return stride
-
-    def _next(self, stride: Any) -> NDArray[np.float64]:
-        return self.map.next_apex(stride)
 
     def gait(self, apex: NDArray[np.float64], near: Gait | None = None) -> Gait:
         """The gait near an apex; the Jacobian of a gait that is near may save some strides."""
@@ -128,7 +124,7 @@ class Closing:
 
     def _settle(self, strides: int, apex: NDArray[np.float64], made: int) -> NDArray[np.float64]:
         """The last apex of some strides."""
-        last, closed = self.map.settle(apex, strides)
+        last, closed = self.runner.settle(apex, strides)
         if closed < strides:
             try:
                 self.stride(last, False)

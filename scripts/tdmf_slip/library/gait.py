@@ -5,7 +5,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import import_module
-from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +14,7 @@ from numpy.typing import NDArray
 from ..checks import check_kind, near_matches
 from ..record import dataset, entries, origin_of
 from ..variables.table import FRICTION, MODELS, VARIABLES
-from .binding import c
+from .events import Event, Letter, letters_of
 from .members import Along
 from .quantities import LEDGER as LEDGER
 from .quantities import MEASURES, STRIDE_QUANTITIES
@@ -25,66 +24,6 @@ from .section import COORDINATES, REDUCED
 if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
-
-LETTERS: Mapping[int, str] = {
-    c.TDMF_CONTACT_STICK: "0",
-    c.TDMF_CONTACT_SLIP_POSITIVE: "+",
-    c.TDMF_CONTACT_SLIP_NEGATIVE: "-",
-}
-"""Letters of the gait word, by contact mode."""
-
-
-@dataclass(frozen=True)
-class Event:
-    """An event within a stride."""
-
-    time: float
-    """s since the apex at which the stride begins."""
-    guard: int
-    """Guard that fired, by the library's number."""
-    contact_before: int
-    """Contact mode, by the library's number; as the following."""
-    contact_after: int
-    """Contact mode that it began."""
-    state: tuple[float, ...]
-    """Before the event, in the library's order."""
-
-
-def recorded(log: Any) -> tuple[Event, ...]:
-    """Events of a stride, as the solver has logged them."""
-    return tuple(
-        Event(e.time, e.guard, e.before.contact, e.after.contact, tuple(e.state))
-        for e in log.events[0 : min(log.count, c.TDMF_EVENT_CAPACITY)]
-    )
-
-
-@dataclass(frozen=True)
-class Letter:
-    """A letter of a gait word: a contact mode in which the ground bears the foot."""
-
-    letter: str
-    """`+`, `0` or `-`."""
-    duration: float
-    """s that the mode lasts."""
-
-
-def letters_of(events: Sequence[Event]) -> tuple[Letter, ...]:
-    """The letters of a stride's word; graze and flight add none."""
-    found: list[Letter] = []
-    flown = True
-    for event, following in pairwise(events):
-        letter = LETTERS.get(event.contact_after)
-        flown = flown or event.contact_after == c.TDMF_CONTACT_FLIGHT
-        if letter is None:
-            continue
-        duration = following.time - event.time
-        if found and found[-1].letter == letter and not flown:
-            found[-1] = Letter(letter, found[-1].duration + duration)
-        else:
-            found.append(Letter(letter, duration))
-        flown = False
-    return tuple(found)
-
 
 REPORTED = ("period", "length", "speed", "work", "cost_of_transport")
 """Quantities that describe a gait."""
@@ -309,27 +248,6 @@ class Gait:
 def check_is_gait(given: object, what: str) -> None:
     """Refuse what is no gait of the return map."""
     check_kind(given, Gait, what, "a Gait, as find_gait gives")
-
-
-def gait_of_stride(
-    runner: Runner,
-    apex: NDArray[np.float64],
-    derivatives: tuple[NDArray[np.float64], NDArray[np.float64]],
-    along: Along | None,
-    **reported: Any,
-) -> Gait:
-    """A stride as a gait, whether it leads back to its apex or not, from what its map reports."""
-    jacobian, by_parameter = derivatives
-    return Gait(
-        runner=runner,
-        apex=apex,
-        jacobian=jacobian,
-        along=along,
-        by_parameter=None if along is None else by_parameter,
-        error=0.0,
-        iterations=0,
-        **reported,
-    )
 
 
 def gaits_dataset(

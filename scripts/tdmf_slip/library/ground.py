@@ -168,25 +168,7 @@ class RoughGround:
         return self.roughness * self._drawn(c.tdmf_ground_step, self.step_weights, runner, count)
 
     def segment_heights(self, runner: int, count: int) -> NDArray[np.float64]:
-        """Heights of the first segments below one runner, from x = 0 on.
-
-        Parameters
-        ----------
-        runner : int
-            Its number, from 0 on.
-        count : int
-            How many segments.
-
-        Returns
-        -------
-        ndarray of float, shape (count,)
-            In m, over the runner's `ground.height`.
-
-        Raises
-        ------
-        InputError
-            A number is out of range, or the ground is by stride.
-        """
+        """Heights of the first segments below one runner, from x = 0 on, m over its `ground.height`."""
         if not self.segment_length:
             raise InputError("segment_length = 0: the ground is by stride; allowed: a terrain")
         if not self.heights:

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from ..errors import StoppedError
 from ..uninterrupted import stop_flag, uninterrupted
+from .batch_given import Given
 from .binding import c, ffi
-from .engine import FATES, FELL, FEW, SETTLED, STOPPED, UNDECIDED, UNSOLVED, AffineSettings
+from .engine import FATES, FELL, FEW, SETTLED, STOPPED, UNDECIDED, UNSOLVED
 from .own_model import OwnModel
 from .own_runs import OwnStrides, strides_of
 
@@ -33,34 +34,21 @@ for _outcome, _fate in (
 class OwnEngine:
     """Runners of a model of one's own, which make strides from call to call, see `engine.Engine`."""
 
-    def __init__(
-        self,
-        model: OwnModel,
-        parameters: NDArray[np.float64],
-        states: NDArray[np.float64],
-        starts: NDArray[np.float64],
-        scales: NDArray[np.float64],
-        *,
-        tolerance: float,
-        threads: int,
-        first_number: int = 0,
-        step_limit: int = 0,
-    ) -> None:
-        count, size = len(starts), len(model.coordinates)
-        self.model, self.scales, self.made = model, scales, 0
-        self.parameters, self.states = parameters, states
-        self.first_number, self.tolerance = first_number, tolerance
-        self.threads, self.step_limit = threads, step_limit
+    def __init__(self, batch: Given, threads: int) -> None:
+        model, count, size = batch.model, len(batch), batch.size
+        assert isinstance(model, OwnModel)
+        self.model, self.scales, self.made = model, batch.runner.scales, 0
+        self.parameters, self.states, self.threads = batch.models, batch.held, threads
+        self.tolerance, self.step_limit = batch.tolerance, batch.step_limit or 0
         self.names = tuple(n for n, of in model.quantities.items() if not of.coordinate and n != "frequency")
         ends = [("fate", "i4"), ("gait", "i4"), ("strides", "i4"), ("apex", "f8", (size,)), ("time", "f8")]
         self.ends = np.zeros(count, ends)
-        self.ends["fate"], self.ends["gait"], self.ends["apex"] = RUNNING, -1, starts[:, :size]
+        self.ends["fate"], self.ends["gait"], self.ends["apex"] = RUNNING, -1, batch.starts[:, :size]
         self.recorded: NDArray[Any] | None = None
         self._first_recorded = 0
         self._gaits: NDArray[np.float64] | None = None
         self._balls: NDArray[np.float64] | None = None
         self._distance = 0.0
-        self._law: AffineSettings | None = None
         self._given: tuple[Sequence[int], NDArray[np.float64]] = (), np.empty((count, 1, 0))
         self._given_from = 0
         self.fates = self.ends["fate"]
@@ -74,10 +62,6 @@ class OwnEngine:
         self._gaits, self._distance, self._balls = gaits[..., : self.ends["apex"].shape[1]], distance, balls
         self._settle(np.full(len(self.ends), True), balls_only=True)
 
-    def obey(self, law: AffineSettings) -> None:
-        """Have runs follow an affine law."""
-        self._law = law
-
     def set_by(self, numbers: Sequence[int], values: NDArray[np.float64]) -> None:
         """Have settings read from `values`, shape (runners, strides, settings), where they may change."""
         self._given, self._given_from = (numbers, values), 0
@@ -90,15 +74,8 @@ class OwnEngine:
 
     def record(self, strides: int) -> NDArray[Any]:
         """Have strides recorded, shape (runners, strides), from the next one on."""
-        size, settings = self.ends["apex"].shape[1], 0 if self._law is None else len(self._law.numbers)
         numbers = [(name, "f8") for name in self.names]
-        fields = [
-            ("began", "?"),
-            ("apex", "f8", (size,)),
-            ("set", "f8", (settings,)),
-            *numbers,
-            ("word", "U160"),
-        ]
+        fields = [("began", "?"), ("apex", "f8", self.ends["apex"].shape[1:]), *numbers, ("word", "U160")]
         self.recorded, self._first_recorded = np.zeros((len(self.ends), strides), fields), self.made
         return self.recorded
 
@@ -182,19 +159,13 @@ class OwnEngine:
         parameters, states = (of[runs] if len(of) > 1 else of for of in (self.parameters, self.states))
         numbers, values = self._given
         column = min(max(self.made - self._given_from, 0), values.shape[1] - 1)
-        settings = [(number, values[runs, column, k]) for k, number in enumerate(numbers)]
-        if self._law is not None:
-            rows = self._law.at(self.ends["apex"][runs], self.first_number + runs, self.made)
-            settings += list(zip(self._law.numbers, rows.T, strict=True))
-            if self.recorded is not None:
-                self.recorded["set"][runs, self.made - self._first_recorded] = rows
-        if settings:
+        if numbers:
             parameters, states = (
                 np.array(np.broadcast_to(o, (len(runs), o.shape[1]))) for o in (parameters, states)
             )
-        for number, value in settings:
+        for k, number in enumerate(numbers):
             is_state, place = self.model.value_places[number]
-            (states if is_state else parameters)[:, place] = value
+            (states if is_state else parameters)[:, place] = values[runs, column, k]
         return parameters, states
 
     def _write(

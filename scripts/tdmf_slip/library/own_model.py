@@ -64,11 +64,9 @@ class OwnModel(Model):
         return OwnRunner
 
     @property
-    def map_class(self) -> type[Any]:
-        """The class of its return map."""
-        from .own_runner import OwnMap  # knows models
-
-        return OwnMap
+    def is_own(self) -> bool:
+        """It is a model of a user's own page."""
+        return True
 
     @property
     def unit(self) -> Path:

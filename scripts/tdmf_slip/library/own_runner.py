@@ -13,11 +13,9 @@ from ..errors import GaitNotFoundError, InputError
 from ..record import dataset
 from ..variables.table import DIMENSIONS
 from .binding import c, ffi
-from .gait import Event
 from .members import Along
 from .own_model import OwnModel
-from .own_runs import EVENT_ROOM, SEEDS, MapRequest, OwnStrides, seeds_of, strides_of
-from .return_map import Map, refuse_patch
+from .own_runs import SEEDS, MapRequest, OwnStrides, seeds_of, strides_of
 from .runner import Runner
 from .section import Apex, checked_apex
 
@@ -88,6 +86,35 @@ class OwnRunner(Runner):
         return states[list(self.model.coordinate_numbers)]
 
     apex = start_apex
+
+    def stride(
+        self,
+        apex: NDArray[np.float64],
+        until: float,
+        *,
+        varied: bool = False,
+        along: Along | None = None,
+        is_reported: bool = False,
+    ) -> OwnStrides:
+        """One stride from a point of the section, always with its events."""
+        return strides_of(
+            self.model,
+            self.parameters,
+            self.states,
+            np.asarray(apex, float)[None],
+            tolerance=self.tolerance,
+            longest=until if math.isfinite(until) else None,
+            seeds=seeds_of(self.model, [] if along is None else [along]) if varied else None,
+        )
+
+    def settle(self, apex: NDArray[np.float64], strides: int) -> tuple[NDArray[np.float64], int]:
+        """The last point of some strides, and how many of them closed."""
+        for closed in range(strides):
+            stride = self.stride(apex, np.inf)
+            if stride.outcome[0]:
+                return apex, closed
+            apex = stride.next_points[0]
+        return apex, strides
 
     def state_at(self, apex: Apex) -> dict[str, float]:
         """The states that take a start value at a point of the section, by their names in a unit."""
@@ -192,81 +219,3 @@ class OwnRunner(Runner):
     def solver(self, log: Any | None = None) -> Any:
         """Refuse: the package's solver does not follow the runner."""
         self._refuse("the package's solver")
-
-
-class OwnMap(Map):
-    """The return map of a model of one's own."""
-
-    runner: OwnRunner
-    """The runner."""
-
-    def __init__(self, runner: OwnRunner) -> None:
-        refuse_patch(runner)
-        self.runner = runner
-
-    def stride(
-        self,
-        apex: NDArray[np.float64],
-        until: float,
-        *,
-        varied: bool = False,
-        along: Along | None = None,
-        log: Any = None,
-    ) -> OwnStrides:
-        """One stride."""
-        runner = self.runner
-        return strides_of(
-            runner.model,
-            runner.parameters,
-            runner.states,
-            np.asarray(apex, float)[None],
-            tolerance=runner.tolerance,
-            longest=until if math.isfinite(until) else None,
-            seeds=seeds_of(runner.model, [] if along is None else [along]) if varied else None,
-        )
-
-    def settle(self, apex: NDArray[np.float64], strides: int) -> tuple[NDArray[np.float64], int]:
-        """The last apex of some strides from an apex, and how many of them closed."""
-        for closed in range(strides):
-            stride = self.stride(apex, np.inf)
-            if stride.outcome[0]:
-                return apex, closed
-            apex = stride.next_points[0]
-        return apex, strides
-
-    def next_apex(self, stride: OwnStrides) -> NDArray[np.float64]:
-        """The apex at which a stride closes."""
-        point: NDArray[np.float64] = stride.next_points[0]
-        return point
-
-    def derivatives(self, stride: OwnStrides) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Derivatives of the next apex by the apex, and along the direction of the stride, else zero."""
-        by, count = stride.next_points_by[0], len(self.runner.coordinates)
-        return by[:, :count], by[:, count] if by.shape[1] > count else np.zeros(count)
-
-    def word(self, stride: OwnStrides) -> str:
-        """Word of a stride."""
-        return stride.words[0]
-
-    def reported(self, apex: NDArray[np.float64], stride: OwnStrides, log: Any) -> dict[str, Any]:
-        """Word, angle at lift-off, quantities by name, and events of a stride."""
-        quantities = self.runner.model.quantities
-        values = {name: float(stride.quantity(name)[0]) for name in quantities}
-        events = stride.events[0, : min(stride.ends["event_count"][0], EVENT_ROOM)]
-        return {
-            "word": self.word(stride),
-            "liftoff_angle": values.pop("liftoff_angle", math.nan),
-            "stride": {name: value for name, value in values.items() if name != "frequency"},
-            "events": tuple(
-                Event(float(e["time"]), int(e["event"]), int(e["before"]), int(e["after"]), ())
-                for e in events
-            ),
-        }
-
-    def why_not(self, stride: OwnStrides) -> str | None:
-        """Reason why a stride did not close, in words; None where it did."""
-        return stride.why_not()
-
-    def is_unsolved(self, stride: OwnStrides) -> bool:
-        """Whether the solver gave the stride up."""
-        return bool(stride.outcome[0] == c.TDMF_RETURN_UNSOLVED)

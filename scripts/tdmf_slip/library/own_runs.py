@@ -1,7 +1,6 @@
 """Runs of models of one's own: strides with derivatives, many at a time, and runs from the start."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,8 +10,10 @@ from ..errors import InputError
 from ..uninterrupted import stop_flag
 from .binding import c, ffi
 from .c_structs import dtype_of
+from .events import Event
 from .members import Along
 from .own_model import LIFTOFF, OF_A_STRIDE, OF_ENERGY, WORD, OwnModel
+from .returns import Strides
 
 EVENT_ROOM = 64
 """Events of a stride that are kept."""
@@ -42,37 +43,27 @@ def seeds_of(model: OwnModel, along: Sequence[Along]) -> NDArray[np.float64]:
     return np.array([np.concatenate(row) for row in rows]).reshape(len(rows), width)
 
 
-@dataclass(frozen=True, eq=False)
-class OwnStrides:
-    """One stride of each of some runners."""
+class OwnStrides(Strides):
+    """Strides of models of one's own: where they begin, their ends, states with derivatives, and events."""
 
-    model: OwnModel
-    """The model of the runners."""
-    points: NDArray[np.float64]
-    """Where they begin, shape (runners, n)."""
-    ends: NDArray[Any]
-    """Ends of the runs, shape (runners,)."""
-    states: NDArray[np.float64]
-    """States at the next crossing, shape (runners, states)."""
-    d_states: NDArray[np.float64] | None
-    """Their derivatives by coordinates and seeds, shape (runners, by, states); None where not asked for."""
-    events: NDArray[Any]
-    """Events, shape (runners, `EVENT_ROOM`)."""
-
-    @property
-    def outcome(self) -> NDArray[np.int64]:
-        """Outcomes, by the library's numbers of strides; 0 where it closed."""
-        found: NDArray[np.int64] = OUTCOMES[self.ends["outcome"]]
-        return found
-
-    @property
-    def next_points(self) -> NDArray[np.float64]:
-        """The next points of the section, shape (runners, n)."""
-        return self.states[:, list(self.model.coordinate_numbers)]
+    def __init__(
+        self,
+        model: OwnModel,
+        points: NDArray[np.float64],
+        ends: NDArray[Any],
+        states: NDArray[np.float64],
+        d_states: NDArray[np.float64] | None,
+        rows: NDArray[Any],
+    ) -> None:
+        self.model, self.points, self.ends, self.states = model, points, ends, states
+        self.d_states, self.rows = d_states, rows
+        self.names = self.differentiable = tuple(model.quantities)
+        self.outcome = OUTCOMES[ends["outcome"]]
+        self.next_points = states[:, list(model.coordinate_numbers)]
 
     @property
     def next_points_by(self) -> NDArray[np.float64]:
-        """Their derivatives, shape (runners, n, by)."""
+        """Derivatives of `next_points`, shape (runners, n, by)."""
         assert self.d_states is not None
         return self.d_states[:, :, list(self.model.coordinate_numbers)].swapaxes(1, 2)
 
@@ -116,17 +107,25 @@ class OwnStrides:
         names, counts = self.model.table["events"], np.minimum(self.ends["event_count"], EVENT_ROOM)
         return [
             BETWEEN_EVENTS.join(names[event] for event in row["event"][:count])
-            for row, count in zip(self.events, counts, strict=True)
+            for row, count in zip(self.rows, counts, strict=True)
         ]
 
-    def why_not(self, number: int = 0) -> str | None:
-        """Reason why a stride did not close, in words; None where it did."""
-        end = self.ends[number]
-        table = self.model.table
+    @property
+    def events(self) -> tuple[Event, ...]:
+        """Events of the first stride."""
+        rows = self.rows[0, : min(self.ends["event_count"][0], EVENT_ROOM)]
+        return tuple(
+            Event(float(row["time"]), int(row["event"]), int(row["before"]), int(row["after"]), ())
+            for row in rows
+        )
+
+    def why_not(self, number: int = 0) -> str:
+        """Reason why a stride did not close, in words; empty where it did."""
+        end, table = self.ends[number], self.model.table
         mode, event = " ".join(table["modes"][end["mode"]]), table["sections"][self.model.section]["event"]
         at = f"in the mode `{mode}` after {end['time']:.6g} s"
         return {
-            c.TDMF_PAGE_CROSSED: None,
+            c.TDMF_PAGE_CROSSED: "",
             c.TDMF_PAGE_ENDED: f"the run ends {at}",
             c.TDMF_PAGE_TOO_LONG: f"the run comes to no `{event}` and is {at}",
             c.TDMF_PAGE_REFUSED: self.model.why_refused(end["requirement"], self.states[number]),

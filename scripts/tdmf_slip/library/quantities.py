@@ -13,11 +13,11 @@ from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
 from ..variables import units
 from ..variables.table import MODELS, Model
-from .runner import Runner
-from .section import COORDINATES, REDUCED, Apex
+from .section import REDUCED, Apex
 
 if TYPE_CHECKING:
     from .gait import Gait
+    from .runner import Runner
 
 
 STRIDE_QUANTITIES = (
@@ -75,90 +75,15 @@ REDUCED_QUANTITIES = (*ORDERED_OF_BOTH, *(name for name, of in APEX_QUANTITIES.i
 """Quantities of the reduced map, whose leg is placed in flight as if by itself."""
 SIGNED = ("apex_leg_angle",)
 """Quantities that may be 0 or less."""
-_PER_DISTANCE = {"cost_of_transport": "work", "positive_cost_of_transport": "positive_work"}
-_MEASURED = ("positive_hip_work", "positive_leg_work", "squared_torque", "friction_loss")
-_GREATEST = ("greatest_slip_velocity", "greatest_foot_height")
-MEASURED = (*_MEASURED, *_GREATEST, "positive_work", "positive_cost_of_transport")
+PER_DISTANCE = {"cost_of_transport": "work", "positive_cost_of_transport": "positive_work"}
+"""Works that are divided by weight and length of the stride."""
+RATES = {"speed": "length", "duty_factor": "stance_time"}
+"""Quantities that are divided by the period."""
+OF_WEIGHT = ("body.mass", "foot.mass", "gravity")
+MEASURED = tuple(name for name in MEASURES if name not in (*APEX_QUANTITIES, "foot_clearance"))
 """Quantities that the full model has to measure along the stride."""
 _VARIED = ("period", "length", "work", "stance_time", "slip_distance", "peak_force", "peak_vertical_force")
 """Recorded quantities whose derivatives the library has."""
-
-
-class Quantities:
-    """Quantities of strides by name, from the library's structs of strides.
-
-    Parameters
-    ----------
-    strides : structured ndarray
-        `tdmf_return` or `tdmf_ensemble_stride` structs of any shape.
-    apices : ndarray of float, shape (..., n)
-        Where the strides begin.
-    weight : float or ndarray
-        Weight of each runner, N.
-    is_measured : bool
-        The structs hold what is measured along a stride of the full model.
-    """
-
-    def __init__(
-        self,
-        strides: NDArray[Any],
-        apices: NDArray[np.float64],
-        weight: float | NDArray[np.float64],
-        is_measured: bool,
-    ) -> None:
-        self.strides, self.apices, self.weight, self.is_measured = strides, apices, weight, is_measured
-
-    def __getitem__(self, name: str) -> NDArray[np.float64]:
-        """The values, in the shape of the strides."""
-        if name in APEX_QUANTITIES:
-            values: NDArray[np.float64] = self.apices[..., COORDINATES.index(APEX_QUANTITIES[name])]
-            return values
-        if name == "frequency":
-            return _ratio(1.0, self["period"])
-        if self.is_measured:
-            if name == "positive_work":
-                return self["positive_hip_work"] + self["positive_leg_work"]
-            if name in (*_MEASURED, *_GREATEST):
-                return np.asarray(self.strides["measures"][name])
-            if name == "positive_cost_of_transport":
-                return _ratio(self["positive_work"], self.weight * self["length"])
-        struct = self.strides["stride"] if name in STRIDE_QUANTITIES else self.strides
-        return np.asarray(struct[name])
-
-    def derivative(
-        self, name: str, variations: NDArray[Any], weight_by: NDArray[np.float64]
-    ) -> NDArray[np.float64]:
-        """Derivatives by the rules of differentiation, along the last axis of the library's `variations`."""
-
-        def by(other: str) -> NDArray[np.float64]:
-            return self.derivative(other, variations, weight_by)
-
-        def at(other: str) -> NDArray[np.float64]:
-            return self[other][..., None]
-
-        if name in APEX_QUANTITIES:
-            row = np.eye(weight_by.shape[-1])[COORDINATES.index(APEX_QUANTITIES[name])]
-            return np.broadcast_to(row, variations.shape)
-        if name == "frequency":
-            return -by("period") / at("period") ** 2
-        if name == "speed":
-            return (by("length") - at("speed") * by("period")) / at("period")
-        if name == "duty_factor":
-            return (by("stance_time") - at("duty_factor") * by("period")) / at("period")
-        if name in _PER_DISTANCE:
-            weight = np.asarray(self.weight)[..., None]
-            product_by = weight_by * at("length") + weight * by("length")
-            return (by(_PER_DISTANCE[name]) - at(name) * product_by) / (weight * at("length"))
-        if name == "positive_work":
-            return by("positive_hip_work") + by("positive_leg_work")
-        of_measures = name in (*_MEASURED, *_GREATEST)
-        return np.asarray(variations["measures"][name] if of_measures else variations[name])
-
-
-def _ratio(numerator: Any, denominator: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The ratio, 0 where the denominator is."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return np.where(denominator != 0.0, numerator / denominator, 0.0)
 
 
 def differentiable(reduced: bool) -> tuple[str, ...]:
@@ -171,8 +96,8 @@ def differentiable(reduced: bool) -> tuple[str, ...]:
 def reported_quantities(reduced: bool) -> tuple[str, ...]:
     """Quantities of a stride by the return map or the reduced one, with its lift-off angle."""
     more = tuple(APEX_QUANTITIES)[:2] if reduced else MEASURES
-    names = (*STRIDE_QUANTITIES, "frequency", *LEDGER, "liftoff_angle")
-    return (*names, *(name for name in more if name not in names))
+    names = (*STRIDE_QUANTITIES, "frequency", *LEDGER, "liftoff_angle", *more)
+    return tuple(dict.fromkeys(names))
 
 
 def apex_quantities(runner: Runner, apex: Apex) -> dict[str, float]:
@@ -231,7 +156,7 @@ def known_quantities(runner: Runner) -> tuple[str, ...]:
 def allowed_quantities(model: Model) -> tuple[str, ...]:
     """The quantities that may be prescribed, minimized or maximized; the reduced map has some of them."""
     own = tuple(name for name in model.quantities if name != "liftoff_angle")
-    return own if model.map_class else QUANTITIES
+    return own if model.is_own else QUANTITIES
 
 
 def checked_quantity(name: object, what: str, model: Model) -> str:
@@ -251,7 +176,7 @@ def check_quantities(runner: Runner, names: Sequence[str]) -> None:
         if name not in known:
             whose = (
                 f"model {runner.model.name}"
-                if runner.model.map_class
+                if runner.model.is_own
                 else "reduced map, where the leg in flight is placed as if by itself"
             )
             raise InputError(f"quantity {name} of the {whose}; allowed: {', '.join(known)}")

@@ -31,7 +31,7 @@ def setting_number(name: object, what: str, model: Model = MODELS["full"]) -> in
     """A setting as the library knows it; of a model of one's own, its place among a runner's values."""
     known = model.settings
     if is_one_of(name, known):
-        return model.positions[name] if model.map_class else int(c.tdmf_setting_of(name.encode()))
+        return model.positions[name] if model.is_own else int(c.tdmf_setting_of(name.encode()))
     allowed = ", ".join(known) or "none; a page declares settings, and parameters that are tunable"
     if is_one_of(name, model.varied):
         raise InputError(f"{what}: {name} cannot change in a run; allowed: {allowed}")
@@ -41,7 +41,7 @@ def setting_number(name: object, what: str, model: Model = MODELS["full"]) -> in
 
 def check_acts(name: str, runner: Runner, set_too: Sequence[str], what: str) -> None:
     """Refuse a setting that changes nothing in a runner's motion, whatever its value."""
-    if runner.model.map_class:
+    if runner.model.is_own:
         return
     if runner.reduced:
         if name in OF_FLIGHT:

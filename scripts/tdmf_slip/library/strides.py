@@ -1,5 +1,6 @@
 """Strides in a row from an apex with their exact Jacobian, whether they lead back to it or not."""
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -9,12 +10,12 @@ from numpy.typing import NDArray
 
 from ..errors import RunError
 from .batch import Batch
-from .binding import ffi
 from .c_structs import LONGEST_STRIDE
-from .gait import Event, Gait, gait_of_stride
+from .events import Event
+from .gait import Gait
 from .members import check_comes_down, check_has_gaits
-from .quantities import check_quantities, weight_of
-from .return_map import Along, derivatives, map_of, why_no_return
+from .quantities import PER_DISTANCE, RATES, check_quantities, weight_of
+from .return_map import Along, derivatives, refuse_patch
 from .runner import Runner
 from .section import Apex, checked_apex
 from .tables import Table
@@ -74,9 +75,8 @@ def _varied_stride(
     check_has_gaits(runner)
     check_comes_down(runner)
     stride = Batch(runner, apex).stride(derivatives, parameters)
-    why_not = why_no_return(stride)
-    if why_not is not None:
-        raise RunError(why_not)
+    if stride.outcome:
+        raise RunError(str(stride.why_not))
     return stride
 
 
@@ -123,6 +123,7 @@ BETWEEN_WORDS = " "
 
 def strides_from(runner: Runner, apex: Apex, strides: int = 1, *, along: Along | None = None) -> Gait:
     """Strides in a row from an apex, whether they lead back to it or not."""
+    refuse_patch(runner)
     check_has_gaits(runner)
     check_comes_down(runner)
     made = [_stride(runner, checked_apex(apex, runner.coordinates), along)]
@@ -140,14 +141,25 @@ def _stride(
     runner: Runner, apex: NDArray[np.float64], along: Along | None
 ) -> tuple[NDArray[np.float64], Gait]:
     """The next apex, and the stride as a gait that need not close."""
-    log: Any = ffi.new("tdmf_event_log *")
-    map = map_of(runner)
-    stride = map.stride(apex, longest_stride(runner), varied=True, along=along, log=log)
-    why_not = map.why_not(stride)
-    if why_not is not None:
+    stride = runner.stride(apex, longest_stride(runner), varied=True, along=along, is_reported=True)
+    if why_not := stride.why_not():
         raise RunError(why_not)
-    gait = gait_of_stride(runner, apex, derivatives(map, stride), along, **map.reported(apex, stride, log))
-    return map.next_apex(stride), gait
+    jacobian, by_parameter = derivatives(runner, stride)
+    values = {name: float(stride.quantity(name)[0]) for name in stride.names if name != "frequency"}
+    gait = Gait(
+        runner=runner,
+        apex=apex,
+        word=str(stride.words[0]),
+        liftoff_angle=values.pop("liftoff_angle", math.nan),
+        stride=values,
+        jacobian=jacobian,
+        along=along,
+        by_parameter=None if along is None else by_parameter,
+        error=0.0,
+        iterations=0,
+        events=stride.events,
+    )
+    return stride.next_points[0], gait
 
 
 def _joined(gaits: Sequence[Gait], last_apex: NDArray[np.float64]) -> Gait:
@@ -180,12 +192,14 @@ def _together(runner: Runner, strides: Sequence[Mapping[str, float]]) -> dict[st
     found = {name: sum(stride[name] for stride in strides) for name in strides[0]}
     distance = weight_of(runner) * found["length"] if "cost_of_transport" in found else 0.0
     greatest = ("peak_force", "peak_vertical_force", "greatest_foot_height", "greatest_slip_velocity")
-    ratios = {"cost_of_transport": "work", "positive_cost_of_transport": "positive_work"}
-    rates = {"speed": "length", "duty_factor": "stance_time"}
     of_first = (*(name for name, of in runner.model.quantities.items() if of.coordinate), "foot_clearance")
     return found | {
-        **{name: found[of] / found["period"] for name, of in rates.items() if name in found},
-        **{name: found[of] / distance if distance else 0.0 for name, of in ratios.items() if name in found},
+        **{name: found[of] / found["period"] for name, of in RATES.items() if name in found},
+        **{
+            name: found[of] / distance if distance else 0.0
+            for name, of in PER_DISTANCE.items()
+            if name in found
+        },
         **{name: max(stride[name] for stride in strides) for name in greatest if name in found},
         **{name: strides[0][name] for name in of_first if name in found},
     }

@@ -19,8 +19,7 @@ from ..library.shared_steps import shares_steps
 from ..record import in_dataset
 from ..terminal.progress import Bar, progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import Model
-from ..variables.values import model_of
+from ..variables.table import Model, model_of
 from ..variables.variable import Given
 from .optimizer import Optimizer, Start
 from .optimum import Optimum, reported

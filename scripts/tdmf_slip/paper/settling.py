@@ -134,9 +134,9 @@ class _Strides:
 
     def goes_on(self, instance: Instance) -> bool:
         """Take the apex, if one more stride has closed; False once the gait has settled."""
-        if instance.integer("stride.count") > len(self.apexes):
-            self.apexes.append([instance.real(f"apex.{name}") for name in COORDINATES])
-            self.words.append(instance.text("stride.word"))
+        if instance.value("stride.count") > len(self.apexes):
+            self.apexes.append([instance.value(f"apex.{name}") for name in COORDINATES])
+            self.words.append(instance.value("stride.word"))
             self._measure()
         return not self.settled
 
@@ -152,7 +152,7 @@ def _settled_run(
     starts: Mapping[str, Value], runner: Runner, strides: _Strides, instance: Instance
 ) -> SettledRun:
     count, friction = len(strides.apexes), runner[FRICTION]
-    if instance.boolean("status.fallen"):
+    if instance.value("status.fallen"):
         raise RunError(f"no gait at friction {friction:g}: the runner fell after {count} strides")
     if not strides.settled:
         raise RunError(
@@ -163,8 +163,8 @@ def _settled_run(
     return SettledRun(
         friction=friction,
         word=strides.words[-1],
-        **{name: instance.real(f"stride.{name}") for name in REPORTED},
-        liftoff_angle=instance.real("hip.liftoff_angle"),
+        **{name: instance.value(f"stride.{name}") for name in REPORTED},
+        liftoff_angle=instance.value("hip.liftoff_angle"),
         apex=tuple(apex),
         start_values={**starts, FRICTION: friction, **runner.state_at(apex)},
         strides=count,

@@ -27,7 +27,7 @@ DRAWN = "body.x", "contact.mode", "hip.phase"
 
 def check_is_drawn(model: Model) -> None:
     """Refuse a model of one's own that has no body, leg and foot."""
-    if model.map_class:
+    if model.is_own:
         missing = [name for name in DRAWN if name not in {of["public"] for of in model.table["outputs"]}]  # type: ignore[attr-defined]
         if missing:
             raise InputError(

@@ -127,7 +127,7 @@ def _kind_of(result: Any) -> str:
     name = next((kind for kind in kinds if kind in PICTURES and kind not in DATASETS), None)
     if name is None:
         raise InputError(f"plot: {type(result).__name__} has no picture; allowed: results of this package")
-    is_own = name == "Gait" and result.runner.model.map_class
+    is_own = name == "Gait" and result.runner.model.is_own
     return "gait of a model of one's own" if is_own else name
 
 

@@ -150,14 +150,14 @@ class Model:
         return None
 
     @property
-    def map_class(self) -> type[Any] | None:
-        """The class of its map; None for that of the package's own models."""
-        return None
+    def is_own(self) -> bool:
+        """Whether it is a model of a user's own page."""
+        return False
 
     @property
     def full(self) -> "Model":
         """The model that has all quantities of a stride: the full one for the reduced map, else this one."""
-        return self if self.map_class else MODELS["full"]
+        return self if self.is_own else MODELS["full"]
 
     @property
     def units(self) -> tuple[str, ...]:
@@ -228,6 +228,15 @@ def model_named(name: object) -> Model:
         allowed = f"{', '.join(known)}, or a model that load_model gives"
         raise InputError(f"model {shown(name)} is not allowed; allowed: {allowed}")
     return known[name]
+
+
+def model_of(given: object, model: object) -> Model:
+    """The model that is named, else that of a runner, a gait or a model that is given, else the full one."""
+    if model is not None:
+        return model_named(model)
+    runner = getattr(given, "runner", given)
+    found = getattr(runner, "model", runner)
+    return found if isinstance(found, Model) else MODELS["full"]
 
 
 def full_name(name: Any, aliases: Mapping[str, str] = ALIASES) -> Any:

@@ -125,7 +125,7 @@ class Grid:
 def grid_of(runner: Runner, axes: Any, vary: Any, n: Any) -> Grid:
     """The grid that is asked for."""
     ranges = mapping_of(axes, "axes", "a mapping of both coordinates to ranges (low, high)")
-    known = runner.coordinates if runner.model.map_class else REDUCED
+    known = runner.coordinates if runner.model.is_own else REDUCED
     check_axes(tuple(ranges), known)
     names = tuple(axis for axis in known if axis in ranges)
     if len(names) != 2:
@@ -197,7 +197,7 @@ def strides_of(
 
 def no_transitions(runner: Runner, grid: Grid, point: NDArray[np.float64]) -> xarray.Dataset:
     """The dataset of a grid before any stride."""
-    shared = dict(zip(runner.coordinates, point.tolist(), strict=True)) if runner.model.map_class else {}
+    shared = dict(zip(runner.coordinates, point.tolist(), strict=True)) if runner.model.is_own else {}
     corners = [f"{axis}_edge" for axis in grid.edges]
     over, shape = (*corners, *grid.actions), (*grid.nodes, *grid.action_shape)
     flags = {
