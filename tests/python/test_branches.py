@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import CLAMPED, RELEASE, release
+from conftest import RELEASE
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from tdmf_slip import Batch, InputError, Runner, continue_branch, gait_at, plot
 from tdmf_slip.analysis.branch_problem import gaits_over
@@ -37,12 +37,6 @@ def over_low_angle(runner):
 def over_angle(runner):
     """The branch goes from 40 degrees upwards, around two folds."""
     return continue_branch.plain(runner, {ANGLE: (np.radians(40.0), np.radians(53.0))}, max_step=1.0)
-
-
-@pytest.fixture(scope="module")
-def over_rate():
-    """A branch over the rate of retraction, on friction 0.2 and with the clamp of the swing."""
-    return continue_branch.plain({FRICTION: 0.2, **CLAMPED}, {"hip.retraction_rate": (0.0, 0.03)})
 
 
 def settled(runner, apex, strides=STRIDES):
@@ -129,43 +123,6 @@ def test_gaits_of_two_strides_are_those_of_plain_strides(over_low_angle):
         assert apart(gait.runner, next_apex, apex) == pytest.approx(max(both), rel=1e-6)
         compared += 1
     assert compared >= 3
-
-
-@release
-def test_gaits_of_four_strides_are_those_of_plain_strides(over_rate):
-    """An earlier branch ends as it began."""
-    doublings = [special.value for special in over_rate.specials if special.kind == "period doubling"]
-    bubble, two = over_rate.branches
-    assert doublings == pytest.approx([0.0087861, 0.0149840, 0.0265709], abs=1e-6)
-    ends = [f"period doubling at hip.retraction_rate = {value:.10g}" for value in doublings]
-    assert [bubble.began, bubble.ended, two.began] == ends and bubble.specials == bubble.branches == ()
-    assert all(gait.stable for gait in bubble.gaits) and max(bubble.values) < doublings[1]
-    *_, again = (special for special in two.specials if special.kind == "period doubling")
-    (four,) = two.branches
-    assert four.strides == 4 and four.began.endswith(f"{again.value:.10g}") and min(four.values) > again.value
-    gait = four.gaits[-1]
-    assert gait.stable and gait.runner["hip.retraction_rate"] == four.values[-1] == 0.03
-    apexes = [gait.apex, *gait.following]
-    apex, ran = settled(gait.runner, gait.apex + 1e-4 * gait.runner.scales)
-    number = int(np.argmin([apart(gait.runner, apex, other) for other in apexes]))
-    for stride in range(9):
-        distances = [apart(gait.runner, apex, other) for other in apexes]
-        assert int(np.argmin(distances)) == (number + stride) % 4 and min(distances) < 1e-8
-        assert sorted(distances)[1] > 1e-4
-        apex, _ = settled(gait.runner, apex, 1)
-    assert ran == STRIDES
-
-
-@release
-def test_where_the_foot_just_touches_the_ground_the_branch_turns_back(over_rate):
-    """Beyond the graze its gaits touch, the map has a square root, and eigenvalues come from infinity."""
-    _, two = over_rate.branches
-    touches = [len(gait.events) for gait in two.gaits]
-    first = touches.index(15)
-    assert set(touches[:first]) == {14} and two.gaits[first].lambda_max > 100.0 * two.gaits[0].lambda_max
-    turn = two.values[first]
-    assert max(abs(two.values[first - 1] - turn), abs(two.values[first + 1] - turn)) < 1e-5
-    assert two.values[first - 10] > turn < two.values[first + 10]
 
 
 def test_a_period_doubling_is_where_plain_strides_begin_to_alternate(over_low_angle):

@@ -149,16 +149,6 @@ def test_controllability_is_told_in_numbers(gaits):
     assert f"largest eigenvalue {law.lambda_max:.4g}, 0.8556 without>" in repr(law)
 
 
-def test_mobility_is_what_a_setting_does_to_a_mode(gaits):
-    """By the left eigenvectors of the whole Jacobian instead of those of the modes alone."""
-    model = linearize(gaits[1.0], [ANGLE, TORQUE])
-    values, left = np.linalg.eig(model.scaled_state_matrix.T)
-    order = np.argsort(-np.abs(values))[:3]
-    left = left[:, order] / np.linalg.norm(left[:, order], axis=0)
-    found = controllability(gaits[1.0], [ANGLE, TORQUE])
-    assert found.modal_controllability == pytest.approx(np.abs(left.T @ model.scaled_input_matrix), rel=1e-8)
-
-
 def test_a_mode_that_no_setting_moves_is_named():
     modes = Modes(np.eye(3), np.diag([1.1, 0.5, -0.3]), np.array([[0.0], [1.0], [2.0]]))
     found = controllability_of(Runner(), modes, (ANGLE,))
@@ -243,22 +233,6 @@ def test_the_regulator_is_the_limit_of_the_recursion_backwards_in_time(gaits):
     assert np.sort(np.abs(np.linalg.eigvals(closed))) == pytest.approx(np.sort(np.abs(law.E)), abs=1e-12)
 
 
-def test_the_cost_of_a_small_push_is_that_of_the_simulated_strides(gaits):
-    gait = gaits[0.6]
-    law = lqr(gait, [ANGLE, TORQUE])
-    model = law.linearization
-    apices = strides_under(law, away(gait, 1e-4), 40)
-    x = deviations(law, apices)
-    u = np.array([list(law.inputs_at(apex).values()) for apex in apices]) - model.nominal
-    found = np.sum(x**2) + np.sum((u / model.setting_scales) ** 2)
-    y, expected = x[0], 0.0
-    scaled = np.asarray(law.gain) * model.scales / model.setting_scales[:, None]
-    for _ in range(41):
-        expected += y @ y + np.sum((scaled @ y) ** 2)
-        y = law.closed_loop @ y
-    assert found == pytest.approx(expected, rel=1e-3)
-
-
 def test_a_gait_that_is_unstable_is_held():
     """The leg is placed steeper than where the period doubles."""
     gait = find_gait({ANGLE: np.radians(31)}, guess=find_gait({ANGLE: np.radians(33)}).apex)
@@ -323,16 +297,6 @@ def test_any_gait_is_held_stable_or_not():
 
 
 # ---- by the engine -----------------------------------------------------------------------------------------
-
-
-def test_the_engine_makes_the_strides_of_a_loop_over_the_return_map(gaits):
-    gait = gaits[1.0]
-    law = lqr(gait, [ANGLE, TORQUE, "hip.kd"], limits={TORQUE: (0.19, 0.202)})
-    first = away(gait, 0.1)
-    run = tdmf_slip.stride_map(gait.runner, first, strides=5, law=law, tolerance=1e-13)
-    expected = strides_under(law, first, 5)
-    assert np.abs(run["next_apex"].values[0] - expected[1:]).max() < 1e-9
-    assert 0.202 in run[TORQUE][0] and run[TORQUE][0].min() < 0.202
 
 
 @pytest.mark.parametrize("roughness", [0.0, 1e-3])

@@ -3,7 +3,6 @@
 import json
 import math
 import re
-import sys
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -18,9 +17,7 @@ from tdmf_slip.fitting.problem import Problem
 from tdmf_slip.fitting.result import QUANTILE, identified
 from tdmf_slip.fitting.search import Across
 from tdmf_slip.library.fixed_point import gait_near
-from tdmf_slip.library.quantities import known_quantities, quantities_of, unit_of
-from tdmf_slip.library.strides import varied_gait
-from tdmf_slip.terminal import progress
+from tdmf_slip.library.quantities import quantities_of, unit_of
 from tdmf_slip.variables.parameters import read_parameters
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
@@ -39,36 +36,6 @@ def measured(gait, names=MEASURED, error=0.005):
         name: Measured(value, error * max(abs(value), smallest.get(name, 0.0)))
         for name, value in quantities.items()
     }
-
-
-@pytest.mark.parametrize("model", ["full", "reduced"])
-@pytest.mark.parametrize("start", [{"ground.friction": 0.6}, SLIPPING, {"ground.friction": 0.43}])
-def test_the_derivatives_of_a_gait_are_those_of_solved_gaits(model, start):
-    parameters = ["hip.stance_torque", "leg.stiffness", "ground.friction", "body.mass", "hip.touchdown_angle"]
-    first = find_gait(start, model=model)
-    quantities = known_quantities(first.runner)
-    exact = varied_gait(first.runner, first.apex, quantities, parameters)
-    is_slip = np.array([name == "slip_distance" for name in quantities])
-    compared = 0
-    for k, name in enumerate(parameters):
-        value = first.runner[name]
-        step = 1e-6 * value
-
-        def solved(by, name=name, value=value):
-            gait = gait_near(first.runner.replace({name: value + by}), first.apex)
-            return np.array([*quantities_of(gait, quantities).values()]), gait.apex
-
-        (more, apex), (less, other) = solved(step), solved(-step)
-        differences = (more - less) / (2.0 * step), (apex - other) / (2.0 * step)
-        sizes = np.abs(exact.quantities) + 0.1 * first.stride["length"] * is_slip, first.runner.scales
-        for found, difference, size in zip(
-            (exact.by_parameters, exact.apex_by_parameters), differences, sizes, strict=True
-        ):
-            assert np.all(
-                np.abs(found[:, k] - difference) * value <= 1e-6 * (size + np.abs(difference) * value)
-            )
-        compared += 1
-    assert compared == len(parameters)
 
 
 def test_the_gait_is_found_from_elsewhere():
@@ -172,17 +139,6 @@ def test_a_fit_ends_after_so_many_strides_and_says_so(monkeypatch):
     strides = int(re.search(r"after (\d+) strides", ended)[1])
     assert 60 <= strides < 60 + 2 * problem_module.STRIDES_OF_SEARCH
     assert "units that their titles say" in ended and np.isfinite(found.chi_square)
-
-
-def test_a_fit_shows_its_strides_on_a_terminal_only(capsys, monkeypatch):
-    data = Measurements(({"speed": Measured(1.1, 0.01)},), "one")
-    fit(None, data, ["hip.stance_torque"], progress=True)
-    assert capsys.readouterr().err == ""
-    monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
-    monkeypatch.setattr(progress, "DELAY", 0.0)
-    fit(None, data, ["hip.stance_torque"], progress=True)
-    (strides,) = re.findall(r"fit: (\d+) strides", capsys.readouterr().err.split("\r")[-1])
-    assert int(strides) > 5
 
 
 def test_rows_share_what_is_shared_and_have_their_own():
@@ -382,25 +338,6 @@ def test_the_numbers_of_a_runner_at_eight_speeds_are_made_of_those_published():
     for name, scale in (("frequency", 1.0), ("peak_force", weight)):
         off = made[name] - np.polyval(np.polyfit(speed, made[name], 1), speed)
         assert rows[0][name].error == pytest.approx(np.sqrt(off @ off / 6), rel=5e-3), scale
-
-
-def test_the_numbers_of_fast_runners_are_made_of_those_published():
-    text = shipped("human_fast_running.csv").read_text(encoding="utf-8")
-    pairs = re.findall(
-        r"^# (\w[\w ]*) \([^)]*\) +([\d.]+) \(([\d.]+)\) +([\d.]+) \(([\d.]+)\)$", text, re.MULTILINE
-    )
-    printed = {name: np.array([float(x) for x in numbers]).reshape(2, 2) for name, *numbers in pairs}
-    scales = {
-        "speed": ("velocity", 1.0 / 3.6),
-        "stance_time": ("contact time", 1.0),
-        "frequency": ("step frequency", 1.0),
-        "peak_force": ("peak vertical force", 84.0 * 9.81),
-    }
-    for number, row in enumerate(read_measurements(shipped("human_fast_running.csv")).rows):
-        for name, (title, scale) in scales.items():
-            mean, deviation = scale * printed[title][number]
-            assert row[name].value == pytest.approx(mean, rel=1e-4)
-            assert row[name].error == pytest.approx(deviation / np.sqrt((11, 9)[number]), rel=2e-3)
 
 
 def test_one_leg_runs_at_eight_speeds():

@@ -7,9 +7,8 @@ import pytest
 from conftest import RELEASE, release
 from tdmf_slip import InputError, find_gait, fit
 from tdmf_slip.fitting.measurements import Measured, Measurements
-from tdmf_slip.fitting.problem import Problem
 from tdmf_slip.fitting.result import QUANTILE
-from tdmf_slip.fitting.search import HUBER, loss_of, searched, weights_of
+from tdmf_slip.fitting.search import HUBER, loss_of, weights_of
 from test_fit import measured
 
 SEEDS, MINIMUM, MAXIMUM = (400, 0.92, 0.98) if RELEASE else (20, 0.80, 1.0)
@@ -106,33 +105,6 @@ def test_an_interval_ends_where_the_profile_has_risen_by_its_quantile():
     assert friction.high - friction.value > 1.1 * (friction.value - friction.low)
 
 
-def test_a_search_that_begins_next_to_nothing_takes_steps_of_its_own_size():
-    """SciPy's first step is as long as the unknowns: begun at 1e-12 instead of 0 it ended there at once."""
-    runner = {"ground.friction": 0.6}
-    measurements = one_row(measured(find_gait(runner), PRECISE, 1e-3))
-    problem = Problem(find_gait({**runner, "leg.stiffness": 1.02}), measurements, ["leg.stiffness"], [])
-    bounds = np.array([-np.inf]), np.array([np.inf])
-    for begin in (0.0, 1e-12):
-        found = searched(problem, np.array([begin]), bounds, False, change=1e-4)
-        assert found.loss < 1e-4
-        assert problem.values(found.at)[0] == pytest.approx(1.0, rel=1e-5)
-
-
-def test_where_the_data_are_precise_the_profile_is_the_linear_interval():
-    row = measured(find_gait({"ground.friction": 0.2}), PRECISE, 1e-4)
-    free = ["ground.friction", "leg.stiffness"]
-    profiled, linear = (
-        fit({"ground.friction": 0.2}, one_row(row), free, profile=profile) for profile in (True, False)
-    )
-    for name in free:
-        by_profile, by_slopes = profiled.parameters[name], linear.parameters[name]
-        assert by_profile.is_profiled and not by_slopes.is_profiled
-        width = by_slopes.high - by_slopes.low
-        assert width == pytest.approx(2.0 * QUANTILE * by_slopes.standard_error)
-        assert by_profile.low == pytest.approx(by_slopes.low, abs=0.02 * width)
-        assert by_profile.high == pytest.approx(by_slopes.high, abs=0.02 * width)
-
-
 def test_an_interval_that_the_data_do_not_close_ends_at_the_range():
     """A thrust that may be none at all: its interval ends at zero, and says so."""
     gait = find_gait({"leg.thrust": 0.02})
@@ -180,26 +152,6 @@ def test_a_prior_and_a_datum_weigh_by_their_errors():
     (prior,) = both.priors
     assert prior.residual == pytest.approx((estimate.value - known[0]) / known[1])
     assert both.as_json()["priors"][0]["value"] == 1.002
-
-
-def test_what_is_assumed_is_carried_into_the_interval():
-    """The length of the leg sets that of a stride: errors of both add by their squares."""
-    gait = find_gait({"ground.friction": 0.6})
-    row = measured(gait, ("speed", "frequency", "peak_force", "stance_time"), 0.005)
-    free = ["leg.stiffness", "hip.stance_torque"]
-    fixed = fit(None, one_row(row), free, profile=False)
-    assumed = fit(None, one_row(row), free, priors={"leg.free_length": (1.0, 0.03)}, profile=False)
-    slope = {}
-    for length in (0.999, 1.001):
-        moved = fit({"leg.free_length": length}, one_row(row), free, profile=False)
-        slope[length] = np.array([moved.parameters[name].value for name in free])
-    per_length = (slope[1.001] - slope[0.999]) / 0.002
-    for name, by_length in zip(free, per_length, strict=True):
-        both = np.hypot(fixed.parameters[name].standard_error, 0.03 * by_length)
-        found = assumed.parameters[name].standard_error
-        assert fixed.parameters[name].standard_error < found <= 1.02 * both
-    length = assumed.parameters["leg.free_length"]
-    assert length.standard_error <= 0.03 and assumed.priors[0].name == "leg.free_length"
 
 
 @pytest.mark.parametrize(

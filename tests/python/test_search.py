@@ -81,12 +81,6 @@ def test_no_gait_says_what_was_tried(command):
     assert (status, out) == (1, "") and "starts all over the section" in said
 
 
-def test_a_search_ends_after_a_bounded_number_of_strides():
-    runner = Runner({"hip.stance_torque": 0.0})
-    few = search.search_from_spread(runner, max_strides=5000)
-    assert few.strides <= 5000 + search.MAX_TRIED * search.ITERATIONS * search.SHORTENINGS
-
-
 def test_a_search_whose_strides_take_too_many_steps_ends_and_says_so(monkeypatch):
     """A stride of this runner takes 3,000 steps or more, two hundred times as many as is usual."""
     monkeypatch.setattr(search, "STARTS", 64)

@@ -46,26 +46,12 @@ def test_the_unit_driven_by_fmpy_makes_the_strides_of_the_library(example, gait)
     check_strides(gait, law, apices)
 
 
-def test_settings_at_their_limits_are_set_as_the_library_sets_them(example, gait):
-    law = tdmf_slip.dead_beat(gait, example.SETTINGS, limits={"hip.stance_torque": (0.19, 0.203)})
-    apices, settings = example.run(law, example.pushed(gait), strides=3)
-    assert {0.19, 0.203} <= {made["hip.stance_torque"] for made in settings}
-    assert np.abs((apices - strides_of_library(law, apices[0], 3)) / gait.runner.scales).max() < 1e-8
-
-
 def test_a_fall_ends_the_run_of_the_unit(example, gait):
     """Pushed far with nothing but the settings' ranges as limits, as the library says, too."""
     law = tdmf_slip.dead_beat(gait, example.SETTINGS)
     apices, settings = example.run(law, gait.start_values | {"foot.vx": gait.start_values["foot.vx"] + 2.0})
     assert len(apices) == 1 and len(settings) == 1
     assert tdmf_slip.stride_map({}, apices, law=law)["fate"].item() == STRIDE_FATES.index("fell")
-
-
-def test_the_example_prints_each_stride(example, capsys):
-    example.main()
-    rows = capsys.readouterr().out.splitlines()
-    assert len(rows) == example.STRIDES + 2 and rows[0].startswith("stride  height - gait's")
-    assert rows[1].split()[:3] == ["0", "5.00e-02", "5.00e-02"]
 
 
 @pytest.fixture(scope="module")
