@@ -82,22 +82,6 @@ static cubic rate_of(const cubic *p) {
     return rate;
 }
 
-/* Down and up, with feet that are light, as heavy as the body, and heavier. */
-TEST(a_ramped_push_moves_touchdown) {
-    static const double foot_masses[] = {0.05, 1.0, 10.0};
-    static const double pushes[] = {-2e-4, 2e-4, -2e-3};
-    for (int i = 0; i < 9; ++i) {
-        simulation run = run_without_losses(foot_masses[i / 3]);
-        const double mass = run.model.total_mass;
-        const cubic foot = fly_under_ramp(&run, 3.0, 0.0, 0.0, pushes[i % 3] * mass);
-        const double touchdown = zero_between(&foot, 0.0, 40.0);
-        simulation_start(&run);
-        assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_FLIGHT);
-        assert_int_equal(simulation_advance(&run, touchdown + 0.01), TDMF_ARRIVED);
-        assert_close(time_of(&run, TDMF_GUARD_TOUCHDOWN), touchdown, 1e-10);
-    }
-}
-
 /* Along a leaning leg a push turns nothing, and drives the centre of mass that way: over a slope. */
 TEST(a_push_that_ramps_along_a_leaning_leg_moves_touchdown) {
     static const double angles[] = {-0.6, 0.3, 1.2};
@@ -167,23 +151,6 @@ TEST(a_ramped_push_moves_the_apex) {
         assert_int_equal(simulation_advance(&run, apex + 0.01), TDMF_ARRIVED);
         assert_close(time_of(&run, TDMF_GUARD_APEX), apex, 1e-10);
     }
-}
-
-/* A push that lifts and falls off: the runner falls, rises and falls again, and has an apex. */
-TEST(a_runner_that_is_lifted_in_its_fall_has_an_apex) {
-    simulation run = run_without_losses(0.5);
-    const double mass = run.model.total_mass, gravity = run.model.parameters.gravity;
-    const cubic foot = fly_under_ramp(&run, 3.0, -0.01, 3.0 * gravity * mass, -1e-3 * mass);
-    cubic rise = rate_of(&foot);
-    rise.c[0] = -0.01;
-    const double rises = zero_between(&rise, 0.0, 10.0);
-    const double apex = zero_between(&rise, 10.0, 60.0);
-    simulation_start(&run);
-    assert_int_equal(simulation_advance(&run, 0.5 * rises), TDMF_ARRIVED);
-    assert_false(run.motion.mode.rises);
-    run.inputs = tdmf_inputs_after(&run.inputs, &run.rates, 0.5 * rises);
-    assert_int_equal(simulation_advance(&run, apex + 0.01), TDMF_ARRIVED);
-    assert_close(time_of(&run, TDMF_GUARD_APEX), apex, 1e-9);
 }
 
 /* The ground is raised above the foot: it is in force once the foot has come up through it. */

@@ -68,52 +68,34 @@ TEST(an_instance_made_without_logging_is_silent) {
     fmi3FreeInstance(instance);
 }
 
-TEST(an_instance_made_with_logging_says_everything) {
-    fmi2Component component = logging_instance(fmi2True);
-    initialize(component);
-    assert_heard(component, true, true, true);
-    fmi2FreeInstance(component);
-}
-
-TEST(all_is_switched_off_and_on) {
-    fmi2Component component = logging_instance(fmi2True);
-    initialize(component);
-    assert_int_equal(fmi2SetDebugLogging(component, fmi2False, 0, NULL), fmi2OK);
-    assert_heard(component, false, false, false);
-    assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 0, NULL), fmi2OK);
-    assert_heard(component, true, true, true);
-    fmi2FreeInstance(component);
-}
-
-TEST(categories_are_switched_one_by_one) {
-    for (int logging = 0; logging < 2; ++logging) {
-        fmi2Component component = logging_instance(logging);
-        initialize(component);
-        assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 1, errors_category), fmi2OK);
-        assert_heard(component, true, false, false); /* "only" these: what it was made with is replaced */
-        assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 1, events_category), fmi2OK);
-        assert_heard(component, true, false, true);
-        assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 1, discards_category), fmi2OK);
-        assert_heard(component, true, true, true);
-        assert_int_equal(fmi2SetDebugLogging(component, fmi2False, 1, errors_category), fmi2OK);
-        assert_heard(component, false, true, true);
-        fmi2FreeInstance(component);
+/* "On" replaces what an instance was made with; "off" takes a category from the others. */
+TEST(categories_are_switched_on_and_off) {
+    static const struct {
+        bool begins, logging; /* with an instance that was made so */
+        fmi2Boolean on;
+        size_t count;
+        const char *const *names;
+        bool errors, discards, events;
+    } calls[] = {{true, true, fmi2False, 0, NULL, false, false, false},
+                 {false, true, fmi2True, 0, NULL, true, true, true},
+                 {true, false, fmi2True, 1, errors_category, true, false, false},
+                 {true, true, fmi2True, 1, errors_category, true, false, false},
+                 {false, true, fmi2True, 1, events_category, true, false, true},
+                 {false, true, fmi2True, 1, discards_category, true, true, true},
+                 {false, true, fmi2False, 1, errors_category, false, true, true},
+                 {true, false, fmi2False, 1, errors_category, false, false, false},
+                 {true, true, fmi2False, 1, events_category, true, true, false}};
+    fmi2Component component = NULL;
+    for (size_t i = 0; i < sizeof calls / sizeof calls[0]; ++i) {
+        if (calls[i].begins) {
+            fmi2FreeInstance(component);
+            component = logging_instance(calls[i].logging);
+            initialize(component);
+            assert_heard(component, calls[i].logging, calls[i].logging, calls[i].logging);
+        }
+        assert_int_equal(fmi2SetDebugLogging(component, calls[i].on, calls[i].count, calls[i].names), fmi2OK);
+        assert_heard(component, calls[i].errors, calls[i].discards, calls[i].events);
     }
-}
-
-TEST(what_is_switched_off_switches_nothing_on) {
-    fmi2Component component = logging_instance(fmi2False);
-    initialize(component);
-    assert_int_equal(fmi2SetDebugLogging(component, fmi2False, 1, errors_category), fmi2OK);
-    assert_heard(component, false, false, false);
-    fmi2FreeInstance(component);
-}
-
-TEST(a_category_switched_off_first_leaves_the_others) {
-    fmi2Component component = logging_instance(fmi2True);
-    initialize(component);
-    assert_int_equal(fmi2SetDebugLogging(component, fmi2False, 1, events_category), fmi2OK);
-    assert_heard(component, true, true, false);
     fmi2FreeInstance(component);
 }
 

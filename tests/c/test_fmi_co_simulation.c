@@ -1,8 +1,7 @@
 /* Co-Simulation of either version: steps that arrive, and those that are refused. */
 #include "compare.h"
-#include "extended_strides.h"
 #include "fmi_interface.h"
-#include "ranges.h"
+#include "proved_gaits.h"
 #include "reference_gaits.h"
 
 #include "tdmf_slip/cvode.h"
@@ -129,34 +128,6 @@ FMI_TEST(a_stride_takes_the_proved_time) {
     }
 }
 
-static void set_parameters(const fmi_interface *fmi, void *instance, const tdmf_parameters *parameters) {
-    for (int i = 0; i < TDMF_PARAMETER_COUNT; ++i) {
-        const tdmf_range *range = &tdmf_parameter_ranges[i];
-        const double value = *(const double *)((const char *)parameters + range->offset);
-        assert_int_equal(set_value(fmi, instance, range->name, value), FMI_OK);
-    }
-}
-
-FMI_TEST(a_stride_under_any_gravity_is_that_of_extended_precision) {
-    step_answer answer;
-    for (int i = 0; i < EXTENDED_STRIDES; ++i) {
-        const extended_stride *stride = &extended_strides[i];
-        const tdmf_parameters parameters = parameters_of_stride(stride);
-        const double period = stride->events[stride->event_count - 1].time;
-        void *instance = new_of_kind(fmi, STEPS);
-        set_parameters(fmi, instance, &parameters);
-        start_at_apex(fmi, instance, stride->friction, &parameters, stride->start);
-        assert_int_equal(fmi->do_step(instance, 0.0, 1.001 * period, &answer), FMI_OK);
-        assert_int_equal(integer_of(fmi, instance, "stride.count"), 1);
-        assert_close(value_of(fmi, instance, "apex.time"), period, 1e-12 * period);
-        assert_close(value_of(fmi, instance, "apex.com_height"), stride->apex[0], 1e-12 * stride->apex[0]);
-        if (stride->apex_count == TDMF_SECTION_COUNT) {
-            assert_close(value_of(fmi, instance, "apex.leg_angle"), stride->apex[3], 1e-12);
-        }
-        fmi->free(instance);
-    }
-}
-
 FMI_TEST(rounded_communication_points_are_tolerated) {
     step_answer answer;
     void *instance = new_of_kind(fmi, STEPS);
@@ -213,14 +184,6 @@ FMI_TEST(steps_that_are_none_are_refused) {
         assert_int_equal(message_count, 1);
         assert_int_equal(fmi->reset(instance), FMI_OK);
     }
-    fmi->free(instance);
-}
-
-FMI_TEST(a_run_may_start_at_any_time) {
-    void *instance = new_of_kind(fmi, STEPS);
-    initialize_unit_at(fmi, instance, 1000.0);
-    run(fmi, instance, 1000.0, 1000.0 + 2.5 * period, period);
-    assert_close(value_of(fmi, instance, "apex.time"), 1000.0 + 2.0 * period, 1e-6);
     fmi->free(instance);
 }
 
@@ -384,27 +347,6 @@ FMI_TEST(cvode_is_refused_where_it_is_missing) {
     void *instance = new_of_kind(fmi, STEPS);
     assert_int_equal(start_with_cvode(fmi, instance), FMI_ERROR);
     assert_non_null(strstr(last_message, "SUNDIALS"));
-    fmi->free(instance);
-}
-
-FMI_TEST(cvode_agrees_with_the_native_solver) {
-    static const char *names[] = {
-        "stride.period",  "stride.length",      "stride.cost_of_transport", "apex.com_height",
-        "apex.leg_angle", "energy.impact_loss", "stride.peak_force",        "stride.peak_vertical_force"};
-    if (!tdmf_cvode_is_available()) {
-        skip();
-    }
-    void *instance = new_of_kind(fmi, STEPS);
-    void *native = new_of_kind(fmi, STEPS);
-    initialize_unit(fmi, native);
-    assert_int_equal(start_with_cvode(fmi, instance), FMI_OK);
-    run(fmi, native, 0.0, 3.5 * period, 0.5 * period);
-    run(fmi, instance, 0.0, 3.5 * period, 0.5 * period);
-    assert_int_equal(integer_of(fmi, instance, "event.count"), integer_of(fmi, native, "event.count"));
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
-        assert_relatively_close(value_of(fmi, instance, names[i]), value_of(fmi, native, names[i]), 1e-6);
-    }
-    fmi->free(native);
     fmi->free(instance);
 }
 

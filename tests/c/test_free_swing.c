@@ -84,28 +84,6 @@ TEST(random_strides_are_those_of_the_reference) {
 
 /* ---- nothing of the clamp ------------------------------------------------------------------------------ */
 
-/* Along strides in which the torque has either sign after lift-off. */
-TEST(the_clamp_is_never_an_event) {
-    int pulled = 0;
-    for (int i = 0; i < FREE_STRIDES; ++i) {
-        const free_stride *random = &free_strides[i];
-        const tdmf_model model = model_of_free_stride(random, false);
-        simulation run;
-        begin(&run, &model, random->friction, random->start);
-        while (run.motion.record.stride.count == 0) {
-            double guards[TDMF_GUARD_COUNT];
-            const double step = 0.05 * model.scales.time;
-            tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, run.motion.time + step, &run.motion);
-            tdmf_guards(SYSTEM_OF(&run), &run.motion.mode, run.motion.state, guards);
-            assert_true(guards[TDMF_GUARD_CLAMP] == 1.0 && !run.motion.mode.clamp_closed);
-            pulled += run.motion.mode.contact == TDMF_CONTACT_FLIGHT &&
-                      run.motion.mode.phase == TDMF_PHASE_RETRACT &&
-                      tdmf_hip_torque(SYSTEM_OF(&run), &run.motion.mode, run.motion.state) < 0.0;
-        }
-    }
-    assert_true(pulled > 1000);
-}
-
 /* Without gains there is nothing to clamp, and no torque that could hold a foot that lifts off: a graze would
  * have no width. */
 TEST(without_gains_both_laws_are_one) {

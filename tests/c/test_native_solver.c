@@ -42,19 +42,6 @@ TEST(peaks_and_positive_work_are_left_out) {
 
 /* ---- accuracy ----------------------------------------------------------------------------------------- */
 
-TEST(a_stride_of_every_gait) {
-    for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
-        const reference_gait *gait = &reference_gaits[i];
-        const runner runner = runner_at_reference_apex(gait);
-        tdmf_motion motion = runner.motion;
-        tdmf_solver solver = tdmf_solver_default();
-        const tdmf_stride_outcome outcome = tdmf_native_stride(&solver, SYSTEM_OF(&runner), DBL_MAX, &motion);
-        assert_int_equal(outcome.outcome, TDMF_ARRIVED);
-        assert_true(outcome.closed);
-        assert_reference_stride(&motion, gait, 1e-9);
-    }
-}
-
 /* Event by event, as accurate as the solver can be. */
 TEST(the_events_of_every_gait) {
     int events = 0;
@@ -74,43 +61,6 @@ TEST(the_events_of_every_gait) {
     }
     assert_int_equal(events,
                      2 * (6 + 7 + 9 + 7 + 6) + PUBLISHED_GAITS + 9 + 6); /* a release with each clamp */
-}
-
-static double energy(const runner *runner, const tdmf_motion *motion) {
-    return tdmf_mechanical_energy(SYSTEM_OF(runner), &motion->mode, motion->state).total;
-}
-
-static double ledger(const tdmf_motion *motion) {
-    return motion->state[TDMF_HIP_WORK] - motion->state[TDMF_ENERGY_DAMPER_LOSS] -
-           motion->state[TDMF_ENERGY_FRICTION_LOSS] - motion->record.impact_loss;
-}
-
-/* Communication steps in units of sqrt(m/k); a negative one stands for uneven steps of that length at the
- * most. */
-static void run_in_steps(const runner *runner, double step, double until, tdmf_motion *motion) {
-    random_source source = {7};
-    tdmf_solver solver = tdmf_solver_default();
-    while (motion->time < until) {
-        const double length = step > 0.0 ? step : random_uniform(&source, 0.0, -step);
-        assert_arrives(&solver, runner, fmin(until, motion->time + length), motion);
-    }
-}
-
-TEST(the_ledger_closes_whatever_the_communication_step) {
-    enum { STRIDES = sample_of(100) };
-    static const double steps[] = {0.01, 0.1, 1.7, 100.0, -5.0};
-    const reference_gait *gait = &reference_gaits[DEFAULT_GAIT];
-    const double until = (STRIDES + 0.5) * gait->period;
-    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
-        const runner runner = runner_at_reference_apex(gait);
-        tdmf_motion motion = runner.motion;
-        const double before = energy(&runner, &motion);
-        run_in_steps(&runner, steps[i], until, &motion);
-        assert_close(energy(&runner, &motion) - before, ledger(&motion), 1e-8);
-        assert_int_equal(motion.record.stride.count, STRIDES);
-        assert_string_equal(motion.record.stride.word, gait->word);
-        assert_reference_apex(&motion.record.apex, gait, 1e-7);
-    }
 }
 
 /* ---- the same events as the plain integrator ---------------------------------------------------------- */
@@ -239,56 +189,6 @@ TEST(a_spinning_leg_touches_down_in_time) {
 
 /* ---- inputs that change ------------------------------------------------------------------------------- */
 
-TEST(a_ramp_is_the_limit_of_small_steps) {
-    enum { PARTS = 4000 };
-    const tdmf_inputs ramp = {.ground.friction = -0.02, .hip.external_torque = 1e-4};
-    const double until = 30.0;
-    const runner runner = runner_at_reference_apex(&reference_gaits[1]);
-    tdmf_motion ramped = runner.motion;
-    tdmf_motion stepped = ramped;
-    tdmf_solver solver = tdmf_solver_default();
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &ramp, until, &ramped), TDMF_ARRIVED);
-    for (int i = 0; i < PARTS; ++i) {
-        const double middle = until * (i + 0.5) / PARTS;
-        tdmf_inputs inputs = runner.inputs;
-        inputs.ground.friction += ramp.ground.friction * middle;
-        inputs.hip.external_torque += ramp.hip.external_torque * middle;
-        assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&runner.model, &inputs}, &no_rates,
-                                             until * (i + 1) / PARTS, &stepped),
-                         TDMF_ARRIVED);
-    }
-    assert_int_equal(ramped.record.event_count, stepped.record.event_count);
-    for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
-        assert_close(ramped.state[k], stepped.state[k], 2e-5);
-    }
-}
-
-/* A runner that stands and bounces, ever less: the first peak of the ground force is the largest. */
-TEST(the_peak_force_is_the_largest_met) {
-    enum { LOOKS = 10000 };
-    const double until = 20.0;
-    runner runner = runner_default(0.6);
-    memset(runner.motion.state, 0, sizeof runner.motion.state);
-    runner.motion.state[TDMF_LEG_LENGTH] = 0.99;
-    runner.motion.state[TDMF_LEG_ANGLE] = -1e-9;
-    runner.motion.state[TDMF_LEG_LENGTH_RATE] = -0.005;
-    runner_start(&runner);
-    scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
-    tdmf_motion whole = runner.motion, looked = whole;
-    tdmf_solver solver = tdmf_solver_default();
-    assert_arrives(&solver, &runner, until, &whole);
-    double first = 0.0, last = 0.0;
-    for (int i = 1; i <= LOOKS; ++i) {
-        assert_arrives(&solver, &runner, until * i / LOOKS, &looked);
-        const double force = tdmf_outputs_of(SYSTEM_OF(&runner), &looked).contact.fy;
-        *(i <= LOOKS / 3 ? &first : &last) = fmax(i <= LOOKS / 3 ? first : last, force);
-    }
-    assert_true(last < 0.9 * first && last > 0.01);
-    assert_close(whole.record.progress.open.peak_force, first, 1e-7);
-    assert_true(whole.record.progress.open.peak_force >= first);
-    assert_close(looked.record.progress.open.peak_force, whole.record.progress.open.peak_force, 1e-12);
-}
-
 /* A friction that falls to zero in mid-stance stays there, as if it had been held there from then on. */
 TEST(a_friction_that_falls_ends_at_zero) {
     const double zero = 13.0, until = 20.0;
@@ -349,24 +249,6 @@ TEST(a_rising_force_is_met_where_a_call_ends) {
     assert_close(motion.record.progress.open.peak_force, outputs.contact.fy, 1e-15);
 }
 
-/* In flight and on the ground; a torque that is held and one that grows. */
-TEST(the_work_of_an_external_torque_is_in_the_ledger) {
-    static const tdmf_inputs rates[] = {{.ground = {.friction = 0.0}}, {.hip.external_torque = 2e-3}};
-    for (int i = 0; i < 2; ++i) {
-        runner runner = runner_at_reference_apex(&reference_gaits[DEFAULT_GAIT]);
-        runner.inputs.hip.external_torque = 0.02;
-        tdmf_motion motion = runner.motion;
-        tdmf_solver solver = tdmf_solver_default();
-        const double before = energy(&runner, &motion);
-        const tdmf_outcome outcome =
-            tdmf_native_advance(&solver, SYSTEM_OF(&runner), &rates[i], 10.0, &motion);
-        assert_int_equal(outcome, TDMF_ARRIVED);
-        assert_int_equal(motion.mode.contact, TDMF_CONTACT_FLIGHT);
-        assert_true(fabs(motion.state[TDMF_HIP_WORK]) > 1e-4);
-        assert_close(energy(&runner, &motion) - before, ledger(&motion), 1e-9);
-    }
-}
-
 /* ---- limits ------------------------------------------------------------------------------------------- */
 
 TEST(limits_end_a_call_and_leave_a_valid_motion) {
@@ -384,18 +266,6 @@ TEST(limits_end_a_call_and_leave_a_valid_motion) {
     solver.event_limit = 100000;
     assert_arrives(&solver, &runner, 4.1 * reference_gaits[DEFAULT_GAIT].period, &motion);
     assert_int_equal(motion.record.stride.count, 4);
-}
-
-TEST(a_fall_is_where_the_run_stays) {
-    runner runner = runner_default(0.6);
-    runner.motion.state[TDMF_FOOT_Y] = 100.0;
-    runner_start(&runner);
-    tdmf_motion motion = runner.motion;
-    tdmf_solver solver = tdmf_solver_default();
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 1e4, &motion), TDMF_FELL);
-    const double time = motion.time;
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 2e4, &motion), TDMF_FELL);
-    assert_true(motion.time == time);
 }
 
 /* Also where the fall is in the last step, or the last event, that the limits allow. */

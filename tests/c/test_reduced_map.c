@@ -165,17 +165,6 @@ static void assert_differentiated(const apex_scene *scene, int k, double step, d
     }
 }
 
-TEST(the_jacobian_is_that_of_the_map) {
-    for (int i = 0; i < REDUCED_GAITS; ++i) {
-        apex_scene scene = at_gait(&reduced_gaits[i]);
-        scene.apex[0] += 0.01;
-        scene.apex[1] -= 0.01;
-        for (int k = 0; k < TDMF_REDUCED_COUNT; ++k) {
-            assert_differentiated(&scene, k, 1e-4, 1e-8);
-        }
-    }
-}
-
 /* A torque from outside does work up to lift-off and makes the work of a stance depend on all. */
 TEST(parameters_and_inputs_are_differentiated) {
     for (int i = 0; i < REDUCED_GAITS; ++i) {

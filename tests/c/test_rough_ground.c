@@ -99,13 +99,6 @@ TEST(steps_are_independent_along_strides_runners_and_seeds) {
     }
 }
 
-TEST(a_step_is_the_same_whatever_was_drawn_before) {
-    const double first = tdmf_ground_step(1, 2, 3);
-    (void)tdmf_ground_step(4, 5, 6);
-    assert_true(tdmf_ground_step(1, 2, 3) == first);
-    assert_true(tdmf_ground_step(1, 2, 4) != first);
-}
-
 /* ---- runners ------------------------------------------------------------------------------------------ */
 
 enum { RUNNERS = sample_of(300), STRIDES = 12 };
@@ -183,31 +176,6 @@ static void assert_same_strides(const tdmf_ensemble_end *end, const tdmf_motion 
     }
 }
 
-/* One by one and in all lanes there are; some of them fall. */
-TEST(runners_meet_the_steps_of_their_numbers) {
-    static population population;
-    static tdmf_motion motions[RUNNERS];
-    int strides[RUNNERS];
-    int compared = 0, up = 0;
-    waits seen = {0};
-    gather(&population);
-    for (int i = 0; i < RUNNERS; ++i) {
-        strides[i] = run_over_steps(&population, i, &motions[i], &seen);
-        up += strides[i] == STRIDES;
-    }
-    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        population.ensemble.instructions = (tdmf_instructions)set;
-        if (tdmf_has_instructions(population.ensemble.instructions)) {
-            assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
-            for (int i = 0; i < RUNNERS; ++i, ++compared) {
-                assert_same_strides(&population.ends[i], &motions[i], strides[i]);
-            }
-        }
-    }
-    assert_true(compared >= RUNNERS);
-    assert_in_range(up, 1, RUNNERS);
-}
-
 /* At the apices the foot hangs low and swings forward, and the steps are as high as that. */
 static void gather_before_high_steps(population *population, double push) {
     random_source source = {11};
@@ -260,20 +228,6 @@ TEST(runners_whose_ground_waits_meet_it_alike_in_all_lanes) {
         assert_true(compared > RUNNERS * 9 / 10);
     }
     assert_true(seen.waited > 3 * RUNNERS / 2 && seen.passed > RUNNERS);
-}
-
-/* Results are compared bit for bit. */
-TEST(steps_depend_on_neither_threads_nor_neighbours) {
-    enum { FIRST = 113 * RUNNERS / 300, PART = 71 * RUNNERS / 300 };
-    static population all, part;
-    gather(&all);
-    assert_true(tdmf_run_ensemble(&all.ensemble, all.ends, NULL));
-    gather(&part);
-    part.ensemble.threads = 2;
-    part.ensemble.first_number = FIRST;
-    part.ensemble.count = PART;
-    assert_true(tdmf_run_ensemble(&part.ensemble, part.ends, NULL));
-    assert_memory_equal(part.ends, &all.ends[FIRST], PART * sizeof *part.ends);
 }
 
 TEST(refuses_a_roughness_that_is_none) {

@@ -289,13 +289,6 @@ TEST(a_force_that_is_largest_at_touchdown_is_noted) {
     free(population);
 }
 
-TEST(the_law_sets_at_each_apex_by_what_its_sensor_sees) {
-    population *population = gather(0.0);
-    population->its_case.rules.law = &population->law;
-    run_in_all_lanes(population);
-    free(population);
-}
-
 TEST(the_law_sees_the_height_above_the_ground_before_it_steps) {
     population *population = gather(0.1);
     population->its_case.rules.law = &population->law;
