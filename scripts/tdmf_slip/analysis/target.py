@@ -19,7 +19,7 @@ from ..library.fixed_point import gait_near
 from ..library.gait import Gait
 from ..library.quantities import scales_of
 from ..library.runner import Runner
-from ..library.strides import VariedStride, plain_stride, varied_stride
+from ..library.strides import MadeStride, plain_stride, varied_stride
 from ..numerics.following import halved, walk
 from ..numerics.newton import GOOD_ENOUGH, solve
 from ..terminal.progress import progress_bar
@@ -62,7 +62,7 @@ class Iterate:
 
     at: NDArray[np.float64]
     """Coordinates, then varied parameters, over the scales."""
-    varied: VariedStride
+    varied: MadeStride
     """The stride from there, with its derivatives."""
 
 

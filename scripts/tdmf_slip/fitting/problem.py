@@ -20,7 +20,7 @@ from ..library.gait import Gait
 from ..library.members import check_varied
 from ..library.quantities import scales_of
 from ..library.runner import Runner
-from ..library.strides import PlainStride, VariedGait, plain_stride, varied_gait
+from ..library.strides import MadeStride, VariedGait, plain_stride, varied_gait
 from ..variables.table import Model, by_full_name
 from ..variables.variable import Given
 from .measurements import Measurements
@@ -186,7 +186,7 @@ class Problem:
         own = np.array([self.runner[name] for name in self.vary])
         self._bases = [_Iterate(first.apex, start, own)] * count
         self._words = [first.word] * count
-        self._tried: tuple[NDArray[np.float64], list[tuple[NDArray[np.float64], PlainStride]]] | None = None
+        self._tried: tuple[NDArray[np.float64], list[tuple[NDArray[np.float64], MadeStride]]] | None = None
         self._linear_at: NDArray[np.float64] | None = None
         self._last: NDArray[np.float64] | None = None
 
@@ -311,7 +311,7 @@ class Problem:
                 f"the fit stops at row {row + 1}: {problem}; other first values lead past it"
             ) from None
 
-    def _gait(self, values: NDArray[np.float64], row: int) -> tuple[NDArray[np.float64], PlainStride]:
+    def _gait(self, values: NDArray[np.float64], row: int) -> tuple[NDArray[np.float64], MadeStride]:
         """The gait of a row, from the one at which the Jacobian was asked for last."""
         runner, base, names = self.runner_of(values, row), self._bases[row], tuple(self.rows[row])
         moved = values[self.columns[row]] - base.values

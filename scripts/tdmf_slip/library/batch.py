@@ -31,7 +31,7 @@ from .laws import AffineLaw, CheckedLaw
 from .own_engine import OwnEngine
 from .own_model import OwnModel
 from .return_map import Along, checked_direction
-from .returns import RunnerStrides, Strides
+from .returns import RunnerStrides
 from .settings import setting_number
 from .tables import Table
 
@@ -269,7 +269,7 @@ class Batch(Given):
         ]
         return strides_table(self, parts, along, is_differentiated=is_differentiated)
 
-    def _exact_strides(self, is_differentiated: bool, along: Sequence[Along]) -> Strides:
+    def _exact_strides(self, is_differentiated: bool, along: Sequence[Along]) -> own_runs.Strides:
         starts = self.starts[:, : self.size].copy()
         if isinstance(self.model, OwnModel):
             return own_runs.strides_of(

@@ -14,9 +14,9 @@ from .batch_given import Given
 from .engine import FATES, SETTLED, STOPPED, Engine
 from .laws import AffineLaw
 from .own_engine import OwnEngine
+from .own_runs import Strides
 from .quantities import LEDGER, STRIDE_QUANTITIES
 from .return_map import Along
-from .returns import Strides
 from .tables import Table
 
 STRIDE_FATES = ("closed", "fell", "too_long", *FATES[3:6])

@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 
 from ..errors import GaitNotFoundError, RunError
 from ..numerics.newton import NotSolvedError, solve
+from .binding import c
 from .gait import Gait
 from .members import at_friction, check_comes_down, check_has_gaits
+from .own_runs import Strides
 from .return_map import Along, derivatives, refuse_patch
-from .returns import Strides
 from .runner import Runner
 from .section import Apex, checked_apex
 from .shared_steps import joins_search, search_under_way
@@ -81,7 +82,7 @@ class Closing:
         self.unsolved = ""
         stride = self.runner.stride(apex, self.until, varied=varied, along=self.along)
         if why_not := stride.why_not():
-            self.unsolved = why_not if stride.is_unsolved else ""
+            self.unsolved = why_not if stride.outcome[0] == c.TDMF_RETURN_UNSOLVED else ""
             raise RunError(why_not)
         return stride
 

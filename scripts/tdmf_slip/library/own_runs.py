@@ -1,7 +1,7 @@
 """Runs of models of one's own: strides with derivatives, many at a time, and runs from the start."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,7 @@ from .c_structs import dtype_of
 from .events import Event
 from .members import Along
 from .own_model import LIFTOFF, OF_A_STRIDE, OF_ENERGY, WORD, OwnModel
-from .returns import Strides
+from .returns import RunnerStrides
 
 EVENT_ROOM = 64
 """Events of a stride that are kept."""
@@ -43,7 +43,7 @@ def seeds_of(model: OwnModel, along: Sequence[Along]) -> NDArray[np.float64]:
     return np.array([np.concatenate(row) for row in rows]).reshape(len(rows), width)
 
 
-class OwnStrides(Strides):
+class OwnStrides:
     """Strides of models of one's own: where they begin, their ends, states with derivatives, and events."""
 
     def __init__(
@@ -130,6 +130,10 @@ class OwnStrides(Strides):
             c.TDMF_PAGE_TOO_LONG: f"the run comes to no `{event}` and is {at}",
             c.TDMF_PAGE_REFUSED: self.model.why_refused(end["requirement"], self.states[number]),
         }.get(end["outcome"], f"the run cannot be followed {at}")
+
+
+Strides: TypeAlias = RunnerStrides | OwnStrides
+"""One stride of each of some runners. Numbers of a stride that has not closed mean nothing."""
 
 
 def _text(code: float, letters: str) -> str:

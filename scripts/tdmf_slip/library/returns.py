@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from typing import Any
@@ -28,72 +27,11 @@ from .quantities import (
 from .section import COORDINATES
 
 
-class Strides(ABC):
-    """One stride of each of some runners of a model. Numbers of a stride that has not closed mean nothing."""
+class RunnerStrides:
+    """Strides of the package's own models, from the library's structs; see `own_runs.OwnStrides`.
 
-    names: tuple[str, ...]
-    """Names of all quantities."""
-    differentiable: tuple[str, ...]
-    """Names of the quantities that have exact derivatives."""
-    points: NDArray[np.float64]
-    """Where the strides begin, shape (runners, n)."""
-    outcome: NDArray[Any]
-    """Outcomes by the library's numbers; 0 where the stride closed."""
-    next_points: NDArray[np.float64]
-    """Where they end, shape (runners, n)."""
-
-    @property
-    @abstractmethod
-    def next_points_by(self) -> NDArray[np.float64]:
-        """Derivatives of `next_points` by the coordinates, then along directions, shape (runners, n, by)."""
-
-    @property
-    @abstractmethod
-    def words(self) -> Sequence[str]:
-        """Words of the strides."""
-
-    @abstractmethod
-    def quantity(self, name: str) -> NDArray[np.float64]:
-        """A quantity of the strides, shape (runners,)."""
-
-    @abstractmethod
-    def derivative(self, name: str) -> NDArray[np.float64]:
-        """Its derivatives by the coordinates, then along directions, shape (runners, by)."""
-
-    @abstractmethod
-    def why_not(self, number: int = 0) -> str:
-        """Reason why a stride did not close, in words; empty where it did."""
-
-    @property
-    @abstractmethod
-    def events(self) -> tuple[Event, ...]:
-        """Events of the first stride, where they were kept."""
-
-    @property
-    def is_unsolved(self) -> bool:
-        """Whether the solver gave the first stride up."""
-        return bool(self.outcome[0] == c.TDMF_RETURN_UNSOLVED)
-
-
-class RunnerStrides(Strides):
-    """Strides of the package's own models.
-
-    Parameters
-    ----------
-    structs : structured ndarray of tdmf_return, shape (runners,)
-        The strides.
-    points : ndarray of float, shape (runners, n)
-        Where they begin.
-    value_of : function of str
-        A parameter of the runners by its name: one for all, or one for each.
-    reduced : bool
-        They are strides of the reduced map.
-    along : sequence of str or mapping, optional
-        Directions along which they are differentiated; None for no derivatives.
-    measured : function, optional
-        Makes the strides with what is measured along them; by default they have it.
-    log : tdmf_event_log *, optional
-        Events of the only stride.
+    `value_of` gives a parameter of the runners by its name. `along` are directions of derivatives, None for
+    none. `measured` makes the strides with what is measured along them; by default the structs have it.
     """
 
     def __init__(
@@ -110,7 +48,8 @@ class RunnerStrides(Strides):
         self.points, self.along, self.reduced, self._log = points, along, reduced, log
         self.names, self.differentiable = reported_quantities(reduced), differentiable(reduced)
         self._structs, self._measured, self._value_of = structs, measured, value_of
-        self.outcome, self.next_points = structs["outcome"], structs["apex"][:, : points.shape[1]]
+        self.outcome: NDArray[Any] = structs["outcome"]
+        self.next_points: NDArray[np.float64] = structs["apex"][:, : points.shape[1]]
 
     @property
     def _variations(self) -> NDArray[Any]:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 from operator import itemgetter
-from typing import Any, ClassVar, NoReturn, Self
+from typing import TYPE_CHECKING, Any, ClassVar, NoReturn, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,9 +19,12 @@ from . import members
 from .binding import c, check_accepted, ffi
 from .c_structs import RETURN
 from .members import Along, seed_of
-from .returns import RunnerStrides, Strides
+from .returns import RunnerStrides
 from .section import Apex, checked_apex
 from .shared_steps import search_under_way
+
+if TYPE_CHECKING:
+    from .own_runs import Strides
 
 TOLERANCE = 1e-13
 """Relative tolerance of the native solver: the next apex is then that of a gait to 1e-11 of the scales, and
@@ -277,7 +280,7 @@ class Runner(Mapping[str, Value]):
         varied: bool = False,
         along: Along | None = None,
         is_reported: bool = False,
-    ) -> Strides:
+    ) -> "Strides":
         """One stride from an apex; reported are also its events, and what is measured along it.
 
         It is differentiated by the coordinates, and along a direction, where it is `varied`.

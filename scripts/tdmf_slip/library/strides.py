@@ -22,32 +22,8 @@ from .tables import Table
 
 
 @dataclass(frozen=True, eq=False)
-class VariedStride:
+class MadeStride:
     """A stride, and how it changes with its apex and with parameters."""
-
-    residual: NDArray[np.float64]
-    """Next apex minus this one, shape (n,)."""
-    quantities: NDArray[np.float64]
-    """Quantities in the order in which they were asked for, shape (q,)."""
-    by_all: NDArray[np.float64]
-    """Changes of `residual` and `quantities` by the coordinates and the parameters, shape (n + q, n + p)."""
-
-
-def varied_stride(
-    runner: Runner, apex: NDArray[np.float64], names: Sequence[str], parameters: Sequence[str]
-) -> VariedStride:
-    """One stride from an apex, whether it leads back there or not, with all its derivatives."""
-    stride = _varied_stride(runner, apex, names, True, parameters)
-    by_apex = stride.next_apex_by - np.eye(*stride.next_apex_by.shape)
-    by_all = np.vstack([by_apex, *(stride[f"{name}_by"] for name in names)])
-    if not np.isfinite(by_all).all():
-        raise RunError("a stride is on the edge of an event or of a law, where it has no derivatives")
-    return VariedStride(stride.next_apex - apex, np.array([stride[name] for name in names]), by_all)
-
-
-@dataclass(frozen=True, eq=False)
-class PlainStride:
-    """A stride without derivatives."""
 
     residual: NDArray[np.float64]
     """Next apex minus this one, shape (n,)."""
@@ -55,13 +31,31 @@ class PlainStride:
     """Quantities in the order in which they were asked for, shape (q,)."""
     word: str
     """Word of the stride's stance."""
+    by_all: NDArray[np.float64]
+    """Changes of `residual` and `quantities` by the coordinates and the parameters, shape (n + q, n + p);
+    empty without derivatives."""
 
 
-def plain_stride(runner: Runner, apex: NDArray[np.float64], names: Sequence[str]) -> PlainStride:
+def varied_stride(
+    runner: Runner, apex: NDArray[np.float64], names: Sequence[str], parameters: Sequence[str]
+) -> MadeStride:
+    """One stride from an apex, whether it leads back there or not, with all its derivatives."""
+    stride = _varied_stride(runner, apex, names, True, parameters)
+    by_apex = stride.next_apex_by - np.eye(*stride.next_apex_by.shape)
+    by_all = np.vstack([by_apex, *(stride[f"{name}_by"] for name in names)])
+    if not np.isfinite(by_all).all():
+        raise RunError("a stride is on the edge of an event or of a law, where it has no derivatives")
+    return _made(stride, names, by_all)
+
+
+def plain_stride(runner: Runner, apex: NDArray[np.float64], names: Sequence[str]) -> MadeStride:
     """One stride from an apex, whether it leads back there or not; with derivatives it takes much longer."""
-    stride = _varied_stride(runner, apex, names, False)
+    return _made(_varied_stride(runner, apex, names, False), names, np.empty((0, 0)))
+
+
+def _made(stride: Table, names: Sequence[str], by_all: NDArray[np.float64]) -> MadeStride:
     quantities = np.array([float(stride[name]) for name in names])
-    return PlainStride(stride.next_apex - apex, quantities, str(stride.word))
+    return MadeStride(stride.next_apex - stride.apex, quantities, str(stride.word), by_all)
 
 
 def _varied_stride(
