@@ -6,8 +6,7 @@ import io
 import numpy as np
 import pandas
 import pytest
-import tdmf_slip
-from tdmf_slip import InputError, Profile
+from tdmf_slip import InputError
 from tdmf_slip.fitting.measurements import measurements_of, read_measurements
 from tdmf_slip.fmu.inputs import read_tables
 from tdmf_slip.fmu.simulation import run_unit
@@ -15,7 +14,6 @@ from tdmf_slip.library.ground import read_heights
 from tdmf_slip.variables.parameters import read_parameters
 
 FRICTION = "ground.friction"
-DATES = pandas.to_datetime(["2026-01-01 00:00:00", "2026-01-01 00:00:05"])
 SECONDS = pandas.to_timedelta([0.0, 5.0], unit="s")
 
 
@@ -56,37 +54,6 @@ def test_a_stance_may_last_a_duration():
         {"stance_time [s]": pandas.to_timedelta([250], unit="ms"), "stance_time_error [s]": [0.01]}
     )
     assert measurements_of(data).rows[0]["stance_time"].value == 0.25
-
-
-MASKED = np.ma.masked_array([0.0, 5.0], [False, True])
-SIX = np.ma.masked_array(np.ones(6), [1, 0, 0, 0, 0, 0])
-NO_NUMBERS = {
-    "dates of inputs": lambda: friction_at_the_end({FRICTION: (DATES, [0.6, 0.3])}),
-    "a date to stop at": lambda: run_unit({}, stop_time=np.datetime64("2026-01-01")),
-    "durations of friction": lambda: friction_at_the_end({FRICTION: ([0.0, 5.0], SECONDS)}),
-    "a duration for friction": lambda: tdmf_slip.find_gait({FRICTION: np.timedelta64(1, "s")}),
-    "dates along the ground": lambda: Profile(DATES, [0.0, 1.0]),
-    "durations that are frictions": lambda: tdmf_slip.sweep({}, {FRICTION: SECONDS}),
-    "complex values of inputs": lambda: friction_at_the_end({FRICTION: ([0.0, 5.0], [0.6, 0.3 + 1j])}),
-    "a complex guess": lambda: tdmf_slip.find_gait({}, guess=np.ones(6) * (1 + 1j)),
-    "complex friction": lambda: tdmf_slip.find_gait({FRICTION: np.complex128(0.6 + 1j)}),
-    "masked times": lambda: friction_at_the_end({FRICTION: (MASKED, [0.6, 0.3])}),
-    "masked positions": lambda: Profile(MASKED, [0.0, 1.0]),
-    "a masked guess": lambda: tdmf_slip.find_gait({}, guess=SIX),
-    "masked apices in a list": lambda: tdmf_slip.stride_map({}, [np.ones(6), SIX]),
-    "a masked number": lambda: tdmf_slip.find_gait({FRICTION: np.ma.masked}),
-    "masked frictions": lambda: tdmf_slip.sweep({}, {FRICTION: np.ma.masked_array([0.5, 0.6], [1, 0])}),
-    "masked ends": lambda: tdmf_slip.continue_branch({}, {FRICTION: MASKED}),
-    "truth values": lambda: friction_at_the_end({FRICTION: ([0.0, 5.0], [True, False])}),
-}
-
-
-@pytest.mark.filterwarnings("error")
-@pytest.mark.parametrize("name", NO_NUMBERS)
-def test_what_are_no_numbers_is_refused(name):
-    with pytest.raises(InputError, match=r"is not allowed; allowed: ") as caught:
-        NO_NUMBERS[name]()
-    assert len(str(caught.value)) < 400
 
 
 # ---- texts ----

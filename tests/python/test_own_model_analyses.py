@@ -98,17 +98,6 @@ def test_a_basin_is_that_of_the_built_in_runner(paper_s):
     np.testing.assert_array_equal(mine["strides_until_known"], own["strides_until_known"])
 
 
-def test_settings_from_stride_to_stride_are_those_of_the_built_in_runner(paper_s):
-    inputs = {"friction": [0.6, 0.5, 0.7], "hip.stance_torque": np.array([[0.2, 0.21, 0.19]])}
-    apex = find_gait().apex
-    mine, own = (Batch(runner, apex, inputs=inputs).run(3).apex for runner in (paper_s, {}))
-    assert mine == pytest.approx(own, abs=1e-7)
-    stepping = Batch(paper_s, apex)
-    for k in range(3):
-        stepping.step({name: np.ravel(values)[k] for name, values in inputs.items()})
-    assert stepping.apices[0] == pytest.approx(own, abs=1e-7)
-
-
 def test_a_target_and_a_branch_of_the_ball_are_those_of_the_closed_form(ball):
     """The speed after an impact is push/(1 - restitution), the period twice that over gravity."""
     gait = find_gait(ball, target={"period": 1.2}, vary=["push"])

@@ -106,48 +106,6 @@ def test_where_a_foot_lands_decides():
     assert length[1] == pytest.approx(length[2], rel=1e-9) and abs(length[0] - length[1]) > 0.1
 
 
-@pytest.mark.parametrize(
-    "refused",
-    [
-        lambda: tdmf_slip.find_gait(PATCH),
-        lambda: tdmf_slip.find_gait(PATCH, model="reduced"),
-        lambda: tdmf_slip.basin(PATCH, n=2),
-        lambda: tdmf_slip.stride_map(PATCH, [1.4, 1.05], model="reduced"),
-        lambda: tdmf_slip.stride_map(
-            PATCH | {"ground.patch_end": [12.45, 12.52]}, [[1.4, 1.05]] * 2, model="reduced"
-        ),
-        lambda: tdmf_slip.Batch(PATCH, RUNS[0]["apex"]).run(1, RUNS[0]["apex"]),
-        lambda: tdmf_slip.Batch(PATCH, RUNS[0]["apex"]).stride(),
-    ],
-    ids=[
-        "gait",
-        "reduced gait",
-        "basin",
-        "reduced strides",
-        "one of many",
-        "run to a gait",
-        "stride",
-    ],
-)
-def test_what_has_no_foot_x_refuses_a_patch(refused):
-    with pytest.raises(tdmf_slip.InputError, match=r"ground\.patch_end = 12\.52"):
-        refused()
-
-
-@pytest.mark.parametrize(
-    ("foot_x", "said"),
-    [
-        ([0.0, 1.0, 2.0], "apices of 2 runners, foot_x of 3"),
-        (float("nan"), "foot_x.*nan"),
-        ([[0.0]], "foot_x"),
-        ("here", "foot_x"),
-    ],
-)
-def test_a_foot_x_that_is_none_is_refused(foot_x, said):
-    with pytest.raises(tdmf_slip.InputError, match=said):
-        tdmf_slip.stride_map(PATCH, [RUNS[0]["apex"]] * 2, foot_x=foot_x)
-
-
 # ---- strides until the fall -----------------------------------------------------------------------------
 
 # Downhill the foot is sped up on ice, and falls where grip returns.

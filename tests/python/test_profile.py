@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 from conftest import unit_reference
-from tdmf_slip import InputError, Profile
+from tdmf_slip import Profile
 from tdmf_slip.fmu.simulation import run_unit
 
 
@@ -31,29 +31,6 @@ def test_random_steps_are_those_of_their_seed():
     risers = np.diff(one.y)[::2]
     assert len(risers) == 5000 and one.x[0] == 3.0 and one.x[-1] == 3.0 + 2.0 * 4999
     assert abs(np.mean(risers)) < 4 * 0.1 / math.sqrt(5000) and np.std(risers) == pytest.approx(0.1, rel=0.04)
-
-
-@pytest.mark.parametrize(
-    ("make", "says"),
-    [
-        (lambda: Profile([0.0, 1.0], [0.0]), "equally long"),
-        (lambda: Profile([1.0, 0.0], [0.0, 0.0]), "ascending"),
-        (lambda: Profile([0.0, math.nan], [0.0, 0.0]), "finite"),
-        (lambda: Profile(["a"], [0.0]), "numbers"),
-        (lambda: Profile.steps([1.0, 2.0], [0.0, 1.0]), "a height more than edges"),
-        (lambda: Profile.random_steps(0, 1.0, 0.1, 1), "count"),
-        (lambda: Profile.random_steps(5, 1.0, -0.1, 1), "roughness"),
-        (lambda: run_unit(profile=Profile([0.0], [0.0]), interface="me"), "interface = 'me'"),
-        (
-            lambda: run_unit(profile=Profile([0.0], [0.0]), inputs={"ground.slope": ([0.0], [0.0])}),
-            "one of them",
-        ),
-        (lambda: run_unit(profile=Profile([0.0, 1.0], [0.0, 3.0]), strides=1), "ground.slope"),
-    ],
-)
-def test_what_is_no_ground_is_refused(make, says):
-    with pytest.raises(InputError, match=says):
-        make()
 
 
 def test_level_ground_is_the_ground_of_the_gait():

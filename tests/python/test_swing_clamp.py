@@ -5,11 +5,10 @@ import pathlib
 
 import numpy as np
 import pytest
-import tdmf_slip
 import xarray
 from conftest import reference_gaits
 from scipy_strides import Stride
-from tdmf_slip import Batch, InputError, Runner, find_gait, stride_map, sweep
+from tdmf_slip import Batch, InputError, Runner, find_gait, stride_map
 from tdmf_slip.record import runner_in
 
 CLAMP = "hip.swing_clamp"
@@ -46,14 +45,6 @@ def test_a_stride_is_that_of_scipy_for_two_point_masses(friction, clamp):
         assert other[name] == pytest.approx(found[name].item(), abs=1e-8), name
 
 
-def test_borders_without_the_clamp_are_those_of_the_reference():
-    found = sweep({CLAMP: False}, {"ground.friction": [9.0, 1.0, 0.6, 0.43, 0.2]}).borders
-    for name, of in (("before", "from"), ("after", "to")):
-        assert found[name].values.tolist() == [border[of] for border in REFERENCE["borders"]]
-    values = [border["friction"] for border in REFERENCE["borders"]]
-    assert found["ground.friction"].values == pytest.approx(values, abs=1e-9)
-
-
 @pytest.mark.parametrize("number", range(0, len(REFERENCE["strides"]), 4))
 def test_strides_of_random_runners_are_those_of_the_reference(number):
     reference = REFERENCE["strides"][number]
@@ -65,14 +56,6 @@ def test_strides_of_random_runners_are_those_of_the_reference(number):
 
 
 # ---- proofs ------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(("clamp", "friction"), [(True, 1.1441404), (False, 1.1369892702)])
-def test_a_border_where_the_slip_would_begin_as_the_drive_ends_stays_undecided(clamp, friction):
-    """Both events are at one instant there, and a proof does not say which is first, whatever the swing."""
-    pytest.importorskip("flint")
-    proof = tdmf_slip.prove_border(friction, {CLAMP: clamp}, sides=False)
-    assert not proof.proved and "slip onset backwards or mid-stance" in proof.sentence
 
 
 # ---- where it is set ---------------------------------------------------------------------------------------

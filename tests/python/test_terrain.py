@@ -4,8 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from tdmf_slip import AffineLaw, Batch, InputError, find_gait, stride_map, strides_to_fall
-from tdmf_slip.analysis.rare_falls import rare_falls
+from tdmf_slip import AffineLaw, Batch, find_gait, stride_map, strides_to_fall
 from tdmf_slip.library.engine import FATES, instruction_sets
 from tdmf_slip.library.ground import RoughGround, correlated_weights, spectrum_weights
 
@@ -182,30 +181,6 @@ def test_strides_to_fall_counts_on_it(gait):
     )
     assert rough.unsolved == trips.unsolved == 0
     assert trips.interval[1] < rough.interval[0]
-
-
-@pytest.mark.parametrize(
-    ("values", "ground", "words"),
-    [
-        ({}, {"segment_length": -1.0}, "segment_length"),
-        ({}, {"segment_length": 1e-4}, "segment_length = 0.0001 m .* allowed: 0.001 m or more"),
-        ({}, {"heights": (0.1, 0.2)}, "heights without a segment_length"),
-        ({}, {"segment_length": 1.0, "heights": (0.1,), "roughness": 0.1}, "roughness = 0.1 with heights"),
-        ({}, {"segment_length": 1.0, "heights": (np.nan,)}, "heights"),
-        ({"ground.slope": 0.05}, {"segment_length": 1.0}, "ground.slope = 0.05 on a terrain"),
-        ({"body.external_fx": 1e-3}, {"segment_length": 1.0}, "body.external_fx"),
-    ],
-)
-def test_what_does_not_go_together_is_refused(gait, values, ground, words):
-    with pytest.raises(InputError, match=words):
-        Batch({**gait.runner, **values}, gait.apex, RoughGround(**ground))
-
-
-def test_where_no_apex_comes_back_nothing_settles_and_nothing_is_split(gait):
-    with pytest.raises(InputError, match="gaits on a terrain"):
-        Batch(gait.runner, gait.apex, RoughGround(segment_length=1.0)).run(1, gait)
-    with pytest.raises(InputError, match="segment_length"):
-        rare_falls(gait.runner, RoughGround(0.1, segment_length=1.0), gait=gait)
 
 
 def test_the_command_has_it(tmp_path, command):
