@@ -131,7 +131,12 @@ def test_gradients_are_the_same_on_both_sides_of_borders_between_words(friction,
     ends = [find_gait({"ground.friction": value}) for value in (0.99 * friction, 1.01 * friction)]
     gaits = Gaits(ends[0].runner, space, QUANTITIES)
     inside, outside = (gaits.candidate(gait, space.coordinates_of(gait.runner)) for gait in ends)
-    border = between(gaits, inside, outside, lambda gait: gait.word == words[0])
+
+    class WithWord:
+        def __contains__(self, sequence):
+            return sequence[0] == words[0]
+
+    border = between(gaits, inside, outside, WithWord())
     assert (border.short.gait.word, border.beyond.gait.word) == words
     assert border.is_smooth
     assert border.beyond.slopes == pytest.approx(border.short.slopes, rel=1e-5, abs=1e-6)

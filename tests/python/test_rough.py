@@ -12,7 +12,7 @@ from tdmf_slip.analysis.first_passage import FirstPassage
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.ground import RoughGround
 
-RUNNERS, STRIDES = 12, 6
+RUNNERS, STRIDES = 6, 6
 GROUND = RoughGround(0.5, 5)
 FELL = FATES.index("fell")
 

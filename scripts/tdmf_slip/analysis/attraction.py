@@ -70,10 +70,10 @@ class Volume:
     @property
     def interval(self) -> tuple[float, float]:
         """Confidence interval of the share, by Wilson's score: sound where nearly all or nothing settles."""
-        z2 = NORMAL_QUANTILE**2 / self.samples
-        middle = (self.share + 0.5 * z2) / (1.0 + z2)
-        spread = math.sqrt(z2 * (self.share * (1.0 - self.share) + 0.25 * z2)) / (1.0 + z2)
-        return max(0.0, middle - spread), min(1.0, middle + spread)
+        from scipy.stats import binomtest  # slow to load
+
+        low, high = binomtest(self.settled, self.samples).proportion_ci(CONFIDENCE, "wilson")
+        return float(low), float(high)
 
     @property
     def volume(self) -> tuple[float, float, float]:

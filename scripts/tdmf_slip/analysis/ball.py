@@ -55,8 +55,6 @@ MARGIN = 0.75
 """Share of the way from the largest eigenvalue to 1: the norm has to fall below it in a stride."""
 STRIDES = 2
 """After which the norm is looked at: the first may raise it for a start whose height is far off."""
-MIN_TERM = 1e-10
-"""Smallest term of the sum that is added."""
 TOLERANCE = 1e-5
 """Relative tolerance of a step, as of maps and volumes."""
 CHOICES = ("tested", "none")
@@ -171,15 +169,6 @@ class Ball:
     near: float = NEAR
     """Distance from the gait, over the scales, at which a run counts as settled without the ball."""
 
-    def attributes(self) -> dict[str, str | float | int]:
-        """Attributes of a result that describe the ball."""
-        return {
-            "ball": self.known,
-            "ball_radius": self.radius,
-            "ball_rate": self.rate,
-            "ball_points": self.points,
-        }
-
 
 def saves_time(gait: Gait, starts: int) -> bool:
     """Whether a tested ball is likely to save more strides than its test takes."""
@@ -234,32 +223,30 @@ class _Stride:
 
 def _roots_of_forms(jacobian: NDArray[np.float64]) -> list[NDArray[np.float64]]:
     """Matrices R with R'R the forms; none where the Jacobian has no such eigenvector."""
+    from scipy.linalg import solve_discrete_lyapunov  # slow to load
+
     values, right = np.linalg.eig(jacobian)
     order = np.argsort(-np.abs(values))
     slow, size = order[0], len(values)
     paired = bool(values[slow].imag)
     second = float(np.abs(values[order[1 + paired]]))
+
+    def sum_of_powers(rate: float) -> NDArray[np.float64]:
+        """The sum over k of (J^k)' J^k / rate^(2k) for the rest of the Jacobian."""
+        summed: NDArray[np.float64] = solve_discrete_lyapunov((jacobian @ rest / rate).T, np.eye(size))
+        return summed
+
     try:
         left = np.linalg.inv(right)[slow]
         rest = np.eye(size) - (1 + paired) * np.outer(right[:, slow], left).real
         both = np.stack([left.real, left.imag])
         forms = [
-            both.T @ both
-            + rest.T @ _lyapunov(jacobian @ rest, second + share * (1.0 - second)) @ rest / width**2
+            both.T @ both + rest.T @ sum_of_powers(second + share * (1.0 - second)) @ rest / width**2
             for share, width in WIDTHS
         ]
         return [np.linalg.cholesky(form).T for form in forms]
     except np.linalg.LinAlgError:
         return []
-
-
-def _lyapunov(jacobian: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
-    """The sum over k of (J^k)' J^k / rate^(2k)."""
-    power, form = np.eye(len(jacobian)), np.zeros_like(jacobian)
-    while np.abs(power).max() > MIN_TERM:
-        form += power.T @ power
-        power = jacobian @ power / rate
-    return form
 
 
 def _points(coordinates: int) -> NDArray[np.float64]:
@@ -289,7 +276,14 @@ def ball_of(gait: Gait, choice: Ball | str, starts: int, law: Law | None = None)
 
 def attributes_of(ball: Ball | None) -> dict[str, str | float | int]:
     """Attributes of a result that describe its ball, or say that it has none."""
-    return {"ball": "none"} if ball is None else ball.attributes()
+    if ball is None:
+        return {"ball": "none"}
+    return {
+        "ball": ball.known,
+        "ball_radius": ball.radius,
+        "ball_rate": ball.rate,
+        "ball_points": ball.points,
+    }
 
 
 def starts_at(

@@ -36,7 +36,6 @@ STRIDES_IN_A_BLOCK = 200_000
 """At the most, unless runners are few: the library hears of no interrupt until it returns."""
 MIN_IN_A_BLOCK, MAX_IN_A_BLOCK = 64, 4096
 """Runners; fewer would leave lanes empty."""
-BISECTIONS = 60
 
 
 @dataclass(frozen=True, repr=False)
@@ -91,28 +90,27 @@ class FirstPassage:
         half = 0.5 * NORMAL_QUANTILE**2
         if self.falls == 0:
             return -1.0 / math.expm1(-half / self.strides), math.inf
+        from scipy.optimize import brentq  # slow to load
+
         minimum = self._likelihood(self.mean_strides) - half
-        low = 1.0 if self.mean_strides == 1.0 else self._mean_of(minimum, 0.5)
-        return low, self._mean_of(minimum, 2.0)
+
+        def end(factor: float) -> float:
+            outside = self.mean_strides
+            while self._likelihood(outside) > minimum:
+                outside *= factor
+            logarithm = brentq(
+                lambda of: max(self._likelihood(math.exp(of)), -1e300) - minimum,
+                *sorted((math.log(self.mean_strides), math.log(outside))),
+            )
+            return math.exp(logarithm)
+
+        return 1.0 if self.mean_strides == 1.0 else end(0.5), end(2.0)
 
     def _likelihood(self, mean: float) -> float:
         """Its logarithm: each stride is a trial that ends in a fall with probability 1/mean."""
         if mean <= 1.0:
             return 0.0 if self.falls == self.strides else -math.inf
         return (self.strides - self.falls) * math.log1p(-1.0 / mean) - self.falls * math.log(mean)
-
-    def _mean_of(self, likelihood: float, factor: float) -> float:
-        """The mean of a likelihood, on one side of the estimate."""
-        inside = outside = self.mean_strides
-        while self._likelihood(outside) > likelihood:
-            inside, outside = outside, outside * factor
-        for _ in range(BISECTIONS):
-            middle = math.sqrt(inside * outside)
-            if self._likelihood(middle) > likelihood:
-                inside = middle
-            else:
-                outside = middle
-        return inside
 
     def as_json(self) -> dict[str, object]:
         """The estimate as a plain object."""

@@ -246,22 +246,21 @@ def is_there(kind: str, eigenvalues: NDArray[Any]) -> bool:
 
 
 def _zero(problem: BranchProblem, before: Point, after: Point, test: Callable[[Point], float]) -> Point:
-    """The zero of a test function between two points of a branch, by the Illinois method."""
-    low, high = 0.0, 1.0
-    at_low, at_high = test(before), test(after)
-    last = high
-    for _ in range(MAX_LOOKS):
-        share = high - at_high * (high - low) / (at_high - at_low)
-        point = problem.between(before, after, share)
-        value = test(point)
-        if value == 0.0 or min(abs(share - last), abs(high - low)) <= LOCATED:
-            return point
-        if (value > 0.0) != (at_high > 0.0):
-            low, at_low = high, at_high
-        else:
-            at_low *= 0.5
-        high, at_high, last = share, value, share
-    raise RunError(f"not located between {problem.where(before.x)} and {problem.where(after.x)}")
+    """The zero of a test function between two points of a branch."""
+    from scipy.optimize import brentq  # slow to load
+
+    found = {0.0: before, 1.0: after}
+
+    def test_at(share: float) -> float:
+        if share not in found:
+            found[share] = problem.between(before, after, share)
+        return test(found[share])
+
+    try:
+        return found[brentq(test_at, 0.0, 1.0, xtol=LOCATED, maxiter=MAX_LOOKS)]
+    except RuntimeError:  # not convergent
+        where = f"{problem.where(before.x)} and {problem.where(after.x)}"
+        raise RunError(f"not located between {where}") from None
 
 
 def borders_between(runner: Runner | Mapping[str, Given], name: str, first: Gait, last: Gait) -> list[Border]:

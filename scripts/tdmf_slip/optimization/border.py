@@ -15,14 +15,13 @@ that a search in a box of parameters creeps: a straight step along the edge lead
 edge itself all is smooth, with one coordinate less than there are parameters.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import RunError
-from ..library.gait import Gait
 from .gaits import AT_BOUND, Candidate, Gaits
 from .problem import OFF_FOLD, Problem, Rows, minimize
 
@@ -48,25 +47,8 @@ INWARDS, LONGEST = 1e-5, 0.1
 """First and last step off the fold, over the bounds' width, where a point is beyond it."""
 
 
-@dataclass
-class Region:
-    """Sequences of events between which nothing has a kink."""
-
-    sequences: set[tuple[object, ...]] = field(default_factory=set)
-    """Sequences of the strides, see `Gait.sequence`."""
-
-    @classmethod
-    def of(cls, gait: Gait) -> "Region":
-        """The region of a gait, as far as is known from it alone."""
-        return cls({gait.sequence})
-
-    def has(self, gait: Gait) -> bool:
-        """Whether a gait is on it."""
-        return gait.sequence in self.sequences
-
-    def grow(self, gait: Gait) -> None:
-        """Take in a gait beyond a border at which nothing has a kink."""
-        self.sequences.add(gait.sequence)
+Region: TypeAlias = set[tuple[object, ...]]
+"""Sequences of events, see `Gait.sequence`, between which nothing has a kink."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,26 +65,12 @@ class Border:
     """Unit vector across it, towards `beyond`, shape (d,)."""
 
     @property
-    def sides(self) -> tuple["Side", "Side"]:
-        """Both sides, `short` first."""
-        return Side(self.short, -self.normal), Side(self.beyond, self.normal)
+    def sides(self) -> tuple[tuple[Candidate, NDArray[np.float64]], ...]:
+        """Both sides, `short` first: the gait, and the unit vector that leads away from the border."""
+        return (self.short, -self.normal), (self.beyond, self.normal)
 
 
-@dataclass(frozen=True, eq=False)
-class Side:
-    """A gait beside a border."""
-
-    gait: Candidate
-    """The gait."""
-    away: NDArray[np.float64]
-    """Unit vector that leads away from the border, shape (d,)."""
-
-    def gain(self, problem: Problem) -> float:
-        """How much steeper the merit falls away from the border than along it."""
-        return problem.steepest(self.gait, self.away) - problem.steepest(self.gait, self.away, along=True)
-
-
-def between(gaits: Gaits, inside: Candidate, outside: Candidate, is_inside: Callable[[Gait], bool]) -> Border:
+def between(gaits: Gaits, inside: Candidate, outside: Candidate, region: Region) -> Border:
     """The border where the way from a gait to one beyond it leaves a region: by bisection."""
     way = outside.at - inside.at
     low, high, length = 0.0, 1.0, float(np.linalg.norm(way))
@@ -113,7 +81,7 @@ def between(gaits: Gaits, inside: Candidate, outside: Candidate, is_inside: Call
             break
         at = inside.at + middle * way
         found = gaits.gait_from(near, at)
-        if is_inside(found):
+        if found.sequence in region:
             low, near = middle, replace(near, at=at, gait=found)
         else:
             high, beyond = middle, found
@@ -138,14 +106,14 @@ def across(
     near: Candidate,
     at: NDArray[np.float64],
     direction: NDArray[np.float64],
-    is_inside: Callable[[Gait], bool],
+    region: Region,
 ) -> Border:
     """The border where a line through a point meets it."""
     reach = max(NARROWEST, float(np.sum((at - near.at) ** 2)))
     while reach <= WIDEST:
         low, high = (gaits.follow(near, at + sign * reach * direction) for sign in (-1.0, 1.0))
-        if is_inside(low.gait) and not is_inside(high.gait):
-            return between(gaits, low, high, is_inside)
+        if low.region in region and high.region not in region:
+            return between(gaits, low, high, region)
         reach *= 4.0
     raise RunError("the border between two words is not met")
 
@@ -263,7 +231,7 @@ class _Chart:
         """The border at u, from a point on it."""
         assert isinstance(near, OnBorder)
         at = near.border.short.at + near.plane @ (u - near.at)
-        return self.point(across(self.gaits, near.border.short, at, self.normal, self.region.has), u)
+        return self.point(across(self.gaits, near.border.short, at, self.normal, self.region), u)
 
 
 def is_near(gait: Candidate) -> bool:
@@ -292,7 +260,7 @@ def best_on_edge(
             here,
             here.at - radius,
             here.at + radius,
-            lambda gait: region.has(gait.gait),
+            lambda gait: gait.region in region,
         )
         assert isinstance(ended.best, OnBorder)
         found = ended.best.border.short

@@ -21,6 +21,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,7 +34,7 @@ from ..library.runner import Runner
 from ..library.strides import plain_stride
 from ..numerics.following import halved
 from ..terminal.progress import Bar
-from .border import Border, Region, Side, best_along, best_on_edge, between, is_near
+from .border import Border, Region, best_along, best_on_edge, between, is_near
 from .gaits import Candidate, Gaits, Space
 from .optimum import FOLD, STABILITY, Optimum, reported
 from .problem import MET, OFF_FOLD, Ended, Feasibility, Goal, Problem, minimize
@@ -95,11 +96,6 @@ class Found:
     """Why the search did not come to an optimum; empty where it did."""
 
 
-def _touches_again(gait: Candidate, beyond: Candidate) -> bool:
-    """Whether between two gaits a foot just touches the ground once more within a stride."""
-    return gait.gait.stride["touchdowns"] != beyond.gait.stride["touchdowns"]
-
-
 class Search:
     """Search from a gait for the best one of a problem."""
 
@@ -109,7 +105,7 @@ class Search:
 
     def run(self, begin: Candidate) -> Found:
         """The optimum that is reached from a gait, or how far the search came."""
-        best, region, radius, largest, why = begin, Region.of(begin.gait), RADIUS, 1.0, ""
+        best, region, radius, largest, why = begin, {begin.region}, RADIUS, 1.0, ""
         edges, touches = 0, False
         merits: list[float] = []
         for _ in range(ROUNDS):
@@ -142,7 +138,8 @@ class Search:
                     went = self._at_border(best, ended.beyond, region)
                 except RunError as problem:
                     went, why = (best, region, True), str(problem)
-                    touches = touches or _touches_again(best, ended.beyond)
+                    lands = (of.gait.stride["touchdowns"] for of in (best, ended.beyond))
+                    touches = touches or len(set(lands)) > 1
                 if isinstance(went, Found):
                     return went
                 best, region, stays = went
@@ -156,7 +153,7 @@ class Search:
     def _in_box(self, best: Candidate, radius: float, region: Region) -> Ended:
         low, high = (best.at - radius).clip(0.0, 1.0), (best.at + radius).clip(0.0, 1.0)
         follow = self.gaits.follow
-        return minimize(self.problem, follow, best, low, high, lambda gait: region.has(gait.gait))
+        return minimize(self.problem, follow, best, low, high, lambda gait: gait.region in region)
 
     def _at_border(
         self, best: Candidate, beyond: Candidate, region: Region
@@ -166,11 +163,11 @@ class Search:
         With these, whether the search stays where it was, for which it wants a smaller box.
         """
         merit = self.problem.merit
-        border = between(self.gaits, best, beyond, region.has)
+        border = between(self.gaits, best, beyond, region)
         if border.is_smooth:
-            region.grow(border.beyond.gait)
+            region.add(border.beyond.region)
             return min((best, border.short), key=merit), region, False
-        if min(merit(side.gait) for side in border.sides) > merit(best) + MET:
+        if min(merit(side) for side, _ in border.sides) > merit(best) + MET:
             return best, region, True
         better = self._better_side(border)
         if better is None:
@@ -179,32 +176,31 @@ class Search:
             if better is None:
                 return self._found(border)
         if better is border.beyond:
-            return better, Region.of(better.gait), False
+            return better, {better.region}, False
         return min((best, better), key=merit), region, True
 
-    def _open_sides(self, border: Border) -> list[Side]:
+    def _open_sides(self, border: Border) -> list[tuple[Candidate, NDArray[np.float64]]]:
         """Without the side of more merit where it jumps, for it is no better than the border itself."""
-        merits = [self.problem.merit(side.gait) for side in border.sides]
+        merits = [self.problem.merit(gait) for gait, _ in border.sides]
         return [side for side, merit in zip(border.sides, merits, strict=True) if merit <= min(merits) + MET]
 
     def _better_side(self, border: Border) -> Candidate | None:
         """Side on which the merit falls away from the border, the steeper of two; None on neither."""
         sides = self._open_sides(border)
-        if len(sides) == 1 and sides[0].gait is border.beyond:
+        if len(sides) == 1 and sides[0][0] is border.beyond:
             return border.beyond
-        gains = [side.gain(self.problem) for side in sides]
-        best = max(range(len(sides)), key=lambda number: gains[number])
-        return sides[best].gait if gains[best] > STATIONARY else None
+        gains = [self.problem.gain(*side) for side in sides]
+        best = int(np.argmax(gains))
+        return sides[best][0] if gains[best] > STATIONARY else None
 
     def _found(self, border: Border) -> Found:
         sides = self._open_sides(border)
-        remaining = {side.gait.gait.word: self.problem.steepest(side.gait, side.away) for side in sides}
+        remaining = {gait.gait.word: self.problem.steepest(gait, away) for gait, away in sides}
         why = "" if max(remaining.values()) <= STATIONARY else "the search along a border does not converge"
-        return Found(min((side.gait for side in sides), key=self.problem.merit), remaining, border, why)
+        return Found(min((gait for gait, _ in sides), key=self.problem.merit), remaining, border, why)
 
 
-@dataclass(frozen=True, eq=False)
-class Best:
+class Best(NamedTuple):
     """The best of several searches."""
 
     found: Found
@@ -283,7 +279,7 @@ class Optimizer:
         """The first start, with its gradients."""
         return self._gaits(goal).candidate(self.first.gait, self.first.at)
 
-    def best(self, goal: Goal, bar: Bar, starts: Sequence[Start] = ()) -> "Best":
+    def best(self, goal: Goal, bar: Bar, starts: Sequence[Start] = ()) -> Best:
         """The best gait of all searches that meets the constraints."""
         problem = Problem(goal, self.scales(goal))
         found, begun, trouble = [], starts or self.starts(problem), ""
@@ -345,7 +341,7 @@ class Optimizer:
             (),
         )
 
-    def optimum(self, goal: Goal, best: "Best") -> Optimum:
+    def optimum(self, goal: Goal, best: Best) -> Optimum:
         """The optimum as it is reported."""
         found, limits = best.found, []
         spectrum = found.gait.spectrum

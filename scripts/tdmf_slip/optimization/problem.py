@@ -189,6 +189,10 @@ class Problem:
             goal.sign * by_name[goal.objective] / self.scales[goal.objective] + weight * (off + over)
         )
 
+    def gain(self, gait: Candidate, away: NDArray[np.float64]) -> float:
+        """How much steeper the merit falls away from a border than along it, at a gait beside it."""
+        return self.steepest(gait, away) - self.steepest(gait, away, along=True)
+
     def steepest(
         self, gait: Candidate, normal: NDArray[np.float64] | None = None, *, along: bool = False
     ) -> float:
