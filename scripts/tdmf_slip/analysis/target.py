@@ -6,6 +6,8 @@ may still lead there. Where the target cannot be met, the nearest gait has the l
 deviations, each over what is prescribed. It is found by the method of Levenberg and Marquardt.
 """
 
+from __future__ import annotations
+
 import contextlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -78,15 +80,9 @@ class Target:
         self._apex_scales = runner.scales
         self.quantity_scales = np.array([abs(value) or 1.0 for value in self.prescribed])
 
-    def with_more(self, *names: str) -> "Target":
-        """The same target with more parameters varied."""
-        quantities = dict(zip(self.names, map(float, self.prescribed), strict=True))
-        return Target(self.runner, quantities, [*self.vary, *names])
-
-    def with_one_for(self, name: str, other: str) -> "Target":
-        """The same target with another parameter varied instead of one."""
-        quantities = dict(zip(self.names, map(float, self.prescribed), strict=True))
-        return Target(self.runner, quantities, [other if varied == name else varied for varied in self.vary])
+    def varying(self, names: Sequence[str]) -> Target:
+        """The same target with other parameters varied."""
+        return Target(self.runner, dict(zip(self.names, map(float, self.prescribed), strict=True)), names)
 
     def runner_at(self, at: NDArray[np.float64]) -> Runner:
         """The runner with the varied parameters' values at a point."""
@@ -344,40 +340,32 @@ def parameters_that_help(
     found: list[Help] = []
     with progress_bar("what would help", len(promising), "parameters", progress) as bar:
         for name in promising:
-            more = _with_one_more(target, name, first, near, maximum)
+            more = _helps(target, name, "", (first, near), maximum)
             others = target.vary if name.startswith(SETTINGS) else ()
-            instead = (_with_one_instead(target, name, other, first) for other in others)
+            instead = (_helps(target, name, other, (first, near), maximum) for other in others)
             one = more if more.left == 0.0 else next((help for help in instead if help.left == 0.0), more)
             found += [one] if one.left <= maximum else []
             bar.update()
     return tuple(sorted(found, key=lambda help: (help.left, help.changed)))
 
 
-def _with_one_more(target: Target, name: str, first: Gait, near: Gait, maximum: float) -> Help:
-    """The gap that is left where one more parameter varies."""
-    wider = target.with_more(name)
+def _helps(target: Target, name: str, other: str, gaits: tuple[Gait, Gait], maximum: float) -> Help:
+    """The gap that is left where one more parameter varies, or one instead of another that is named.
+
+    The search begins at the first gait. A parameter that varies too may also come nearer from the second one.
+    """
+    first, near = gaits
+    kept = [name if varied == other else varied for varied in target.vary]
+    wider = target.varying(kept if other else [*kept, name])
     try:
         begin = wider.iterate_of(first)
-        there, share = wider.solved_from(begin, TRIED_STEPS)
-        if wider.gap(there) > maximum:
+        there, share = wider.solved_from(begin, STEPS if other else TRIED_STEPS)
+        if not other and wider.gap(there) > maximum:
             there = nearest_from(wider, (wider.iterate_of(near),), LONGEST_STEPS[:1], LOOK_AHEAD)
     except RunError:
-        return Help(name, "", np.inf, np.inf)
-    changed = float(np.linalg.norm(there.at - begin.at))
-    return Help(name, "", 0.0 if share == 1.0 else wider.gap(there), changed)
-
-
-def _with_one_instead(target: Target, name: str, other: str, first: Gait) -> Help:
-    """Whether the target is met where one parameter varies instead of another."""
-    changed = target.with_one_for(other, name)
-    try:
-        begin = changed.iterate_of(first)
-        there, share = changed.solved_from(begin)
-    except RunError:
-        share = 0.0
-    if share < 1.0:
         return Help(name, other, np.inf, np.inf)
-    return Help(name, other, 0.0, float(np.linalg.norm(there.at - begin.at)))
+    left = 0.0 if share == 1.0 else np.inf if other else wider.gap(there)
+    return Help(name, other, left, float(np.linalg.norm(there.at - begin.at)))
 
 
 def _promising(target: Target, gaits: Sequence[Gait]) -> list[str]:
@@ -385,7 +373,7 @@ def _promising(target: Target, gaits: Sequence[Gait]) -> list[str]:
     values = gaits[0].runner
     left_out = (*target.vary, *NOT_THE_RUNNERS)
     names = [name for name in values.model.varied if name not in left_out and values[name] != 0.0]
-    widest = target.with_more(*names)
+    widest = target.varying([*target.vary, *names])
     left = dict.fromkeys(names, np.inf)
     for gait in gaits:
         with contextlib.suppress(RunError):

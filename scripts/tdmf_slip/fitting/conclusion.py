@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ..errors import RunError
 from .measurements import Measurements
-from .problem import FIRST_STEP, MAX_STRIDES, Parameter, Problem, Request, bounds_of
+from .problem import FIRST_STEP, MAX_STRIDES, Problem, Request, bounds_of
 from .result import CONFIDENCE, QUANTILE, UNLIKELY, Estimate, Fit, Identified, Residual, identified
 from .search import Bounds, Ended, is_stationary, searched, weights_of
 
@@ -202,18 +202,19 @@ class Conclusion:
         covariance = self.scale**2 * known.covariance * np.outer(problem.scales, problem.scales)
         spreads = np.where(known.reported, np.sqrt(np.diag(covariance)), np.inf)
         intervals, trouble = self._intervals(known)
+        half, estimates = self.quantile / self.scale, []
+        found = zip(problem.parameters, values.tolist(), spreads.tolist(), intervals, strict=True)
+        for of, value, spread, interval in found:
+            low, high, ends_at = interval or (value - half * spread, value + half * spread, "")
+            is_profiled = interval is not None
+            estimates.append(Estimate(of.label, of.name, value, spread, low, high, is_profiled, ends_at))
         count = request.measurements.count
         return Fit(
             measurements=request.measurements,
             runners=tuple(problem.runner_of(values, row) for row in range(len(request.measurements.rows))),
             apexes=self.apexes,
             words=self.words,
-            estimates=tuple(
-                _estimate(parameter, float(value), float(spread), self.quantile / self.scale, interval)
-                for parameter, value, spread, interval in zip(
-                    problem.parameters, values, spreads, intervals, strict=True
-                )
-            ),
+            estimates=tuple(estimates),
             covariance=covariance,
             unidentified=known.unidentified,
             residuals=_residuals(request.measurements, self.residuals[:count]),
@@ -322,21 +323,6 @@ def probability_of(chi_square: float, degrees_of_freedom: int) -> float:
     if degrees_of_freedom == 0:
         return float("nan")
     return float(gammaincc(0.5 * degrees_of_freedom, 0.5 * chi_square))
-
-
-def _estimate(
-    parameter: Parameter,
-    value: float,
-    spread: float,
-    quantile: float,
-    interval: tuple[float, float, str] | None,
-) -> Estimate:
-    """With its interval, or the linear one."""
-    if interval is None:
-        low, high, ends_at = value - quantile * spread, value + quantile * spread, ""
-    else:
-        low, high, ends_at = interval
-    return Estimate(parameter.label, parameter.name, value, spread, low, high, interval is not None, ends_at)
 
 
 def _residuals(measurements: Measurements, over_errors: NDArray[np.float64]) -> tuple[Residual, ...]:

@@ -216,11 +216,6 @@ def _begun(request: Request, first: Gait, strides_made: Callable[[int], object])
     return problem, _found(request, problem, np.zeros(len(problem.parameters)))
 
 
-def summarize(request: Request, problem: Problem, begin: NDArray[np.float64]) -> Fit:
-    """The fit from gaits that a problem has."""
-    return _reported(request, problem, _found(request, problem, begin), 1)
-
-
 def _reported(request: Request, problem: Problem, found: Ended, starts: int) -> Fit:
     """With intervals; begun anew where a profile has led to a better fit."""
     for _ in range(AGAIN):
@@ -291,7 +286,8 @@ def without(found: Fit, row: int, name: str, profile: bool = True) -> Fit:
     fewer = replace(request, measurements=data, starts=1, profiled=request.profiled if profile else ())
     if fewer.degrees_of_freedom < fewer.scale_errors or not kept:
         raise InputError(f"{where}: less is left than is fitted; allowed: a datum that can be spared")
-    return summarize(fewer, *_begin_without(fewer, found, kept))
+    problem, begin = _begin_without(fewer, found, kept)
+    return _reported(fewer, problem, _found(fewer, problem, begin), 1)
 
 
 def without_each(found: Fit) -> tuple[LeftOut, ...]:

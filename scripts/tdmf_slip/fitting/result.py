@@ -273,10 +273,7 @@ class Fit:
             **origin_of(self.runners[0]),
             "parameters": {
                 e.label: {
-                    "value": e.value,
-                    "low": e.low,
-                    "high": e.high,
-                    "standard_error": e.standard_error,
+                    **entries(e, "value", "low", "high", "standard_error"),
                     "profiled": e.is_profiled,
                     "ends_at": e.ends_at or None,
                 }
@@ -284,14 +281,7 @@ class Fit:
             },
             "unidentified": [combination.as_json() for combination in self.unidentified],
             "residuals": [
-                {
-                    "row": of.row,
-                    "quantity": of.name,
-                    "measured": of.measured,
-                    "error": of.error,
-                    "fitted": of.fitted,
-                    "residual": of.residual,
-                }
+                {"row": of.row, "quantity": of.name, **entries(of, "measured", "error", "fitted", "residual")}
                 for of in self.residuals
             ],
             "priors": [
