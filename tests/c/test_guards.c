@@ -20,15 +20,83 @@ static void assert_guards(runner runner, tdmf_guard guard, placement put, double
     }
 }
 
-/* ---- off the ground --------------------------------------------------------------------------------- */
+/* ---- placements ------------------------------------------------------------------------------------- */
 
 static void raise_foot(runner *runner, double height) {
     runner->motion.state[TDMF_FOOT_Y] = height;
 }
 
-TEST(touchdown_watches_the_foots_height) {
-    assert_guards(scene_in_flight(TDMF_PHASE_PLACE, -0.1), TDMF_GUARD_TOUCHDOWN, raise_foot, margin);
-    assert_guards(scene_in_flight(TDMF_PHASE_RETRACT, 0.1), TDMF_GUARD_TOUCHDOWN, raise_foot, margin);
+/* -kp (theta - eta theta_LO) - kd thetadot = argument, with kp = kd = 0.1, eta = 1.2; the clamp closes below
+ * 0 and opens above. */
+static void set_retract_argument(runner *runner, double distance) {
+    const double argument = runner->motion.mode.clamp_closed ? -distance : distance;
+    const double spring =
+        -0.1 * (runner->motion.state[TDMF_LEG_ANGLE] - 1.2 * runner->motion.mode.liftoff_angle);
+    runner->motion.state[TDMF_LEG_ANGLE_RATE] = (spring - argument) / 0.1;
+}
+
+/* With the leg still and no torque, |f_x| = (f_y - m_f g) tan|theta|; friction sets the distance to it. */
+static void set_cone(runner *runner, double distance) {
+    const double force = 0.1;
+    scene_set_vertical_force(runner, force);
+    const double across = (force - 0.001) * tan(fabs(runner->motion.state[TDMF_LEG_ANGLE]));
+    runner->inputs.ground.friction = (across + distance) / force;
+}
+
+static void set_slip_speed(runner *runner, double speed) {
+    runner->motion.state[TDMF_FOOT_VX] = speed * tdmf_slip_sign(&runner->motion.mode);
+}
+
+static void set_leg_angle(runner *runner, double angle) {
+    runner->motion.state[TDMF_LEG_ANGLE] = angle;
+}
+
+/* A leg at rest across the ground, upright on level ground: d(f_n)/dt = -c rddot = -c (k (l0 - r)/m - g) with
+ * c = 0.2, g = 0.01 and gravity's part across it; of f_t nothing. A peak is where a rising rate falls below
+ * 0, and a trough where a falling one rises. */
+static void set_rate_of_force(runner *runner, double distance, bool rises) {
+    const double slope = runner->motion.mode.ground.slope, rate = rises ? distance : -distance;
+    runner->motion.state[TDMF_LEG_ANGLE] = slope;
+    runner->motion.state[TDMF_LEG_LENGTH] = 1.0 - (0.01 * cos(slope) - rate / (0.2 * cos(slope)));
+}
+
+static void set_force_rate(runner *runner, double distance) {
+    set_rate_of_force(runner, distance, runner->motion.mode.ground_force_rising);
+}
+
+static void set_vertical_force_rate(runner *runner, double distance) {
+    set_rate_of_force(runner, distance, runner->motion.mode.vertical_force_rising);
+}
+
+static void set_lift_of_stance_law(runner *runner, double lift) {
+    scene_set_vertical_force(runner, -lift);
+}
+
+static void hang_body(runner *runner, double height) {
+    runner->motion.state[TDMF_FOOT_Y] =
+        height - runner->motion.state[TDMF_LEG_LENGTH] * cos(runner->motion.state[TDMF_LEG_ANGLE]);
+}
+
+static void set_spare_length(runner *runner, double length) {
+    runner->motion.state[TDMF_LEG_LENGTH] = runner->model.parameters.leg.min_length + length;
+}
+
+/* ---- values ----------------------------------------------------------------------------------------- */
+
+TEST(guards_off_the_ground_watch_height_clamp_and_fall) {
+    runner rising = scene_in_flight(TDMF_PHASE_RETRACT, 0.1),
+           falling = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
+    assert_guards(falling, TDMF_GUARD_TOUCHDOWN, raise_foot, margin);
+    assert_guards(rising, TDMF_GUARD_TOUCHDOWN, raise_foot, margin);
+    assert_guards(falling, TDMF_GUARD_LEG_TOO_SHORT, set_spare_length, margin);
+    rising.motion.mode.liftoff_angle = -0.4;
+    for (int closed = 0; closed < 2; ++closed) {
+        rising.motion.mode.clamp_closed = closed == 1;
+        assert_guards(rising, TDMF_GUARD_CLAMP, set_retract_argument, margin);
+    }
+    falling.motion.state[TDMF_LEG_ANGLE] = 2.0;
+    falling.motion.state[TDMF_LEG_LENGTH] = 0.8;
+    assert_guards(falling, TDMF_GUARD_BODY_DOWN, hang_body, margin);
 }
 
 static void assert_apex(runner runner, placement put) {
@@ -51,157 +119,47 @@ TEST(apex_watches_the_climb) {
     assert_apex(in_graze, scene_set_com_vy_by_leg);
 }
 
-/* -kp (theta - eta theta_LO) - kd thetadot = argument, with kp = kd = 0.1, eta = 1.2. */
-static void set_retract_argument(runner *runner, double argument) {
-    const double spring =
-        -0.1 * (runner->motion.state[TDMF_LEG_ANGLE] - 1.2 * runner->motion.mode.liftoff_angle);
-    runner->motion.state[TDMF_LEG_ANGLE_RATE] = (spring - argument) / 0.1;
-}
-
-static void set_negative_retract_argument(runner *runner, double argument) {
-    set_retract_argument(runner, -argument);
-}
-
-TEST(clamp_watches_its_argument_either_way) {
-    runner runner = scene_in_flight(TDMF_PHASE_RETRACT, 0.1);
-    runner.motion.mode.liftoff_angle = -0.4;
-    runner.motion.mode.clamp_closed = false;
-    assert_guards(runner, TDMF_GUARD_CLAMP, set_retract_argument, margin);
-    runner.motion.mode.clamp_closed = true;
-    assert_guards(runner, TDMF_GUARD_CLAMP, set_negative_retract_argument, margin);
-}
-
-/* ---- in contact ------------------------------------------------------------------------------------- */
-
-TEST(lift_off_watches_the_vertical_force) {
+TEST(guards_in_contact_watch_load_cone_slip_and_leg) {
     for (int contact = TDMF_CONTACT_STICK; contact <= TDMF_CONTACT_SLIP_NEGATIVE; ++contact) {
         const runner runner = scene_on_ground((tdmf_contact_mode)contact, -0.4, 0.1);
         assert_guards(runner, TDMF_GUARD_LIFT_OFF, scene_set_vertical_force, margin);
+        if (contact != TDMF_CONTACT_STICK) {
+            assert_guards(runner, TDMF_GUARD_SLIP_VELOCITY_ZERO, set_slip_speed, margin);
+        }
     }
-}
-
-/* With the leg still and no torque, |f_x| = (f_y - m_f g) tan|theta|; friction sets the distance to it. */
-static void set_cone(runner *runner, double distance) {
-    const double force = 0.1;
-    scene_set_vertical_force(runner, force);
-    const double across = (force - 0.001) * tan(fabs(runner->motion.state[TDMF_LEG_ANGLE]));
-    runner->inputs.ground.friction = (across + distance) / force;
-}
-
-TEST(slip_onset_watches_the_edges_of_the_cone) {
     const runner ahead = scene_on_ground(TDMF_CONTACT_STICK, 0.5, 0.1);
     const runner behind = scene_on_ground(TDMF_CONTACT_STICK, -0.5, 0.1);
     assert_guards(ahead, TDMF_GUARD_SLIP_ONSET_POSITIVE, set_cone, margin);
     assert_guards(behind, TDMF_GUARD_SLIP_ONSET_NEGATIVE, set_cone, margin);
+    assert_guards(ahead, TDMF_GUARD_LEG_TOO_SHORT, set_spare_length, margin);
+    runner driven = ahead;
+    driven.motion.mode.phase = TDMF_PHASE_DRIVE;
+    driven.motion.mode.mid_stance_pending = true;
+    assert_guards(driven, TDMF_GUARD_MID_STANCE, set_leg_angle, margin);
 }
 
-static void set_slip_speed(runner *runner, double speed) {
-    runner->motion.state[TDMF_FOOT_VX] = speed * tdmf_slip_sign(&runner->motion.mode);
-}
-
-TEST(slip_velocity_zero_watches_the_speed_of_slip) {
-    const runner forward = scene_on_ground(TDMF_CONTACT_SLIP_POSITIVE, 0.3, 0.1);
-    const runner backward = scene_on_ground(TDMF_CONTACT_SLIP_NEGATIVE, 0.3, 0.1);
-    assert_guards(forward, TDMF_GUARD_SLIP_VELOCITY_ZERO, set_slip_speed, margin);
-    assert_guards(backward, TDMF_GUARD_SLIP_VELOCITY_ZERO, set_slip_speed, margin);
-}
-
-static void set_leg_angle(runner *runner, double angle) {
-    runner->motion.state[TDMF_LEG_ANGLE] = angle;
-}
-
-TEST(mid_stance_watches_the_leg_angle) {
-    runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.3, 0.1);
-    runner.motion.mode.phase = TDMF_PHASE_DRIVE;
-    runner.motion.mode.mid_stance_pending = true;
-    assert_guards(runner, TDMF_GUARD_MID_STANCE, set_leg_angle, margin);
-}
-
-/* On an upright leg at rest d(f_y)/dt = -c rddot = -c (k (l0 - r)/m - g) with c = 0.2, g = 0.01. */
-static void set_force_rate(runner *runner, double rate) {
-    runner->motion.state[TDMF_LEG_LENGTH] = 1.0 - (0.01 - rate / 0.2);
-}
-
-static void set_negative_force_rate(runner *runner, double rate) {
-    set_force_rate(runner, -rate);
-}
-
-TEST(force_peak_watches_the_rate_either_way) {
-    runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.1);
-    runner.motion.mode.ground_force_rising = true;
-    assert_guards(runner, TDMF_GUARD_FORCE_PEAK, set_force_rate, dead_band);
-    runner.motion.mode.ground_force_rising = false;
-    assert_guards(runner, TDMF_GUARD_FORCE_PEAK, set_negative_force_rate, dead_band);
-}
-
-/* A leg at rest across the slope: d(f_n)/dt = -c rddot with gravity's part across it, and of f_t nothing. */
-static void set_rate_on_slope(runner *runner, double rate) {
-    const double slope = runner->motion.mode.ground.slope;
-    runner->motion.state[TDMF_LEG_ANGLE] = slope;
-    runner->motion.state[TDMF_LEG_LENGTH] = 1.0 - (0.01 * cos(slope) - rate / (0.2 * cos(slope)));
-}
-
-static void set_negative_rate_on_slope(runner *runner, double rate) {
-    set_rate_on_slope(runner, -rate);
-}
-
-TEST(vertical_force_peak_watches_its_rate_on_a_slope) {
-    runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.1);
-    assert_true(scene_guard(&runner, TDMF_GUARD_VERTICAL_FORCE_PEAK) == 1.0);
-    runner.motion.mode.ground = tdmf_ground_line_of(0.0, 0.1);
-    runner.inputs.ground.slope = 0.1;
-    runner.motion.mode.vertical_force_rising = true;
-    assert_guards(runner, TDMF_GUARD_VERTICAL_FORCE_PEAK, set_rate_on_slope, dead_band);
-    runner.motion.mode.vertical_force_rising = false;
-    assert_guards(runner, TDMF_GUARD_VERTICAL_FORCE_PEAK, set_negative_rate_on_slope, dead_band);
-}
-
-/* ---- in graze --------------------------------------------------------------------------------------- */
-
-static void set_lift_of_stance_law(runner *runner, double lift) {
-    scene_set_vertical_force(runner, -lift);
-}
-
-TEST(graze_to_contact_watches_the_stance_law) {
-    runner runner = scene_on_ground(TDMF_CONTACT_GRAZE, -0.4, 0.0);
-    assert_guards(runner, TDMF_GUARD_GRAZE_TO_CONTACT, set_lift_of_stance_law, margin);
-    runner.inputs.hip.external_torque = 0.05;
-    assert_guards(runner, TDMF_GUARD_GRAZE_TO_CONTACT, set_lift_of_stance_law, margin);
+/* The vertical force has a peak of its own on a slope only. */
+TEST(force_peaks_watch_their_rates_either_way) {
+    runner level = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.1), sloping = level;
+    assert_true(scene_guard(&level, TDMF_GUARD_VERTICAL_FORCE_PEAK) == 1.0);
+    sloping.motion.mode.ground = tdmf_ground_line_of(0.0, 0.1);
+    sloping.inputs.ground.slope = 0.1;
+    for (int rises = 0; rises < 2; ++rises) {
+        level.motion.mode.ground_force_rising = sloping.motion.mode.vertical_force_rising = rises == 1;
+        assert_guards(level, TDMF_GUARD_FORCE_PEAK, set_force_rate, dead_band);
+        assert_guards(sloping, TDMF_GUARD_VERTICAL_FORCE_PEAK, set_vertical_force_rate, dead_band);
+    }
 }
 
 /* With gains of zero the flight law applies nothing and the leg alone loads the foot. */
-TEST(graze_to_flight_watches_the_flight_law) {
-    runner runner = scene_on_ground(TDMF_CONTACT_GRAZE, -0.4, 0.0);
-    runner.model.parameters.hip.kp = 0.0;
-    runner.model.parameters.hip.kd = 0.0;
-    assert_guards(runner, TDMF_GUARD_GRAZE_TO_FLIGHT, scene_set_vertical_force, margin);
-    runner.inputs.hip.external_torque = 0.05;
-    assert_guards(runner, TDMF_GUARD_GRAZE_TO_FLIGHT, scene_set_vertical_force, margin);
-}
-
-/* ---- fall ------------------------------------------------------------------------------------------- */
-
-static void hang_body(runner *runner, double height) {
-    runner->motion.state[TDMF_FOOT_Y] =
-        height - runner->motion.state[TDMF_LEG_LENGTH] * cos(runner->motion.state[TDMF_LEG_ANGLE]);
-}
-
-TEST(body_down_watches_the_bodys_height) {
-    runner runner = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
-    runner.motion.state[TDMF_LEG_ANGLE] = 2.0;
-    runner.motion.state[TDMF_LEG_LENGTH] = 0.8;
-    assert_guards(runner, TDMF_GUARD_BODY_DOWN, hang_body, margin);
-}
-
-static void set_spare_length(runner *runner, double length) {
-    runner->motion.state[TDMF_LEG_LENGTH] = runner->model.parameters.leg.min_length + length;
-}
-
-TEST(leg_too_short_watches_its_length) {
-    assert_guards(scene_in_flight(TDMF_PHASE_PLACE, -0.1), TDMF_GUARD_LEG_TOO_SHORT, set_spare_length,
-                  margin);
-    assert_guards(scene_on_ground(TDMF_CONTACT_STICK, 0.1, 0.1), TDMF_GUARD_LEG_TOO_SHORT, set_spare_length,
-                  margin);
+TEST(graze_is_watched_by_the_load_under_either_law) {
+    for (double torque = 0.0; torque < 0.1; torque += 0.05) {
+        runner stance = scene_on_ground(TDMF_CONTACT_GRAZE, -0.4, 0.0), flight = stance;
+        stance.inputs.hip.external_torque = flight.inputs.hip.external_torque = torque;
+        flight.model.parameters.hip.kp = flight.model.parameters.hip.kd = 0.0;
+        assert_guards(stance, TDMF_GUARD_GRAZE_TO_CONTACT, set_lift_of_stance_law, margin);
+        assert_guards(flight, TDMF_GUARD_GRAZE_TO_FLIGHT, scene_set_vertical_force, margin);
+    }
 }
 
 /* ---- which mode watches what ------------------------------------------------------------------------ */

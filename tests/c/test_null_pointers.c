@@ -5,7 +5,6 @@
 #include "simulation.h"
 
 #include "tdmf_slip/cvode.h"
-#include "tdmf_slip/ensemble.h"
 
 #include <string.h>
 
@@ -94,45 +93,4 @@ TEST(arrays_of_no_elements_may_be_absent) {
     assert_same_numbers(plain.apex, with_seed.apex, TDMF_SECTION_COUNT);
     const tdmf_refusal accepted = {0};
     assert_null(tdmf_refusal_text(&accepted, NULL, 0));
-}
-
-TEST(a_number_below_zero_is_refused) {
-    const runner runner = started();
-    tdmf_solver solver = tdmf_solver_default();
-    tdmf_motion motion = runner.motion;
-    double section[TDMF_SECTION_COUNT];
-    default_section(section);
-    assert_int_equal(tdmf_return_map(&solver, SYSTEM_OF(&runner), section, 1e3, true, NULL, -1).outcome,
-                     TDMF_RETURN_REFUSED);
-    assert_int_equal(
-        tdmf_native_stride_varied(&solver, SYSTEM_OF(&runner), 1e3, &motion, NULL, NULL, -1).outcome,
-        TDMF_REFUSED);
-    assert_true(motion.time == 0.0);
-}
-
-TEST(an_ensemble_needs_no_more_than_its_runners) {
-    const runner runner = started();
-    const tdmf_ensemble_case its_case = {&runner.model, runner.inputs, {.max_strides = 2}};
-    double starts[2][TDMF_SECTION_COUNT];
-    const int first[2] = {0, 0};
-    tdmf_ensemble_end ends[2], others[2];
-    tdmf_ensemble_work work;
-    default_section(starts[0]);
-    default_section(starts[1]);
-    tdmf_ensemble ensemble = {.cases = &its_case,
-                              .case_count = 1,
-                              .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
-                              .count = 2,
-                              .relative_tolerance = 1e-9,
-                              .threads = 1};
-    assert_true(tdmf_run_ensemble(&ensemble, ends, NULL));
-    ensemble.case_of = first;
-    assert_true(tdmf_run_ensemble(&ensemble, others, &work));
-    for (int i = 0; i < 2; ++i) {
-        assert_int_equal(ends[i].strides, 2);
-        assert_same_numbers(ends[i].apex, others[i].apex, TDMF_SECTION_COUNT);
-    }
-    const tdmf_ensemble nobody = {.relative_tolerance = 1e-9, .threads = 1};
-    assert_true(tdmf_run_ensemble(&nobody, NULL, &work));
-    assert_int_equal(work.strides, 0);
 }

@@ -1,12 +1,10 @@
 /* Calls that make no sense, with a contact, a phase, a number of elements or a pointer that there is not, are
  * refused and touch nothing; and buffers that may be the same give what others give. */
 #include "compare.h"
+#include "crowd.h"
 #include "reference_gaits.h"
 #include "scene.h"
 #include "simulation.h"
-
-#include "tdmf_slip/cvode.h"
-#include "tdmf_slip/ensemble.h"
 
 #include <limits.h>
 #include <math.h>
@@ -31,7 +29,6 @@ static scene standing_at_apex(void) {
     scene.model = accepted_model(&parameters);
     memcpy(scene.section, &reference_gaits[DEFAULT_GAIT].apex, sizeof scene.section);
     tdmf_section_state(SYSTEM_OF(&scene), scene.section, scene.motion.state);
-    scene.motion.time = 0.0;
     assert_null(tdmf_start(SYSTEM_OF(&scene), &scene.motion).variable);
     return scene;
 }
@@ -81,7 +78,8 @@ static void assert_refused(run *run, scene *scene) {
     assert_int_equal(scene->solver.steps, 0);
 }
 
-TEST(no_solver_runs_in_a_mode_that_there_is_not) {
+TEST(no_solver_runs_in_a_mode_that_there_is_not_or_from_a_state_that_is_not_finite) {
+    const double not_finite[] = {NAN, INFINITY, -INFINITY};
     const int count = tdmf_cvode_is_available() ? RUNS : RUNS - 1;
     for (int i = 0; i < count; ++i) {
         scene sound = standing_at_apex();
@@ -91,13 +89,6 @@ TEST(no_solver_runs_in_a_mode_that_there_is_not) {
             scene.motion.mode = no_mode(&scene.motion.mode, which);
             assert_refused(runs[i], &scene);
         }
-    }
-}
-
-TEST(no_solver_runs_from_a_state_that_is_not_finite) {
-    const int count = tdmf_cvode_is_available() ? RUNS : RUNS - 1;
-    const double not_finite[] = {NAN, INFINITY, -INFINITY};
-    for (int i = 0; i < count; ++i) {
         for (int which = 0; which < 3 * TDMF_STATE_COUNT; ++which) {
             scene scene = standing_at_apex();
             scene.motion.state[which / 3] = not_finite[which % 3];
@@ -147,30 +138,25 @@ TEST(the_automaton_takes_nothing_in_a_mode_that_there_is_not) {
 /* ---- counts and pointers ------------------------------------------------------------------------------ */
 
 TEST(solvers_refuse_null) {
+    solver_call *const solvers[] = {tdmf_native_advance, tdmf_cvode_advance};
     const scene s = standing_at_apex();
     tdmf_solver solver = s.solver;
     tdmf_motion motion = s.motion;
     tdmf_variation variation = {.liftoff_angle = 0.0};
     const tdmf_seed seed = {.inputs = {.ground = {.friction = 1.0}}};
-    assert_int_equal(tdmf_native_advance(NULL, SYSTEM_OF(&s), NULL, 1.0, &motion), TDMF_REFUSED);
-    assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){NULL, &s.inputs}, NULL, 1.0, &motion),
-                     TDMF_REFUSED);
-    assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&s.model, NULL}, NULL, 1.0, &motion),
-                     TDMF_REFUSED);
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&s), NULL, 1.0, NULL), TDMF_REFUSED);
-    assert_int_equal(tdmf_cvode_advance(NULL, SYSTEM_OF(&s), NULL, 1.0, &motion), TDMF_REFUSED);
-    assert_int_equal(tdmf_cvode_advance(&solver, (tdmf_system){NULL, &s.inputs}, NULL, 1.0, &motion),
-                     TDMF_REFUSED);
-    assert_int_equal(tdmf_cvode_advance(&solver, (tdmf_system){&s.model, NULL}, NULL, 1.0, &motion),
-                     TDMF_REFUSED);
-    assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&s), NULL, 1.0, NULL), TDMF_REFUSED);
-    assert_int_equal(tdmf_native_stride(&solver, SYSTEM_OF(&s), 1.0, NULL).outcome, TDMF_REFUSED);
-    for (int missing = 0; missing < 2; ++missing) {
-        const tdmf_seed *seeds = missing == 0 ? NULL : &seed;
-        tdmf_variation *variations = missing == 1 ? NULL : &variation;
+    for (int i = 0; i < 2 * 4; ++i) {
+        const tdmf_system system = {i / 2 == 1 ? NULL : &s.model, i / 2 == 2 ? NULL : &s.inputs};
         assert_int_equal(
-            tdmf_native_stride_varied(&solver, SYSTEM_OF(&s), 1.0, &motion, seeds, variations, 1).outcome,
+            solvers[i % 2](i / 2 == 0 ? NULL : &solver, system, NULL, 1.0, i / 2 == 3 ? NULL : &motion),
             TDMF_REFUSED);
+    }
+    assert_int_equal(tdmf_native_stride(&solver, SYSTEM_OF(&s), 1.0, NULL).outcome, TDMF_REFUSED);
+    for (int i = 0; i < 3; ++i) { /* no seeds, no variations, and a number below zero */
+        assert_int_equal(tdmf_native_stride_varied(&solver, SYSTEM_OF(&s), 1.0, &motion,
+                                                   i == 0 ? NULL : &seed, i == 1 ? NULL : &variation,
+                                                   i == 2 ? -1 : 1)
+                             .outcome,
+                         TDMF_REFUSED);
     }
     assert_memory_equal(&motion, &s.motion, sizeof motion);
 }
@@ -191,40 +177,30 @@ TEST(a_log_begins_at_none) {
     assert_int_equal(log.count, INT_MAX);
 }
 
+/* What each map and search answers to a request that makes no sense. */
+static void assert_maps_refuse(tdmf_solver *solver, tdmf_system system, double *section, int seed_count) {
+    assert_int_equal(tdmf_return_map(solver, system, section, long_enough, true, NULL, seed_count).outcome,
+                     TDMF_RETURN_REFUSED);
+    assert_int_equal(tdmf_reduced_map(solver, system, section, long_enough, true, NULL, seed_count).outcome,
+                     TDMF_RETURN_REFUSED);
+    assert_int_equal(tdmf_find_orbit(solver, system, section, NULL, seed_count).outcome, TDMF_ORBIT_NO_START);
+    assert_int_equal(tdmf_find_reduced_orbit(solver, system, section, NULL, seed_count).outcome,
+                     TDMF_ORBIT_NO_START);
+}
+
 TEST(maps_refuse_null) {
     scene s = standing_at_apex();
     const int counts[] = {1, INT_MAX, -1};
     for (int i = 0; i < 3; ++i) {
-        assert_int_equal(
-            tdmf_return_map(&s.solver, SYSTEM_OF(&s), s.section, long_enough, true, NULL, counts[i]).outcome,
-            TDMF_RETURN_REFUSED);
-        assert_int_equal(
-            tdmf_reduced_map(&s.solver, SYSTEM_OF(&s), s.section, long_enough, true, NULL, counts[i]).outcome,
-            TDMF_RETURN_REFUSED);
-        assert_int_equal(
-            tdmf_find_reduced_orbit(&s.solver, SYSTEM_OF(&s), s.section, NULL, counts[i]).outcome,
-            TDMF_ORBIT_NO_START);
+        assert_maps_refuse(&s.solver, SYSTEM_OF(&s), s.section, counts[i]);
     }
     for (int missing = 0; missing < 4; ++missing) {
         tdmf_solver *solver = missing == 0 ? NULL : &s.solver;
-        const tdmf_model *model = missing == 1 ? NULL : &s.model;
-        const tdmf_inputs *inputs = missing == 2 ? NULL : &s.inputs;
+        const tdmf_system system = {missing == 1 ? NULL : &s.model, missing == 2 ? NULL : &s.inputs};
         double *section = missing == 3 ? NULL : s.section;
-        assert_int_equal(
-            tdmf_return_map(solver, (tdmf_system){model, inputs}, section, long_enough, true, NULL, 0)
-                .outcome,
-            TDMF_RETURN_REFUSED);
-        assert_int_equal(
-            tdmf_reduced_map(solver, (tdmf_system){model, inputs}, section, long_enough, true, NULL, 0)
-                .outcome,
-            TDMF_RETURN_REFUSED);
-        assert_int_equal(tdmf_find_orbit(solver, (tdmf_system){model, inputs}, section, NULL, 0).outcome,
-                         TDMF_ORBIT_NO_START);
-        assert_int_equal(
-            tdmf_find_reduced_orbit(solver, (tdmf_system){model, inputs}, section, NULL, 0).outcome,
-            TDMF_ORBIT_NO_START);
-        assert_int_equal(tdmf_settle(solver, (tdmf_system){model, inputs}, 3, section), 0);
-        assert_int_equal(tdmf_settle_reduced(solver, (tdmf_system){model, inputs}, 3, section), 0);
+        assert_maps_refuse(solver, system, section, 0);
+        assert_int_equal(tdmf_settle(solver, system, 3, section), 0);
+        assert_int_equal(tdmf_settle_reduced(solver, system, 3, section), 0);
     }
     assert_int_equal(tdmf_settle(&s.solver, SYSTEM_OF(&s), -3, s.section), 0);
     assert_int_equal(tdmf_settle_reduced(&s.solver, SYSTEM_OF(&s), -3, s.section), 0);
@@ -331,179 +307,122 @@ TEST(pages_refuse_null_and_numbers_out_of_range) {
 
 enum { RUNNERS = 3, STRIDES = 2 };
 
+/* A crowd that follows a law, or is given settings. */
 typedef struct {
-    scene scene;
-    double starts[RUNNERS][TDMF_SECTION_COUNT];
-    tdmf_ensemble_case its_case;
+    crowd *crowd;
+    tdmf_ensemble *ensemble;
+    tdmf_ensemble_rules *rules;
     tdmf_ensemble_checkpoint checkpoints[RUNNERS];
     tdmf_ensemble_stride strides[RUNNERS];
     int setting;
-    double one[1];
-    double gain[1][TDMF_SECTION_COUNT];
+    double one[1], gain[1][TDMF_SECTION_COUNT];
     tdmf_affine_law law;
     tdmf_given_settings given;
-    tdmf_ensemble ensemble;
-    tdmf_ensemble_end ends[RUNNERS];
 } population;
 
-static void gather(population *population) {
-    memset(population, 0, sizeof *population);
-    population->scene = standing_at_apex();
-    for (int i = 0; i < RUNNERS; ++i) {
-        memcpy(population->starts[i], population->scene.section, sizeof population->starts[i]);
+static void gather(population *p, bool follows_law) {
+    memset(p, 0, sizeof *p);
+    p->crowd = make_crowd(RUNNERS, STRIDES, 1e-9);
+    p->ensemble = &p->crowd->ensemble;
+    p->rules = &p->crowd->cases[0].rules;
+    p->setting = tdmf_setting_of("ground.friction");
+    p->one[0] = 0.6;
+    p->law = (tdmf_affine_law){.count = 1,
+                               .settings = &p->setting,
+                               .nominal = p->one,
+                               .gain = (const double(*)[TDMF_SECTION_COUNT])p->gain,
+                               .low = p->one,
+                               .high = p->one};
+    p->given = (tdmf_given_settings){1, &p->setting, 0, 1, NULL};
+    p->ensemble->case_of = NULL;
+    p->ensemble->case_count = 1;
+    p->ensemble->strides = p->strides;
+    p->ensemble->stride_count = 1;
+    p->ensemble->checkpoints = p->checkpoints;
+    p->rules->law = follows_law ? &p->law : NULL;
+}
+
+/* A change that makes a request senseless. */
+#define CHANGE(name, ...)                                                                                    \
+    static void name(population *p) {                                                                        \
+        __VA_ARGS__;                                                                                         \
     }
-    population->setting = tdmf_setting_of("ground.friction");
-    population->one[0] = 0.6;
-    const tdmf_affine_law law = {.count = 1,
-                                 .settings = &population->setting,
-                                 .nominal = population->one,
-                                 .gain = (const double(*)[TDMF_SECTION_COUNT])population->gain,
-                                 .low = population->one,
-                                 .high = population->one};
-    population->law = law;
-    const tdmf_given_settings given = {1, &population->setting, 0, 1, NULL};
-    population->given = given;
-    const tdmf_ensemble_case its_case = {
-        &population->scene.model, population->scene.inputs, {.max_strides = STRIDES}};
-    population->its_case = its_case;
-    const tdmf_ensemble ensemble = {.cases = &population->its_case,
-                                    .case_count = 1,
-                                    .starts = (const double(*)[TDMF_SECTION_COUNT])population->starts,
-                                    .count = RUNNERS,
-                                    .relative_tolerance = 1e-9,
-                                    .threads = 1,
-                                    .strides = population->strides,
-                                    .stride_count = 1,
-                                    .checkpoints = population->checkpoints};
-    population->ensemble = ensemble;
-}
-
-typedef void seed(population *population);
-
-static void no_cases(population *c) {
-    c->ensemble.cases = NULL;
-}
-static void cases_below_zero(population *c) {
-    c->ensemble.case_count = -1;
-}
-static void no_model(population *c) {
-    c->its_case.model = NULL;
-}
-static void no_starts(population *c) {
-    c->ensemble.starts = NULL;
-}
-static void runners_below_zero(population *c) {
-    c->ensemble.count = -1;
-}
-static void gaits_without_array(population *c) {
-    c->its_case.rules.gait_count = INT_MAX;
-}
-static void balls_without_numbers(population *c) {
-    static const double apex[1][TDMF_SECTION_COUNT];
-    static const tdmf_ball ball = {{{0.0}, {0.0, NAN}}};
-    c->its_case.rules.gaits = apex;
-    c->its_case.rules.gait_count = 1;
-    c->its_case.rules.balls = &ball;
-}
-static void gaits_below_zero(population *c) {
-    c->its_case.rules.gait_count = -1;
-}
-static void notes_below_zero(population *c) {
-    c->ensemble.stride_count = -1;
-}
-static void notes_from_below_zero(population *c) {
-    c->ensemble.first_stride = -1;
-}
-static void goes_on_from_nowhere(population *c) {
-    c->ensemble.goes_on = true;
-    c->ensemble.checkpoints = NULL;
-}
-static void goes_on_in_no_mode(population *c) {
-    c->ensemble.goes_on = true;
-    c->checkpoints[RUNNERS - 1].stands = true;
-    c->checkpoints[RUNNERS - 1].mode = 77;
-}
-static void given_no_values(population *c) {
-    c->ensemble.given = &c->given;
-}
-static void given_no_settings(population *c) {
-    c->given.settings = NULL;
-    c->given.values = c->one;
-    c->ensemble.given = &c->given;
-}
-static void follow_law(population *c) {
-    c->its_case.rules.law = &c->law;
-}
-static void law_without_settings(population *c) {
-    follow_law(c);
-    c->law.settings = NULL;
-}
-static void law_of_too_many(population *c) {
-    follow_law(c);
-    c->law.count = INT_MAX;
-}
-static void law_without_nominal(population *c) {
-    follow_law(c);
-    c->law.nominal = NULL;
-}
-static void law_without_gain(population *c) {
-    follow_law(c);
-    c->law.gain = NULL;
-}
-static void law_without_low(population *c) {
-    follow_law(c);
-    c->law.low = NULL;
-}
-static void law_without_high(population *c) {
-    follow_law(c);
-    c->law.high = NULL;
-}
+static const double apex_of_none[1][TDMF_SECTION_COUNT];
+static const tdmf_ball ball_of_none = {{{0.0}, {0.0, NAN}}};
+CHANGE(no_cases, p->ensemble->cases = NULL)
+CHANGE(cases_below_zero, p->ensemble->case_count = -1)
+CHANGE(no_model, p->crowd->cases[0].model = NULL)
+CHANGE(no_starts, p->ensemble->starts = NULL)
+CHANGE(runners_below_zero, p->ensemble->count = -1)
+CHANGE(gaits_without_array, p->rules->gait_count = INT_MAX)
+CHANGE(gaits_below_zero, p->rules->gait_count = -1)
+CHANGE(balls_without_numbers, p->rules->gaits = apex_of_none; p->rules->gait_count = 1;
+       p->rules->balls = &ball_of_none)
+CHANGE(notes_below_zero, p->ensemble->stride_count = -1)
+CHANGE(notes_from_below_zero, p->ensemble->first_stride = -1)
+CHANGE(goes_on_from_nowhere, p->ensemble->goes_on = true; p->ensemble->checkpoints = NULL)
+CHANGE(goes_on_in_no_mode, p->ensemble->goes_on = true; p->checkpoints[RUNNERS - 1].stands = true;
+       p->checkpoints[RUNNERS - 1].mode = 77)
+CHANGE(given_no_values, p->ensemble->given = &p->given)
+CHANGE(given_no_settings, p->given.settings = NULL; p->given.values = p->one; p->ensemble->given = &p->given)
+CHANGE(law_without_settings, p->law.settings = NULL)
+CHANGE(law_of_too_many, p->law.count = INT_MAX)
+CHANGE(law_without_nominal, p->law.nominal = NULL)
+CHANGE(law_without_gain, p->law.gain = NULL)
+CHANGE(law_without_low, p->law.low = NULL)
+CHANGE(law_without_high, p->law.high = NULL)
 
 TEST(ensembles_refuse_counts_without_arrays) {
-    seed *const seeds[] = {no_cases,
-                           cases_below_zero,
-                           no_model,
-                           no_starts,
-                           runners_below_zero,
-                           gaits_without_array,
-                           gaits_below_zero,
-                           balls_without_numbers,
-                           notes_below_zero,
-                           notes_from_below_zero,
-                           goes_on_from_nowhere,
-                           goes_on_in_no_mode,
-                           given_no_values,
-                           given_no_settings,
-                           law_without_settings,
-                           law_of_too_many,
-                           law_without_nominal,
-                           law_without_gain,
-                           law_without_low,
-                           law_without_high};
+    static void (*const changes[])(population *) = {no_cases,
+                                                    cases_below_zero,
+                                                    no_model,
+                                                    no_starts,
+                                                    runners_below_zero,
+                                                    gaits_without_array,
+                                                    gaits_below_zero,
+                                                    balls_without_numbers,
+                                                    notes_below_zero,
+                                                    notes_from_below_zero,
+                                                    goes_on_from_nowhere,
+                                                    goes_on_in_no_mode,
+                                                    given_no_values,
+                                                    given_no_settings,
+                                                    law_without_settings,
+                                                    law_of_too_many,
+                                                    law_without_nominal,
+                                                    law_without_gain,
+                                                    law_without_low,
+                                                    law_without_high};
+    enum { CHANGES = sizeof changes / sizeof changes[0], OF_LAWS = 6 };
     population population;
-    for (size_t i = 0; i < sizeof seeds / sizeof seeds[0]; ++i) {
-        gather(&population);
-        seeds[i](&population);
-        population.ends[0].strides = 77;
-        assert_false(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
-        assert_int_equal(population.ends[0].strides, 77);
+    for (int i = 0; i < CHANGES; ++i) {
+        gather(&population, i >= CHANGES - OF_LAWS);
+        changes[i](&population);
+        population.crowd->ends[0].strides = 77;
+        assert_false(tdmf_run_ensemble(population.ensemble, population.crowd->ends, NULL));
+        assert_int_equal(population.crowd->ends[0].strides, 77);
+        free_crowd(population.crowd);
     }
-    gather(&population);
-    assert_false(tdmf_run_ensemble(NULL, population.ends, NULL));
-    assert_false(tdmf_run_ensemble(&population.ensemble, NULL, NULL));
-    follow_law(&population);
-    assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
-    assert_int_equal(population.ends[RUNNERS - 1].strides, STRIDES);
+    gather(&population, true);
+    assert_false(tdmf_run_ensemble(NULL, population.crowd->ends, NULL));
+    assert_false(tdmf_run_ensemble(population.ensemble, NULL, NULL));
+    assert_true(tdmf_run_ensemble(population.ensemble, population.crowd->ends, NULL));
+    assert_int_equal(population.crowd->ends[RUNNERS - 1].strides, STRIDES);
+    free_crowd(population.crowd);
 }
 
 /* So many threads could not even be counted. */
 TEST(threads_are_no_more_than_runners) {
-    population population;
-    gather(&population);
-    population.ensemble.threads = INT_MAX;
-    assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
-    population.ensemble.count = 0;
-    assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
+    tdmf_ensemble_work work;
+    crowd *crowd = make_crowd(RUNNERS, STRIDES, 1e-9);
+    crowd->ensemble.threads = INT_MAX;
+    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    crowd->ensemble.count = 0;
+    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    const tdmf_ensemble nobody = {.relative_tolerance = 1e-9, .threads = 1};
+    assert_true(tdmf_run_ensemble(&nobody, NULL, &work));
+    assert_int_equal(work.strides, 0);
+    free_crowd(crowd);
 }
 
 /* ---- buffers that are the same ------------------------------------------------------------------------ */

@@ -99,137 +99,92 @@ static void assert_closed(const runner *runner, const char *word, int code) {
 
 /* ---- words ------------------------------------------------------------------------------------------ */
 
-TEST(word_has_a_letter_for_every_mode) {
-    runner runner = begin_stride();
-    land(&runner, 1.0);
-    slip(&runner, 2.0, 1.0);
-    stick(&runner, 3.0);
-    slip(&runner, 4.0, -1.0);
-    stick(&runner, 5.0);
-    slip(&runner, 6.0, 1.0);
-    lift_off(&runner, 7.0);
-    reach_apex(&runner, 8.0);
-    assert_closed(&runner, "0+0-0+", 2 * 1024 + 3 * 256 + 2 * 64 + 1 * 16 + 2 * 4 + 3);
-    assert_int_equal(runner.motion.record.stride.touchdowns, 1);
-    assert_close(runner.motion.record.stride.stance_time, 6.0, 1e-15);
-    assert_close(runner.motion.record.stride.period, 8.0, 1e-15);
-    assert_close(runner.motion.record.stride.duty_factor, 6.0 / 8.0, 1e-15);
-}
-
-TEST(mode_without_duration_has_no_letter) {
-    runner runner = begin_stride();
-    land(&runner, 1.0);
-    slip(&runner, 1.0, 1.0);
-    stick(&runner, 2.0);
-    slip(&runner, 2.0, -1.0);
-    lift_off(&runner, 3.0);
-    reach_apex(&runner, 4.0);
-    assert_closed(&runner, "+-", 3 * 4 + 1);
-    assert_close(runner.motion.record.stride.stance_time, 2.0, 1e-15);
-}
-
-TEST(flight_separates_stances) {
-    runner runner = begin_stride();
-    land(&runner, 1.0);
-    lift_off(&runner, 2.0);
-    land(&runner, 3.0);
-    slip(&runner, 4.0, -1.0);
-    lift_off(&runner, 5.0);
-    reach_apex(&runner, 6.0);
-    assert_closed(&runner, "0|0-", 2 * 64 + 0 * 16 + 2 * 4 + 1);
-    assert_int_equal(runner.motion.record.stride.touchdowns, 2);
-    assert_close(runner.motion.record.stride.stance_time, 3.0, 1e-15);
-}
-
-/* An impact that leaves at once is a touchdown without letters, and no stance to separate. */
-TEST(stance_without_duration_leaves_no_trace_in_the_word) {
-    runner runner = begin_stride();
-    land(&runner, 1.0);
-    lift_off(&runner, 1.0);
-    land(&runner, 2.0);
-    lift_off(&runner, 3.0);
-    land(&runner, 4.0);
-    lift_off(&runner, 4.0);
-    reach_apex(&runner, 5.0);
-    assert_closed(&runner, "0", 2);
-    assert_int_equal(runner.motion.record.stride.touchdowns, 3);
-}
-
-TEST(graze_repeats_no_letter) {
-    runner runner = begin_stride();
-    land(&runner, 1.0);
-    graze(&runner, 2.0);
-    reload(&runner, 3.0, 0.0);
-    graze(&runner, 4.0);
-    reload(&runner, 5.0, 0.1);
-    lift_off(&runner, 6.0);
-    reach_apex(&runner, 7.0);
-    assert_closed(&runner, "0+", 2 * 4 + 3);
-    assert_close(runner.motion.record.stride.stance_time, 3.0, 1e-15);
-    assert_int_equal(runner.motion.record.stride.touchdowns, 1);
-}
-
-TEST(graze_into_flight_separates_stances_too) {
-    runner runner = begin_stride();
-    land(&runner, 1.0);
-    graze(&runner, 2.0);
-    runner.motion.state[TDMF_LEG_ANGLE_RATE] = 0.5;
-    at_time(&runner, 2.5);
-    assert_int_equal(runner.motion.mode.contact, TDMF_CONTACT_FLIGHT);
-    land(&runner, 3.0);
-    lift_off(&runner, 4.0);
-    reach_apex(&runner, 5.0);
-    assert_closed(&runner, "0|0", 2 * 16 + 0 * 4 + 2);
-}
-
-static void alternate(runner *runner, int letters) {
-    land(runner, 1.0);
-    for (int i = 1; i < letters; ++i) {
-        if (i % 2 == 1) {
-            slip(runner, 1.0 + i, 1.0);
+/* What happens at a time: each mode by its letter, l a landing, | a lift-off, g a graze, and in graze f for a
+ * foot that is lifted and the letter of the contact that it is loaded into. */
+static void follow(runner *runner, char what, double time) {
+    const bool grazes = runner->motion.mode.contact == TDMF_CONTACT_GRAZE;
+    switch (what) {
+    case 'l':
+        land(runner, time);
+        break;
+    case '|':
+        lift_off(runner, time);
+        break;
+    case 'g':
+        graze(runner, time);
+        break;
+    case 'f':
+        runner->motion.state[TDMF_LEG_ANGLE_RATE] = 0.5;
+        at_time(runner, time);
+        assert_int_equal(runner->motion.mode.contact, TDMF_CONTACT_FLIGHT);
+        break;
+    default:
+        if (grazes) {
+            reload(runner, time, what == '0' ? 0.0 : 0.1);
+        } else if (what == '0') {
+            stick(runner, time);
         } else {
-            stick(runner, 1.0 + i);
+            slip(runner, time, what == '+' ? 1.0 : -1.0);
         }
     }
-    lift_off(runner, 1.0 + letters);
-    reach_apex(runner, 2.0 + letters);
-    assert_close(runner->motion.record.stride.stance_time, letters, 1e-12);
 }
 
-static int code_of_alternation(int letters) {
+static int code_of(const char *word) {
     int code = 0;
-    for (int i = 0; i < letters; ++i) {
-        code = 4 * code + (i % 2 == 0 ? 2 : 3);
+    for (; *word != '\0'; ++word) {
+        code = 4 * code + (*word == '|' ? 0 : *word == '-' ? 1 : *word == '0' ? 2 : 3);
     }
     return code;
 }
 
-TEST(code_holds_fifteen_letters) {
-    runner fits = begin_stride();
-    runner too_long = begin_stride();
-    alternate(&fits, 15);
-    alternate(&too_long, 16);
-    assert_closed(&fits, "0+0+0+0+0+0+0+0", code_of_alternation(15));
-    assert_closed(&too_long, "0+0+0+0+0+0+0+0+", -1);
-}
-
-static void assert_long_word(int letters) {
-    runner runner = begin_stride();
-    alternate(&runner, letters);
-    const char *word = runner.motion.record.stride.word;
-    const int kept = letters < TDMF_WORD_CAPACITY - 1 ? letters : TDMF_WORD_CAPACITY - 2;
-    for (int i = 0; i < kept; ++i) {
-        assert_int_equal(word[i], i % 2 == 0 ? '0' : '+');
+/* A mode without duration has no letter, and a stance without one leaves no trace. Flight separates stances,
+ * graze does not, nor does it repeat a letter. */
+TEST(words_have_a_letter_for_every_mode_that_lasts) {
+    static const struct {
+        const char *happens, *word;
+        double times[8], stance_time;
+        int touchdowns;
+    } cases[] = {
+        {"l+0-0+|", "0+0-0+", {1, 2, 3, 4, 5, 6, 7}, 6.0, 1}, {"l+0-|", "+-", {1, 1, 2, 2, 3}, 2.0, 1},
+        {"l|l-|", "0|0-", {1, 2, 3, 4, 5}, 3.0, 2},           {"l|l|l|", "0", {1, 1, 2, 3, 4, 4}, 1.0, 3},
+        {"lg0g+|", "0+", {1, 2, 3, 4, 5, 6}, 3.0, 1},         {"lgfl|", "0|0", {1, 2, 2.5, 3, 4}, 2.0, 2}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        runner runner = begin_stride();
+        for (int k = 0; cases[i].happens[k] != '\0'; ++k) {
+            follow(&runner, cases[i].happens[k], cases[i].times[k]);
+        }
+        reach_apex(&runner, 8.0);
+        const tdmf_stride *stride = &runner.motion.record.stride;
+        assert_closed(&runner, cases[i].word, code_of(cases[i].word));
+        assert_int_equal(stride->touchdowns, cases[i].touchdowns);
+        assert_close(stride->stance_time, cases[i].stance_time, 1e-15);
+        assert_close(stride->period, 8.0, 1e-15);
+        assert_close(stride->duty_factor, cases[i].stance_time / 8.0, 1e-15);
     }
-    assert_string_equal(&word[kept], letters > kept ? "~" : "");
-    assert_int_equal(runner.motion.record.stride.word_code, -1);
 }
 
-TEST(overlong_word_keeps_its_beginning) {
-    assert_long_word(TDMF_WORD_CAPACITY - 2);
-    assert_long_word(TDMF_WORD_CAPACITY - 1);
-    assert_long_word(TDMF_WORD_CAPACITY);
-    assert_long_word(TDMF_WORD_CAPACITY + 37);
+/* Its code holds fifteen letters, and itself what there is room for, with a ~ for the others. */
+TEST(long_words_have_no_code_and_the_longest_are_cut) {
+    static const int lengths[] = {
+        15, 16, TDMF_WORD_CAPACITY - 2, TDMF_WORD_CAPACITY - 1, TDMF_WORD_CAPACITY, TDMF_WORD_CAPACITY + 37};
+    for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; ++i) {
+        char word[TDMF_WORD_CAPACITY] = "";
+        runner runner = begin_stride();
+        follow(&runner, 'l', 1.0);
+        for (int k = 0; k < lengths[i]; ++k) {
+            const char letter = k % 2 ? '+' : '0';
+            if (k > 0) {
+                follow(&runner, letter, 1.0 + k);
+            }
+            if (k < TDMF_WORD_CAPACITY - 1) {
+                word[k] = k < TDMF_WORD_CAPACITY - 2 ? letter : '~';
+            }
+        }
+        follow(&runner, '|', 1.0 + lengths[i]);
+        reach_apex(&runner, 2.0 + lengths[i]);
+        assert_closed(&runner, word, lengths[i] <= 15 ? code_of(word) : -1);
+        assert_close(runner.motion.record.stride.stance_time, lengths[i], 1e-12);
+    }
 }
 
 /* ---- quantities ------------------------------------------------------------------------------------- */
@@ -377,24 +332,6 @@ static tdmf_outputs outputs_of(const runner *runner) {
     return tdmf_outputs_of(SYSTEM_OF(runner), &runner->motion);
 }
 
-TEST(outputs_repeat_the_record) {
-    runner runner = runner_default(0.6);
-    runner_start(&runner);
-    runner_stride(&runner, 1e-2);
-    const tdmf_outputs outputs = outputs_of(&runner);
-    assert_string_equal(outputs.stride.word, "+0-0+");
-    assert_int_equal(outputs.stride.count, 1);
-    assert_true(outputs.apex.com_height == outputs.com.y && outputs.apex.com_speed == outputs.com.vx);
-    assert_true(outputs.apex.time == runner.motion.time && outputs.event.last_time == runner.motion.time);
-    assert_int_equal(outputs.event.count, runner.motion.record.event_count);
-    assert_true(outputs.energy.impact_loss == runner.motion.record.impact_loss);
-    assert_true(outputs.hip.liftoff_angle == runner.motion.mode.liftoff_angle);
-    assert_int_equal(outputs.contact.mode, TDMF_CONTACT_FLIGHT);
-    assert_int_equal(outputs.contact.mode_index, TDMF_CONTACT_FLIGHT);
-    assert_int_equal(outputs.hip.phase, TDMF_PHASE_PLACE);
-    assert_int_equal(outputs.hip.phase_index, TDMF_PHASE_PLACE);
-}
-
 /* A still leg at 0.3 rad under 0.101 N, 0.1 N of them from the body. */
 TEST(outputs_follow_the_motion) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.3, 0.101);
@@ -425,6 +362,12 @@ TEST(a_second_stride_counts_its_own_work_only) {
     const double at = tdmf_center_of_mass(&runner.model, runner.motion.state).x;
     runner_stride(&runner, 0.01);
     const tdmf_stride *stride = &runner.motion.record.stride;
+    const tdmf_outputs outputs = outputs_of(&runner);
+    assert_string_equal(outputs.stride.word, "+0-0+");
+    assert_true(outputs.apex.com_height == outputs.com.y && outputs.apex.com_speed == outputs.com.vx);
+    assert_true(outputs.apex.time == runner.motion.time && outputs.event.last_time == runner.motion.time);
+    assert_true(outputs.energy.impact_loss == runner.motion.record.impact_loss);
+    assert_true(outputs.hip.liftoff_angle == runner.motion.mode.liftoff_angle);
     assert_int_equal(stride->count, 2);
     assert_close(stride->work, runner.motion.state[TDMF_HIP_WORK] - work, 1e-15);
     assert_close(stride->positive_work, runner.motion.state[TDMF_HIP_POSITIVE_WORK] - positive, 1e-15);
