@@ -1,13 +1,14 @@
 /* Random runs of the native solver over the ranges that modelDescription.xml declares: parameters, inputs,
  * starts and tolerances. Half of them are over uneven ground as well, with pushes, a leg that is extended and
  * a controller that changes inputs and settings in mid-run. A run goes on, falls or is given up with a
- * reason, within its steps; its numbers are numbers, its energy ledger closes, its foot stays out of the
- * ground in force, and it falls only where the state that is handed back has fallen.
+ * reason, within its steps; its numbers are numbers, its energy ledger closes, its foot keeps to the ground
+ * in force and to its mode, and it falls only where the state that is handed back has fallen.
  *
  *     test_declared_runs [RUNS [FIRST SEED]] */
 #include "compare.h"
 #include "declared.h"
 #include "ground_line.h"
+#include "sample.h"
 #include "simulation.h"
 #include "system_of.h"
 
@@ -22,7 +23,7 @@ enum { PARTS = 8, STEPS_OF_A_PART = 2000, OUTCOMES = TDMF_REFUSED + 1 };
 /* Of the energies met: what rounding and the margins of guards leave open. */
 static const double ledger_rounding = 1e-12;
 
-static long runs = 5000;
+static long runs = TDMF_SAMPLE_DIVISOR > 10 ? 1500 : 5000;
 static long first_seed = 0;
 
 typedef struct {
@@ -160,13 +161,54 @@ static const char *waits_for_nothing(const run *run) {
     return tdmf_ground_is_pending(&run->inputs, mode) && !may_wait ? "new ground is not in force" : NULL;
 }
 
+/* Contact, phase and what is noted with them go together. */
+static const char *broken_mode(const run *run) {
+    const tdmf_mode *mode = &run->motion.mode;
+    const bool in_contact = tdmf_in_contact(mode);
+    const bool may_clamp = mode->phase == TDMF_PHASE_RETRACT && run->model.parameters.hip.swing_clamp;
+    const bool sound = in_contact == (mode->phase == TDMF_PHASE_DRIVE || mode->phase == TDMF_PHASE_COAST) &&
+                       (!in_contact || mode->mid_stance_pending == (mode->phase == TDMF_PHASE_DRIVE)) &&
+                       (!mode->clamp_closed || may_clamp);
+    return sound ? NULL : "contact and phase do not go together";
+}
+
+/* A foot at the ground stays there; one that sticks rests, and one that slips does so its own way. The ground
+ * never pulls, and friction stays in its cone. (A run that is given up at once may stand before an event.) */
+static const char *broken_contact(const run *run, tdmf_outcome outcome) {
+    const tdmf_mode *mode = &run->motion.mode;
+    const double *state = run->motion.state;
+    const tdmf_point foot = tdmf_foot_over_ground(&mode->ground, state);
+    const tdmf_ground_force force = tdmf_contact_force(SYSTEM_OF(run), mode, state);
+    const double turning = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
+    const double speed = run->model.scales.speed + fabs(turning) + fabs(foot.vx);
+    const double share = 2.0 * TDMF_GUARD_MARGIN + 1e2 * run->solver.relative_tolerance;
+    const double forces = run->model.scales.force + fabs(force.tangential) +
+                          run->model.parameters.leg.damping * speed +
+                          run->model.parameters.leg.stiffness * fabs(state[TDMF_LEG_LENGTH]);
+    /* of rest, which slow slips may have, too */
+    const tdmf_parameters *p = &run->model.parameters;
+    const double friction =
+        p->ground.static_friction_ratio * fmax(run->inputs.ground.friction, p->ground.patch_friction);
+    if (mode->contact == TDMF_CONTACT_FLIGHT || outcome != TDMF_ARRIVED) {
+        return NULL;
+    }
+    if (fabs(foot.vy) > 1e-12 * speed || (mode->contact == TDMF_CONTACT_STICK && foot.vx != 0.0) ||
+        tdmf_slip_sign(mode) * foot.vx < -share * speed) {
+        return "a foot at the ground moves as it must not";
+    }
+    return force.normal < -share * forces ||
+                   fabs(force.tangential) > friction * force.normal + share * (1.0 + friction) * forces
+               ? "the ground pulls, or friction leaves its cone"
+               : NULL;
+}
+
 static const char *what_is_wrong(const run *run, tdmf_outcome outcome) {
     const char *wrong = not_a_number(run);
     if (wrong != NULL || outcome == TDMF_REFUSED) {
         return wrong;
     }
     const char *found[] = {false_fall(run, outcome), open_ledger(run), foot_in_the_ground(run),
-                           waits_for_nothing(run)};
+                           waits_for_nothing(run),   broken_mode(run), broken_contact(run, outcome)};
     for (size_t i = 0; i < sizeof found / sizeof found[0] && wrong == NULL; ++i) {
         wrong = found[i];
     }

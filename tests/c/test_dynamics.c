@@ -7,6 +7,7 @@
  * and three conditions that define the mode. */
 #include "compare.h"
 #include "differentiate.h"
+#include "sample.h"
 #include "scene.h"
 
 #include <float.h>
@@ -306,7 +307,7 @@ static void actuate(random_source *source, runner *runner) {
 
 static void compare_in_mode(tdmf_contact_mode contact) {
     random_source source = {1000 + (uint64_t)contact};
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < sample_of(500); ++i) {
         runner runner = scene_random(&source, contact);
         compare_with_lagrange(&runner);
         actuate(&source, &runner);
