@@ -19,6 +19,7 @@ from tdmf_slip.building.sources import page_in
 from tdmf_slip.builds import TABLE
 from tdmf_slip.errors import Note
 from tdmf_slip.library.engine import FATES
+from tdmf_slip.variables.table import OWN_MODELS
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 GAINS = {"stance_kp": 0.02, "stance_kd": 0.03}
@@ -103,6 +104,17 @@ def test_without_gains_it_is_the_built_in_runner_with_all_its_quantities(my_runn
     assert np.sort(np.abs(mine.eigenvalues)) == pytest.approx(np.sort(np.abs(own.eigenvalues)), abs=1e-7)
 
 
+def test_a_runner_that_stands_still_comes_to_no_apex_soon(my_runner):
+    """A run used to last until its numbers ended, which took as long as ten thousand strides."""
+    draw = np.random.default_rng(0).uniform
+    starts = np.tile(find_gait(my_runner).apex, (150, 1))
+    starts[:, 0], starts[:, 1] = draw(1, 2, 150), draw(0.6, 1.6, 150)
+    vary = {"hip.touchdown_angle": draw(0.3, 1.1, 150), "hip.stance_torque": draw(0.05, 0.4, 150)}
+    strides = Batch(my_runner, starts, vary=vary).stride()
+    said = {strides.why_not[k] for k in np.flatnonzero(strides.outcome)}
+    assert said == {"the run comes to no `apex` and is in the mode `stick` after 10000 s"}
+
+
 def test_what_new_writes_works_as_it_stands(tmp_path, ball):
     """The folder gets a build of the same page that is there already."""
     folder = tdmf_slip.new(tmp_path / "my_ball", start="scratch")
@@ -120,7 +132,8 @@ def test_a_model_is_one_object_and_survives_pickling(ball):
     assert again == runner and again.model is ball and again["push"] == 2.0
 
 
-def test_a_library_of_another_version_or_built_anew_is_refused(ball, tmp_path):
+def test_a_library_of_another_version_or_built_anew_is_refused(ball, tmp_path, monkeypatch):
+    monkeypatch.setitem(OWN_MODELS, ball.name, ball)  # datasets find a model by its name
     folder = tmp_path / "build"
     shutil.copytree(ball.folder, folder)
     model = load_model(folder)

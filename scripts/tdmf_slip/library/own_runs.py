@@ -19,8 +19,8 @@ EVENT_ROOM = 64
 """Events of a stride that are kept."""
 BETWEEN_EVENTS = "-"
 """Between the events in the word of a stride."""
-LONGEST = 1e6
-"""Duration of a stride at the most, over the scale of the time."""
+LONGEST = 1e4
+"""Duration of a stride at the most, s, as that of the package's models in units of theirs."""
 SEEDS = 8
 """Parameters and inputs by which one call differentiates."""
 END, EVENT = dtype_of("tdmf_page_end"), dtype_of("tdmf_page_event")
