@@ -5,6 +5,36 @@
 
 static const unsigned writable = BEFORE_START | RUNNING;
 
+static const char *name_of_type(fmu_variable_type type) {
+    switch (type) {
+    case VARIABLE_REAL:
+        return "Real (Float64)";
+    case VARIABLE_INTEGER:
+        return "Integer (Int32)";
+    case VARIABLE_ENUMERATION:
+        return "Enumeration";
+    case VARIABLE_BOOLEAN:
+        return "Boolean";
+    default:
+        return "String";
+    }
+}
+
+const fmu_variable *find_variable(const instance *instance, const char *call, uint32_t reference,
+                                  unsigned types) {
+    if (reference >= fmu_variable_count) {
+        answer(instance, CALL_ERROR, call, "there is no value reference %lu", (unsigned long)reference);
+        return NULL;
+    }
+    const fmu_variable *variable = &fmu_variables[reference];
+    if ((variable->type & types) == 0) {
+        answer(instance, CALL_ERROR, call, "%s (value reference %lu) is of type %s", variable->name,
+               (unsigned long)reference, name_of_type(variable->type));
+        return NULL;
+    }
+    return variable;
+}
+
 static bool may_begin(const instance *instance, const char *call, unsigned states,
                       const uint32_t references[], const void *values, size_t count) {
     return call_is_allowed(instance, call, states) &&
@@ -30,8 +60,7 @@ static bool is_stored(const fmu_variable *variable) {
 
 /* A state without a start value, of a run that has not begun: the start calculates it. */
 static bool follows_from_start(const instance *instance, const fmu_variable *variable) {
-    return variable->storage == STORED_STATE && !variable->settable_before_start &&
-           !fmu_has_begun(&instance->fmu);
+    return variable->storage == STORED_STATE && !variable->settable_before_start && !instance->fmu.has_begun;
 }
 
 static call_status get_number(instance *instance, const char *call, unsigned types, uint32_t reference,
@@ -123,14 +152,16 @@ static call_status check_set(const instance *instance, const char *call, unsigne
         return CALL_OK;
     }
     if (!is_settable_now(instance, variable)) {
-        return refuse(instance, call, "%s cannot be set %s", variable->name,
+        return answer(instance, CALL_ERROR, call, "%s cannot be set %s", variable->name,
                       when_not_settable(instance, variable));
     }
     if (is_trial(instance, variable)) {
-        return isnan(value) ? discard(instance, call, "%s is not a number", variable->name) : CALL_OK;
+        return isnan(value) ? answer(instance, CALL_DISCARD, call, "%s is not a number", variable->name)
+                            : CALL_OK;
     }
     char text[FMU_TEXT];
-    return fmu_refuse_value(variable, value, text) == NULL ? CALL_OK : discard(instance, call, "%s", text);
+    return fmu_refuse_value(variable, value, text) == NULL ? CALL_OK
+                                                           : answer(instance, CALL_DISCARD, call, "%s", text);
 }
 
 static void try_state(fmu *fmu, size_t index, double value) {
@@ -140,27 +171,18 @@ static void try_state(fmu *fmu, size_t index, double value) {
     fmu_try_states(fmu, states);
 }
 
-static call_status warn_of_value_kept(const instance *instance, const char *call,
-                                      const fmu_variable *variable) {
-    log_message(instance, CALL_WARNING, LOG_STATUS_WARNING,
-                "%s: %s changes in event mode only, and stays as it is", call, variable->name);
-    return CALL_WARNING;
-}
-
 static call_status set_number(instance *instance, const char *call, uint32_t reference, double value) {
     const fmu_variable *variable = &fmu_variables[reference];
     if (keeps_its_value(instance, variable)) {
-        const bool same = fmu_get_number(&instance->fmu, NULL, variable) == value;
-        return same ? CALL_OK : warn_of_value_kept(instance, call, variable);
+        return fmu_get_number(&instance->fmu, NULL, variable) == value
+                   ? CALL_OK
+                   : answer(instance, CALL_WARNING, call, "%s changes in event mode only, and stays as it is",
+                            variable->name);
     }
     if (is_trial(instance, variable)) {
         try_state(&instance->fmu, variable->offset, value);
     } else {
         fmu_set_number(&instance->fmu, variable, value);
-    }
-    if (variable->variability == VARIABILITY_TUNABLE) {
-        char text[FMU_TEXT];
-        fmu_prepare(&instance->fmu, text); /* in force at once; its own range is all that bounds it */
     }
     if (variable->storage == STORED_INPUT) {
         fmu_set_number_rate(&instance->fmu, variable, 0.0);
@@ -193,8 +215,9 @@ call_status set_texts(instance *instance, const char *call, const uint32_t refer
     }
     for (size_t i = 0; i < count; ++i) {
         const fmu_variable *variable = find_variable(instance, call, references[i], VARIABLE_STRING);
-        return variable == NULL ? CALL_ERROR
-                                : refuse(instance, call, "%s cannot be set at any time", variable->name);
+        return variable == NULL
+                   ? CALL_ERROR
+                   : answer(instance, CALL_ERROR, call, "%s cannot be set at any time", variable->name);
     }
     return CALL_OK;
 }

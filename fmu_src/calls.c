@@ -1,5 +1,59 @@
-/* Checks that every FMI call makes first, and the view that it reads from. */
+/* An instance from its making to its end, the checks that every call of FMI makes first, and the view that
+ * calls read from. */
+#include "guid.h"
 #include "instance.h"
+#include "run.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- making and freeing -------------------------------------------------------------------------------- */
+
+static void begin_again(instance *instance) {
+    fmu_reset(&instance->fmu);
+    discard_view(instance);
+    instance->state = INSTANTIATED;
+}
+
+void *instance_new(size_t size, const char *name, const char *token, interface_kind interface, bool logging,
+                   const char **reason) {
+    if (*reason == NULL && (name == NULL || name[0] == '\0')) {
+        *reason = "the instance needs a name";
+    }
+    if (*reason == NULL && (token == NULL || strcmp(token, FMU_GUID) != 0)) {
+        *reason = "the guid or instantiation token is not this unit's, " FMU_GUID;
+    }
+    if (*reason != NULL) {
+        return NULL;
+    }
+    instance *made = calloc(1, size);
+    char *copy = malloc(strlen(name) + 1);
+    double *memory = malloc(instant_size() * sizeof *memory);
+    if (made == NULL || copy == NULL || memory == NULL) {
+        free(made);
+        free(copy);
+        free(memory);
+        *reason = "out of memory";
+        return NULL;
+    }
+    made->name = strcpy(copy, name);
+    made->interface = interface;
+    made->log_categories = logging ? LOG_ALL : 0;
+    made->fmu.memory = memory;
+    made->fmu.is_exchange = interface == MODEL_EXCHANGE;
+    begin_again(made);
+    return made;
+}
+
+void instance_free(instance *instance) {
+    if (instance != NULL) {
+        free(instance->fmu.memory);
+        free(instance->name);
+        free(instance);
+    }
+}
+
+/* ---- checks -------------------------------------------------------------------------------------------- */
 
 const char *name_of_state(call_state state) {
     switch (state) {
@@ -20,23 +74,12 @@ const char *name_of_state(call_state state) {
     }
 }
 
-static unsigned states_of(interface_kind interface, bool begun) {
-    if (!begun) {
-        return BEFORE_START | FAILED;
-    }
-    switch (interface) {
-    case MODEL_EXCHANGE:
-        return EVENT_MODE | CONTINUOUS_TIME_MODE | TERMINATED | FAILED;
-    case CO_SIMULATION:
-        return STEP_MODE | TERMINATED | FAILED;
-    default:
-        return EVENT_MODE | STEP_MODE | TERMINATED | FAILED;
-    }
-}
-
-bool state_suits_interface(call_state state, interface_kind interface, bool begun) {
-    const unsigned one = state;
-    return (one & (one - 1)) == 0 && (one & states_of(interface, begun)) != 0;
+bool state_suits_interface(unsigned state, interface_kind interface, bool begun) {
+    const unsigned of_interface = interface == MODEL_EXCHANGE  ? EVENT_MODE | CONTINUOUS_TIME_MODE
+                                  : interface == CO_SIMULATION ? STEP_MODE
+                                                               : EVENT_MODE | STEP_MODE;
+    const unsigned states = begun ? of_interface | TERMINATED | FAILED : BEFORE_START | FAILED;
+    return (state & (state - 1)) == 0 && (state & states) != 0;
 }
 
 bool call_is_allowed(const instance *instance, const char *call, unsigned allowed_states) {
@@ -44,7 +87,7 @@ bool call_is_allowed(const instance *instance, const char *call, unsigned allowe
         return false;
     }
     if ((instance->state & allowed_states) == 0) {
-        refuse(instance, call, "not allowed %s", name_of_state(instance->state));
+        answer(instance, CALL_ERROR, call, "not allowed %s", name_of_state(instance->state));
         return false;
     }
     return true;
@@ -53,29 +96,31 @@ bool call_is_allowed(const instance *instance, const char *call, unsigned allowe
 bool array_is_given(const instance *instance, const char *call, const void *array, size_t count,
                     size_t wanted) {
     if (count != wanted) {
-        refuse(instance, call, "the array has %lu elements, %lu are needed", (unsigned long)count,
+        answer(instance, CALL_ERROR, call, "the array has %lu elements, %lu are needed", (unsigned long)count,
                (unsigned long)wanted);
         return false;
     }
     if (array == NULL && count > 0) {
-        refuse(instance, call, "the array is a null pointer");
+        answer(instance, CALL_ERROR, call, "the array is a null pointer");
         return false;
     }
     return true;
 }
+
+/* ---- the view ------------------------------------------------------------------------------------------ */
 
 void discard_view(instance *instance) {
     instance->view_is_current = false;
 }
 
 const fmu *present_fmu(const instance *instance, const char *call, fmu *preview, call_status *status) {
-    if (fmu_has_begun(&instance->fmu)) {
+    char text[FMU_TEXT];
+    if (instance->fmu.has_begun) {
         return &instance->fmu;
     }
     *preview = instance->fmu;
-    char text[FMU_TEXT];
     if (fmu_start(preview, text) != NULL) {
-        *status = discard(instance, call, "no outputs yet: %s", text);
+        *status = answer(instance, CALL_DISCARD, call, "no outputs yet: %s", text);
         return NULL;
     }
     return preview;
@@ -94,32 +139,61 @@ const fmu_view *current_view(instance *instance, const char *call, call_status *
     return &instance->view;
 }
 
-static const char *name_of_type(fmu_variable_type type) {
-    switch (type) {
-    case VARIABLE_REAL:
-        return "Real (Float64)";
-    case VARIABLE_INTEGER:
-        return "Integer (Int32)";
-    case VARIABLE_ENUMERATION:
-        return "Enumeration";
-    case VARIABLE_BOOLEAN:
-        return "Boolean";
-    default:
-        return "String";
+/* ---- the call sequence --------------------------------------------------------------------------------- */
+
+call_status enter_state(instance *instance, const char *call, unsigned from, call_state to) {
+    if (!call_is_allowed(instance, call, from)) {
+        return CALL_ERROR;
     }
+    instance->state = to;
+    return CALL_OK;
 }
 
-const fmu_variable *find_variable(const instance *instance, const char *call, uint32_t reference,
-                                  unsigned types) {
-    if (reference >= fmu_variable_count) {
-        refuse(instance, call, "there is no value reference %lu", (unsigned long)reference);
-        return NULL;
+call_status set_experiment(instance *instance, const char *call, bool tolerance_defined, double tolerance,
+                           double start_time, bool stop_time_defined, double stop_time) {
+    if (!call_is_allowed(instance, call, INSTANTIATED)) {
+        return CALL_ERROR;
     }
-    const fmu_variable *variable = &fmu_variables[reference];
-    if ((variable->type & types) == 0) {
-        refuse(instance, call, "%s (value reference %lu) is of type %s", variable->name,
-               (unsigned long)reference, name_of_type(variable->type));
-        return NULL;
+    const char *wrong = NULL;
+    if (!fmu_is_time(start_time)) {
+        wrong = "the start time is not finite or beyond 1e100 s";
+    } else if (stop_time_defined && !(stop_time >= start_time)) {
+        wrong = "the stop time lies before the start time, or is not a number";
+    } else if (tolerance_defined && !(tolerance > 0.0 && isfinite(tolerance))) {
+        wrong = "the tolerance is not a positive number";
     }
-    return variable;
+    if (wrong != NULL) {
+        return answer(instance, CALL_ERROR, call, "%s", wrong);
+    }
+    fmu_set_time(&instance->fmu, start_time);
+    instance->fmu.importer_tolerance = tolerance_defined ? tolerance : INFINITY;
+    instance->fmu.stop_time = stop_time_defined ? stop_time : INFINITY;
+    discard_view(instance);
+    return CALL_OK;
+}
+
+call_status exit_initialization(instance *instance, const char *call) {
+    char text[FMU_TEXT];
+    if (!call_is_allowed(instance, call, INITIALIZATION_MODE)) {
+        return CALL_ERROR;
+    }
+    if (!fmu_has_solver(&instance->fmu)) {
+        return answer(instance, CALL_ERROR, call,
+                      "solver.method = cvode is refused: this unit was built without "
+                      "SUNDIALS; allowed: native");
+    }
+    if (fmu_start(&instance->fmu, text) != NULL) {
+        return answer(instance, CALL_ERROR, call, "%s", text);
+    }
+    discard_view(instance);
+    instance->state = instance->interface == CO_SIMULATION ? STEP_MODE : EVENT_MODE;
+    return CALL_OK;
+}
+
+call_status reset(instance *instance, const char *call) {
+    if (!call_is_allowed(instance, call, ANYWHERE)) {
+        return CALL_ERROR;
+    }
+    begin_again(instance);
+    return CALL_OK;
 }

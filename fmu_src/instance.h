@@ -28,15 +28,9 @@ typedef enum {
 
 typedef enum { MODEL_EXCHANGE, CO_SIMULATION, CO_SIMULATION_WITH_EVENT_MODE } interface_kind;
 
-/* Categories of messages, as declared in modelDescription.xml; a set of them may be switched on. */
-typedef enum {
-    LOG_EVENTS = 1 << 0,
-    LOG_STATUS_WARNING = 1 << 1,
-    LOG_STATUS_DISCARD = 1 << 2,
-    LOG_STATUS_ERROR = 1 << 3,
-    LOG_STATUS = LOG_STATUS_WARNING | LOG_STATUS_DISCARD | LOG_STATUS_ERROR,
-    LOG_ALL = LOG_STATUS | LOG_EVENTS
-} log_category;
+/* Categories of messages, as declared in modelDescription.xml: one for each status, of which CALL_OK stands
+ * for events. A set of them may be switched on. */
+enum { LOG_EVENTS = 1 << CALL_OK, LOG_ALL = (1 << (CALL_ERROR + 1)) - 1 };
 
 /* First member of each version's own instance, which adds the importer's callbacks. */
 typedef struct instance {
@@ -54,34 +48,40 @@ typedef struct instance {
 
 /* ---- log.c -------------------------------------------------------------------------------------------- */
 
-/* Passes a message to the importer if its category is on. */
-void log_message(const instance *instance, call_status status, log_category category, const char *format,
-                 ...);
+/* Passes a message about a call to the importer if the category of its status is on, and returns the status.
+ *
+ *     CALL_DISCARD   the call changed nothing and the run goes on
+ *     CALL_ERROR     the call was out of place and changed nothing. The standards leave open what becomes of
+ *                    the instance then; it stays as it was. */
+call_status answer(const instance *instance, call_status status, const char *call, const char *format, ...);
 
-/* Logs and returns CALL_ERROR: the run cannot go on, and the instance is in the error state. */
-call_status fail(instance *instance, const char *call, const char *format, ...);
+/* Reports an event. */
+void log_event(const instance *observer, const char *text);
 
-/* Logs and returns CALL_ERROR: the call was out of place and changed nothing. The standards leave open what
- * becomes of the instance then; it stays as it was. */
-call_status refuse(const instance *instance, const char *call, const char *format, ...);
-
-/* Logs and returns CALL_DISCARD: the call changed nothing and the run goes on. */
-call_status discard(const instance *instance, const char *call, const char *format, ...);
+/* The instance as an observer of events; NULL while the events' category is off. */
+const instance *observer_of(const instance *instance);
 
 /* Switches categories on or off by name; without names, all of them. The first that are switched on by name
  * take the place of those that the instance was made with; unknown ones are warned of. */
 call_status set_logging(instance *instance, const char *call, bool on, size_t count,
                         const char *const names[]);
 
-/* An observer that logs every event while the events' category is on. */
-fmu_observer event_logger(instance *instance);
+/* A time for a message, with a decimal point whatever the locale; returns `text`. */
+enum { TIME_CAPACITY = 32 };
+char *time_text(double time, char text[TIME_CAPACITY]);
 
 /* ---- calls.c ------------------------------------------------------------------------------------------ */
+
+/* An instance of `size` bytes, all zero beyond its first member. NULL: there is none, for a reason that was
+ * given or is found. */
+void *instance_new(size_t size, const char *name, const char *token, interface_kind interface, bool logging,
+                   const char **reason);
+void instance_free(instance *instance);
 
 const char *name_of_state(call_state state);
 
 /* Whether an instance may be in a state of the call sequence, its run begun or not. */
-bool state_suits_interface(call_state state, interface_kind interface, bool begun);
+bool state_suits_interface(unsigned state, interface_kind interface, bool begun);
 
 /* Whether `call` may be made now; if not, refuses it. A null instance is refused too. */
 bool call_is_allowed(const instance *instance, const char *call, unsigned allowed_states);
@@ -89,6 +89,9 @@ bool call_is_allowed(const instance *instance, const char *call, unsigned allowe
 /* Whether an array of the right length was given; if not, refuses the call. */
 bool array_is_given(const instance *instance, const char *call, const void *array, size_t count,
                     size_t wanted);
+
+/* Goes from one of some states of the call sequence to another, and does no more. */
+call_status enter_state(instance *instance, const char *call, unsigned from, call_state to);
 
 /* The unit or, until its run has begun, what it would be if it started from the values set so far, in
  * `preview`. NULL, with a message and the status in `status`, while these contradict each other. */
@@ -98,30 +101,19 @@ const fmu *present_fmu(const instance *instance, const char *call, fmu *preview,
  * the start values contradict each other. */
 const fmu_view *current_view(instance *instance, const char *call, call_status *status);
 
-/* The variable of a value reference and of one of these types; NULL, after a refusal, if there is none. */
-const fmu_variable *find_variable(const instance *instance, const char *call, uint32_t reference,
-                                  unsigned types);
-
 /* Something that outputs or derivatives depend on has changed. */
 void discard_view(instance *instance);
 
-/* ---- life_cycle.c ------------------------------------------------------------------------------------- */
-
-/* Why no instance can be made with this name and identification; NULL if one can. */
-const char *reason_to_refuse(const char *name, const char *identification);
-
-/* An instance of `size` bytes, all zero beyond its first member; NULL if memory is short. */
-instance *instance_new(size_t size, const char *name, interface_kind interface, bool logging);
-void instance_free(instance *instance);
-
 call_status set_experiment(instance *instance, const char *call, bool tolerance_defined, double tolerance,
                            double start_time, bool stop_time_defined, double stop_time);
-call_status enter_initialization(instance *instance, const char *call);
 call_status exit_initialization(instance *instance, const char *call);
-call_status terminate(instance *instance, const char *call);
 call_status reset(instance *instance, const char *call);
 
 /* ---- access.c ----------------------------------------------------------------------------------------- */
+
+/* The variable of a value reference and of one of these types; NULL, after a refusal, if there is none. */
+const fmu_variable *find_variable(const instance *instance, const char *call, uint32_t reference,
+                                  unsigned types);
 
 /* Access to numbers in the importer's arrays: one function for each of its types. */
 typedef void (*number_writer)(void *values, size_t i, double number);
@@ -177,7 +169,7 @@ call_status serialize_state(instance *instance, const char *call, const void *st
 call_status deserialize_state(instance *instance, const char *call, const void *bytes, size_t size,
                               void **state);
 
-/* ---- model_exchange.c --------------------------------------------------------------------------------- */
+/* ---- stepping.c --------------------------------------------------------------------------------------- */
 
 call_status enter_event_mode(instance *instance, const char *call, unsigned allowed_states);
 
@@ -189,7 +181,9 @@ typedef struct {
 } discrete_update;
 call_status update_discrete_states(instance *instance, const char *call, discrete_update *update);
 
-call_status enter_continuous_time_mode(instance *instance, const char *call);
+/* `asks` receives whether event mode is needed. The importer's own places for answers must be given. */
+call_status complete_step(instance *instance, const char *call, const void *event_mode, const void *terminate,
+                          bool *asks);
 
 call_status set_time(instance *instance, const char *call, double time);
 call_status set_states(instance *instance, const char *call, const double states[], size_t count);
@@ -198,10 +192,8 @@ call_status get_derivatives(instance *instance, const char *call, double derivat
 call_status get_indicators(instance *instance, const char *call, double indicators[], size_t count);
 call_status get_nominals(instance *instance, const char *call, double nominals[], size_t count);
 
-/* ---- co_simulation.c ---------------------------------------------------------------------------------- */
-
-/* A step to time + step; with `stop_at_event`, to the first event if that comes before or then, which is
- * left for an update of the discrete states to take and reported in `event`. */
+/* Co-Simulation: a step to time + step; with `stop_at_event`, to the first event if that comes before or
+ * then, which is left for an update of the discrete states to take and reported in `event`. */
 call_status step_on(instance *instance, const char *call, double time, double step, bool stop_at_event,
                     bool *event);
 

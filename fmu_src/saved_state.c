@@ -3,7 +3,7 @@
  * is checked first, however it came about: whatever is accepted may be gone on with. */
 #include "guid.h"
 #include "instance.h"
-#include "unit_instant.h"
+#include "run.h"
 
 #include <float.h>
 #include <stdio.h>
@@ -268,7 +268,7 @@ static const char *read_state(const void *bytes, saved_state *saved, fmu *fmu, c
     wrong = wrong == NULL ? wrong_field(fmu) : wrong;
     wrong = wrong == NULL ? wrong_call(saved, fmu) : wrong;
     if (wrong == NULL && fmu->has_begun) {
-        if (fmu_prepare(fmu, text) != NULL) {
+        if (unmet_requirement(fmu, true, text) != NULL) {
             return text;
         }
         if (fmu->is_exchange) {
@@ -294,7 +294,8 @@ call_status save_state(instance *instance, const char *call, void **state) {
     }
     saved_state *saved = room_for_state(*state);
     if (saved == NULL) {
-        return fail(instance, call, "out of memory");
+        instance->state = FAILED;
+        return answer(instance, CALL_ERROR, call, "out of memory");
     }
     saved->interface = (int32_t)instance->interface;
     saved->state = (int32_t)instance->state;
@@ -310,7 +311,7 @@ call_status restore_state(instance *instance, const char *call, const void *stat
         return CALL_ERROR;
     }
     if (state == NULL) {
-        return discard(instance, call, "the state is a null pointer");
+        return answer(instance, CALL_DISCARD, call, "the state is a null pointer");
     }
     fmu fmu = instance->fmu;
     saved_state saved;
@@ -319,7 +320,7 @@ call_status restore_state(instance *instance, const char *call, const void *stat
         reason = "it was saved in another interface";
     }
     if (reason != NULL) {
-        return discard(instance, call, "the state is refused: %s", reason);
+        return answer(instance, CALL_DISCARD, call, "the state is refused: %s", reason);
     }
     instance->fmu = fmu;
     instance->state = (call_state)saved.state;
@@ -365,18 +366,19 @@ call_status deserialize_state(instance *instance, const char *call, const void *
         return CALL_ERROR;
     }
     if (size != sizeof(saved_state)) {
-        return discard(instance, call, "%lu bytes are no state of this unit, which has %lu",
-                       (unsigned long)size, (unsigned long)sizeof(saved_state));
+        return answer(instance, CALL_DISCARD, call, "%lu bytes are no state of this unit, which has %lu",
+                      (unsigned long)size, (unsigned long)sizeof(saved_state));
     }
     fmu fmu = instance->fmu;
     saved_state saved;
     const char *reason = read_state(bytes, &saved, &fmu, text);
     if (reason != NULL) {
-        return discard(instance, call, "the bytes are refused: %s", reason);
+        return answer(instance, CALL_DISCARD, call, "the bytes are refused: %s", reason);
     }
     void *room = room_for_state(*state);
     if (room == NULL) {
-        return fail(instance, call, "out of memory");
+        instance->state = FAILED;
+        return answer(instance, CALL_ERROR, call, "out of memory");
     }
     memcpy(room, bytes, sizeof saved);
     *state = room;

@@ -3,7 +3,7 @@
 #ifndef TDMF_FMU_VARIABLES_H
 #define TDMF_FMU_VARIABLES_H
 
-#include "unit.h"
+#include "fmu.h"
 
 #include <stdbool.h>
 #include <stddef.h>

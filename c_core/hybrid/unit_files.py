@@ -17,7 +17,7 @@ from .unit import unit_of
 UNIT = next(folder for folder in (C_CORE / "fmu_src", C_CORE.parent / "fmu_src") if folder.is_dir())
 """The C sources that all units share, in a checkout or in the installed package."""
 KERNEL = C_CORE / "hybrid" / "kernel"
-FOLDERS = UNIT, UNIT / "page", KERNEL, C_CORE / "kernel"
+FOLDERS = UNIT, KERNEL, C_CORE / "kernel"
 DRIVER = (
     "driver.c",
     "no_page_cvode.c",
@@ -64,7 +64,7 @@ def included(text):
 
 def shared_sources(texts):
     """The C files of every unit, and the headers that these and the page's own files include, by name."""
-    found = {file.name: file for folder in FOLDERS[:2] for file in sorted(folder.glob("*.c"))}
+    found = {file.name: file for file in sorted(UNIT.glob("*.c"))}
     found |= {name: KERNEL / name for name in DRIVER}
     todo = [*texts.values(), *(file.read_text(encoding="utf-8") for file in found.values())]
     while todo:
@@ -110,7 +110,7 @@ def write_unit(model, folder, version="0"):
 
 def is_for(name, fmi):
     """Whether a file in a unit's `sources` belongs to a version of FMI, 2 or 3."""
-    return not name.startswith("fmi3_" if fmi == 2 else "fmi2_")
+    return name != f"fmi{5 - fmi}.c"
 
 
 def sources_of(names, fmi):

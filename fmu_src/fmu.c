@@ -1,9 +1,8 @@
 /* A run of any page: its start, events in Model Exchange, and steps of Co-Simulation. */
-#include "drive.h"
-#include "jumps.h"
+#include "instance.h"
 #include "page_cvode.h"
+#include "run.h"
 #include "run_state.h"
-#include "variables.h"
 
 #include <float.h>
 #include <math.h>
@@ -13,16 +12,6 @@
 
 static const long usual_step_limit = 1000000; /* of a call */
 static const double rounding_at_event = 1e-9; /* of a guard, in its scale, where its event was found */
-
-bool fmu_create(fmu *fmu, bool is_exchange) {
-    fmu->is_exchange = is_exchange;
-    fmu->memory = malloc(instant_size() * sizeof *fmu->memory);
-    return fmu->memory != NULL;
-}
-
-void fmu_free(fmu *fmu) {
-    free(fmu->memory);
-}
 
 void fmu_reset(fmu *fmu) {
     const struct fmu kept = {
@@ -50,7 +39,7 @@ static void write_value(const fmu *fmu, const fmu_view *view, const fmu_variable
 }
 
 /* A requirement of the page that is not met; NULL: there is none. */
-static const char *unmet_requirement(const fmu *fmu, bool of_parameters, char text[FMU_TEXT]) {
+const char *unmet_requirement(const fmu *fmu, bool of_parameters, char text[FMU_TEXT]) {
     for (int i = 0; i < UNIT_REQUIREMENT_COUNT; ++i) {
         const unit_requirement *row = &unit_requirements[i];
         if (row->of_parameters == of_parameters &&
@@ -69,18 +58,6 @@ static const char *unmet_requirement(const fmu *fmu, bool of_parameters, char te
         }
     }
     return NULL;
-}
-
-const char *fmu_prepare(fmu *fmu, char text[FMU_TEXT]) {
-    return unmet_requirement(fmu, true, text);
-}
-
-bool fmu_has_begun(const fmu *fmu) {
-    return fmu->has_begun;
-}
-
-double fmu_time(const fmu *fmu) {
-    return fmu->time;
 }
 
 void fmu_set_time(fmu *fmu, double time) {
@@ -185,7 +162,7 @@ void fmu_enter_event_mode(fmu *fmu) {
 /* ---- events ahead of Co-Simulation with event mode ----------------------------------------------------- */
 
 /* Takes the event at which the run stands, unless what was set since it was found averts it. */
-static bool take_pending_event(fmu *fmu, const fmu_observer *observer) {
+static bool take_pending_event(fmu *fmu, const struct instance *observer) {
     if (!fmu->event_is_pending) {
         return false;
     }
@@ -204,7 +181,7 @@ static bool take_pending_event(fmu *fmu, const fmu_observer *observer) {
             const tdmf_event_row row = tdmf_take_event_now(unit_model, kind, &run, fmu->watch);
             keep_run(fmu, &run);
             account_for_all(fmu);
-            if (observer->on_event != NULL) {
+            if (observer != NULL) {
                 report(fmu, observer, &row, before.numbers + UNIT_PARAMETER_COUNT, &row, states_of(fmu));
             }
             return true;
@@ -222,20 +199,20 @@ static void keep_numbers(fmu *fmu, const double states[]) {
     }
 }
 
-fmu_resolution fmu_update(fmu *fmu, const fmu_observer *observer) {
-    fmu_resolution found = {false, false};
+bool fmu_update(fmu *fmu, const struct instance *observer, bool *state_changed) {
     double states[FMU_STATE_COUNT + 1];
+    bool is_resolved;
     fmu_states(fmu, NULL, states);
-    bool changed = take_pending_event(fmu, observer) | fmu->has_jumped;
+    bool changed = take_pending_event(fmu, observer) | (fmu->has_jumped != 0);
     fmu->has_jumped = 0;
     changed |= account_for_jumps(fmu);
     if (fmu->is_exchange) {
         observe(fmu);
-        found.unresolved = !settle(fmu, observer, &changed);
+        is_resolved = settle(fmu, observer, &changed);
         observe(fmu);
     } else {
         long events;
-        found.unresolved = !has_arrived(drive(fmu, fmu->motion.time, observer, &events));
+        is_resolved = has_arrived(drive(fmu, fmu->motion.time, observer, &events));
         changed |= events > 0;
     }
     if (changed) {
@@ -246,11 +223,16 @@ fmu_resolution fmu_update(fmu *fmu, const fmu_observer *observer) {
         }
         account_for_all(fmu);
     }
-    found.state_changed = changed;
-    return found;
+    *state_changed = changed;
+    return is_resolved;
 }
 
 /* ---- Co-Simulation ------------------------------------------------------------------------------------- */
+
+static void write_obstacle(fmu *fmu, tdmf_run_outcome outcome, char text[FMU_TEXT]) {
+    const tdmf_page_run run = run_of(fmu);
+    tdmf_run_message(unit_model, &run, outcome, text, FMU_TEXT);
+}
 
 /* An input that its ramp has brought out of its range; NULL: there is none. */
 static const char *input_out_of_range(const fmu *fmu, char text[FMU_TEXT]) {
@@ -277,7 +259,7 @@ static const char *conclude(fmu *fmu, const page_motion *begun, tdmf_run_outcome
         }
     }
     if (!has_arrived(outcome)) {
-        message(fmu, outcome, text);
+        write_obstacle(fmu, outcome, text);
     } else if (outcome == TDMF_RUN_ENDED || input_out_of_range(fmu, text) == NULL) {
         fmu_set_time(fmu, until);
         show_to_world(fmu);
@@ -288,7 +270,7 @@ static const char *conclude(fmu *fmu, const page_motion *begun, tdmf_run_outcome
     return text;
 }
 
-const char *fmu_advance(fmu *fmu, double until, const fmu_observer *observer, char text[FMU_TEXT]) {
+const char *fmu_advance(fmu *fmu, double until, const struct instance *observer, char text[FMU_TEXT]) {
     long events;
     take_pending_event(fmu, observer);
     account_for_jumps(fmu);
@@ -297,8 +279,10 @@ const char *fmu_advance(fmu *fmu, double until, const fmu_observer *observer, ch
     return conclude(fmu, &begun, outcome, until, text);
 }
 
-const char *fmu_advance_to_event(fmu *fmu, double until, const fmu_observer *observer, char text[FMU_TEXT]) {
-    fmu_update(fmu, observer); /* an input may have jumped, which is no event of this step */
+const char *fmu_advance_to_event(fmu *fmu, double until, const struct instance *observer,
+                                 char text[FMU_TEXT]) {
+    bool changed;
+    fmu_update(fmu, observer, &changed); /* an input may have jumped, which is no event of this step */
     const page_motion begun = fmu->motion;
     tdmf_event_row row;
     const tdmf_run_outcome outcome = drive_to_event(fmu, until - fmu->epoch, &row);
@@ -326,7 +310,6 @@ static void apply_starts(fmu *fmu) {
 
 const char *fmu_start(fmu *fmu, char text[FMU_TEXT]) {
     struct fmu ready = *fmu;
-    const fmu_observer nobody = {NULL, NULL};
     long events;
     apply_starts(&ready);
     if (unmet_requirement(&ready, true, text) != NULL || unmet_requirement(&ready, false, text) != NULL) {
@@ -334,9 +317,10 @@ const char *fmu_start(fmu *fmu, char text[FMU_TEXT]) {
     }
     ready.epoch = UNIT_CLOCK_IS_RELATIVE ? ready.time : 0.0;
     fmu_set_time(&ready, ready.time);
-    const tdmf_run_outcome outcome = drive(&ready, ready.motion.time, &nobody, &events);
+    const tdmf_run_outcome outcome = drive(&ready, ready.motion.time, NULL, &events);
     if (!has_arrived(outcome)) {
-        return message(&ready, outcome, text);
+        write_obstacle(&ready, outcome, text);
+        return text;
     }
     ready.has_begun = 1;
     show_to_world(&ready);

@@ -1,5 +1,5 @@
 /* Jumps of quantities that change other states. */
-#include "jumps.h"
+#include "run.h"
 
 #include <string.h>
 

@@ -1,6 +1,7 @@
 /* Solvers of Co-Simulation on a page, and reports of the events that they take. */
-#include "drive.h"
+#include "run.h"
 
+#include "instance.h"
 #include "page_cvode.h"
 
 #include <math.h>
@@ -19,7 +20,7 @@ static bool is_by_cvode(const fmu *fmu) {
 
 /* Sets the page's clock to the time of the motion, which its own steps have rounded otherwise; and what it
  * has written down at this instant. */
-void set_clock(fmu *fmu) {
+static void set_clock(fmu *fmu) {
     double *x = states_of(fmu);
     for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
         if (unit_clock >= 0 && unit_holds_time[i] && x[i] == x[unit_clock]) {
@@ -71,7 +72,7 @@ void keep_run(fmu *fmu, const tdmf_page_run *run) {
     set_clock(fmu);
 }
 
-bool is_counted(const tdmf_event_row *row) {
+static bool is_counted(const tdmf_event_row *row) {
     const tdmf_mode_kind *before = &unit_model->modes[row->before];
     for (int i = 0; i < before->guard_count; ++i) {
         if (before->guards[i].event == row->event) {
@@ -103,20 +104,20 @@ static void describe(const fmu *fmu, int mode, int left, const double *x, char t
 }
 
 /* Reports events at one instant, with the states before the first and after the last of them. */
-void report(const fmu *fmu, const fmu_observer *observer, const tdmf_event_row *first, const double *before,
-            const tdmf_event_row *last, const double *after) {
+void report(const fmu *fmu, const struct instance *observer, const tdmf_event_row *first,
+            const double *before, const tdmf_event_row *last, const double *after) {
     char text[3 * FMU_TEXT], old_mode[FMU_TEXT], new_mode[FMU_TEXT], time[TIME_CAPACITY];
     describe(fmu, first->before, first->before, before, old_mode);
     describe(fmu, last->after, last->before, after, new_mode);
     snprintf(text, sizeof text, "%s at %s s: %s -> %s", unit_event_names[first->event],
              time_text(fmu->epoch + first->time, time), old_mode, new_mode);
     if (is_counted(first) || strcmp(old_mode, new_mode) != 0) {
-        observer->on_event(observer->subject, text);
+        log_event(observer, text);
     }
 }
 
 /* Reports the events of a log, those of one instant together. */
-static void report_log(const fmu *fmu, const fmu_observer *observer, const tdmf_page_run *run) {
+static void report_log(const fmu *fmu, const struct instance *observer, const tdmf_page_run *run) {
     for (int i = 0, next; i < run->log_count; i = next) {
         for (next = i + 1; next < run->log_count && run->log[next].time == run->log[i].time; ++next) {
         }
@@ -213,8 +214,8 @@ static tdmf_run_outcome drive_on(fmu *fmu, double until, tdmf_page_run *run) {
 
 /* Runs the driver, and reports every event if there is an observer. `events` receives the number of events.
  */
-static tdmf_run_outcome drive_native(fmu *fmu, double until, const fmu_observer *observer, long *events) {
-    const bool is_observed = observer->on_event != NULL;
+static tdmf_run_outcome drive_native(fmu *fmu, double until, const struct instance *observer, long *events) {
+    const bool is_observed = observer != NULL;
     tdmf_run_outcome outcome;
     tdmf_event_row log[LOG_SIZE];
     double states[LOG_SIZE * (UNIT_STATE_COUNT + 1)];
@@ -233,7 +234,7 @@ static tdmf_run_outcome drive_native(fmu *fmu, double until, const fmu_observer 
 }
 
 /* Takes the events that are due, until none is. False where they do not come to an end. */
-bool settle(fmu *fmu, const fmu_observer *observer, bool *changed) {
+bool settle(fmu *fmu, const struct instance *observer, bool *changed) {
     const page_motion before = fmu->motion;
     tdmf_page_run run = run_of(fmu);
     tdmf_chain chain;
@@ -241,7 +242,7 @@ bool settle(fmu *fmu, const fmu_observer *observer, bool *changed) {
         tdmf_take_due_events(unit_model, &run, fmu->watch, memory_of_instant(fmu), &chain);
     keep_run(fmu, &run);
     *changed |= chain.count > 0;
-    if (is_settled && chain.count > 0 && observer->on_event != NULL) {
+    if (is_settled && chain.count > 0 && observer != NULL) {
         report(fmu, observer, &chain.first, before.numbers + UNIT_PARAMETER_COUNT, &chain.last,
                states_of(fmu));
     }
@@ -258,7 +259,8 @@ static tdmf_run_outcome go_on_by_cvode(fmu *fmu, double until) {
     return outcome;
 }
 
-static tdmf_run_outcome drive_by_cvode(fmu *fmu, double until, const fmu_observer *observer, long *events) {
+static tdmf_run_outcome drive_by_cvode(fmu *fmu, double until, const struct instance *observer,
+                                       long *events) {
     tdmf_run_outcome outcome = TDMF_RUN_STOPPED;
     for (*events = 0; outcome == TDMF_RUN_STOPPED && *events < event_limit; ++*events) {
         bool changed = false;
@@ -275,7 +277,7 @@ static tdmf_run_outcome drive_by_cvode(fmu *fmu, double until, const fmu_observe
     return outcome == TDMF_RUN_STOPPED ? TDMF_RUN_TOO_MANY_EVENTS : outcome;
 }
 
-tdmf_run_outcome drive(fmu *fmu, double until, const fmu_observer *observer, long *events) {
+tdmf_run_outcome drive(fmu *fmu, double until, const struct instance *observer, long *events) {
     return (is_by_cvode(fmu) ? drive_by_cvode : drive_native)(fmu, until, observer, events);
 }
 
@@ -329,10 +331,4 @@ static tdmf_run_outcome drive_cvode_to_event(fmu *fmu, double until, tdmf_event_
 
 tdmf_run_outcome drive_to_event(fmu *fmu, double until, tdmf_event_row *row) {
     return (is_by_cvode(fmu) ? drive_cvode_to_event : drive_native_to_event)(fmu, until, row);
-}
-
-const char *message(fmu *fmu, tdmf_run_outcome outcome, char text[FMU_TEXT]) {
-    const tdmf_page_run run = run_of(fmu);
-    tdmf_run_message(unit_model, &run, outcome, text, FMU_TEXT);
-    return text;
 }

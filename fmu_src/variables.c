@@ -1,7 +1,7 @@
 /* Reading and writing variables of a page's unit by their row in the table. */
-#include "variables.h"
+#include "instance.h"
 
-#include "jumps.h"
+#include "run.h"
 
 #include <limits.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Rates, guards, outputs and their variations at an instant. */
-#include "unit_instant.h"
+#include "run.h"
 
 #include <math.h>
 #include <string.h>

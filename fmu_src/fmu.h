@@ -1,0 +1,162 @@
+/* A run of a page as a unit holds it, and what the calls of FMI ask of it, whatever version drives it. */
+#ifndef TDMF_PAGE_FMU_H
+#define TDMF_PAGE_FMU_H
+
+#include "unit_page.h" /* the generator's: how many things the page has */
+
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum {
+    UNIT_NUMBER_COUNT = UNIT_PARAMETER_COUNT + UNIT_STATE_COUNT,
+    FMU_STATE_COUNT = UNIT_CONTINUOUS_COUNT,
+    FMU_GUARD_COUNT = UNIT_GUARD_COUNT,
+    WORD_CAPACITY = 64
+};
+
+/* Settings of the unit rather than of the page. */
+typedef enum { SOLVER_NATIVE = 1, SOLVER_CVODE } solver_method;
+
+typedef enum { SETTING_TOLERANCE, SETTING_TERMINATES, SETTING_METHOD, SETTING_COUNT } fmu_setting;
+
+/* Work of the solver in Co-Simulation. */
+typedef enum { WORK_STEPS, WORK_EVALUATIONS, WORK_LAYER_STEPS, WORK_COUNT } fmu_work;
+
+/* State of a run between calls of the driver. Numbers are the page's parameters, then its states. Where
+ * a mode has coordinates of its own, the states of the world's coordinates follow from them, or in Model
+ * Exchange they from those. */
+typedef struct {
+    double numbers[UNIT_NUMBER_COUNT + 1];
+    double time, time_rest;
+    uint64_t taken, above, late;
+    int64_t chain;
+    int32_t mode;
+    int32_t
+        shown; /* the mode whose outputs are shown: the one before where the run has ended and keeps them */
+} page_motion;
+
+/* Up to `step_limit` it is plain data without padding, of which saved states are copies. */
+typedef struct fmu {
+    int32_t has_begun;        /* or 0, as in the next two */
+    int32_t event_is_pending; /* Co-Simulation with event mode: the run stands at an event that is not yet
+                                 taken */
+    int32_t has_jumped;       /* an input, so that states changed, since the last update */
+    int32_t event;            /* the pending one */
+    page_motion motion;
+    double time;  /* the importer's; that of the motion is the page's */
+    double epoch; /* the importer's time at the page's time 0 */
+    double settings[SETTING_COUNT];
+    double
+        starts[UNIT_STATE_COUNT + 1]; /* of states in other coordinates than the world's, where these begin */
+    double importer_tolerance;        /* infinite where the importer has none */
+    double stop_time;                 /* infinite where the importer has none */
+    /* Numbers up to which jumps have changed other states; in Model Exchange with the rates of states there.
+     */
+    double accounted[UNIT_NUMBER_COUNT + 1], accounted_rates[UNIT_STATE_COUNT + 1], accounted_time;
+    int64_t work[WORK_COUNT];
+    unsigned char watch[8 * (UNIT_EVENT_COUNT / 8 + 1)]; /* a watch_state for each event */
+    int64_t step_limit;                                  /* of a call; no part of the run */
+    double *memory;                                      /* working memory, of no content */
+    bool is_exchange;
+} fmu;
+
+/* Values that follow from a run, computed on request. */
+typedef struct {
+    double numbers[UNIT_NUMBER_COUNT + 1];
+    double states[FMU_STATE_COUNT + 1]; /* of a run that has not begun: those that it would begin with */
+    double derivatives[FMU_STATE_COUNT + 1];
+    double guards[FMU_GUARD_COUNT + 1];
+    double outputs[UNIT_OUTPUT_COUNT + 1];
+    double work[WORK_COUNT];
+    char words[UNIT_WORD_COUNT + 1][WORD_CAPACITY];
+} fmu_view;
+
+/* A refusal is written into a text of FMU_TEXT characters, and returned; NULL stands for success. Events are
+ * reported to an instance whose log wants them; NULL: none does. */
+enum { FMU_TEXT = 256 };
+struct instance;
+
+/* Back to the start values, at time 0. */
+void fmu_reset(fmu *fmu);
+
+/* A requirement of the page that is not met, of parameters alone or with the states of a start. */
+const char *unmet_requirement(const fmu *fmu, bool of_parameters, char text[FMU_TEXT]);
+
+/* Begins the run at its time from the values set so far; on refusal the unit is left as it was. */
+const char *fmu_start(fmu *fmu, char text[FMU_TEXT]);
+
+void fmu_set_time(fmu *fmu, double time);
+
+/* Whether a clock may show this time: differences, sums and ratios of such times are numbers. */
+static inline bool fmu_is_time(double time) {
+    return fabs(time) <= 1e100;
+}
+
+void fmu_evaluate(const fmu *fmu, fmu_view *view);
+
+/* The change along a direction of all that follows from states, inputs and settings. The direction is a unit
+ * whose states, inputs and parameters are the seed. */
+void fmu_differentiate(const fmu *fmu, const struct fmu *seed, fmu_view *variation);
+
+/* The change at the start of a run, along a direction of all that a start follows from: the seed is in the
+ * direction's parameters, inputs, states and time. `given` is the unit before fmu_start, `started` the one
+ * after. States that the start calculates are written into the seed. */
+void fmu_differentiate_start(const fmu *given, const struct fmu *started, struct fmu *seed,
+                             fmu_view *variation);
+
+/* The direction in which the unit itself moves: derivatives of its states, rates of its inputs. */
+void fmu_flow(const fmu *fmu, struct fmu *seed);
+
+/* The continuous states as an importer sees them; `view` is that of a run that has not begun, else NULL. */
+void fmu_states(const fmu *fmu, const fmu_view *view, double states[]);
+
+/* This is far beyond any motion, and far enough from overflow for every product of the equations. */
+static const double fmu_largest_state = 1e60;
+
+/* A value that is cut where it is beyond any motion. NaN counts as large. */
+static inline double fmu_within_largest(double value) {
+    const double bounded = value < fmu_largest_state ? value : fmu_largest_state;
+    return bounded > -fmu_largest_state ? bounded : -fmu_largest_state;
+}
+
+/* Takes a solver's trial states, which are no NaN, and cuts them: so values that follow stay finite. */
+void fmu_try_states(fmu *fmu, const double states[]);
+
+/* Derivatives are cut as trial states are: an importer's solver then sees that its step was too long. */
+void fmu_derivatives(const fmu *fmu, double derivatives[]);
+void fmu_event_indicators(const fmu *fmu, double indicators[]);
+
+/* Typical magnitudes of the states, from the parameters; importers make absolute tolerances of them. */
+void fmu_nominals(const fmu *fmu, double nominals[]);
+
+/* Model Exchange: notes what a completed step shows. True where event mode is needed, because an input whose
+ * jumps change other states has changed. */
+bool fmu_complete_step(fmu *fmu);
+
+/* Event mode begins: before inputs may jump. */
+void fmu_enter_event_mode(fmu *fmu);
+
+/* Takes a pending event and resolves whatever else is due now. False where events go on without end. */
+bool fmu_update(fmu *fmu, const struct instance *observer, bool *state_changed);
+
+/* Whether the run has ended, and its settings say that a simulation is to end there. */
+bool fmu_asks_to_terminate(const fmu *fmu);
+
+/* The longest step that an importer's solver may make from here; infinite mostly. */
+double fmu_longest_step(const fmu *fmu);
+
+/* Co-Simulation: moves the run on to `until`. A run that has ended stays readable, frozen. Returns why it got
+ * no farther than its time. */
+const char *fmu_advance(fmu *fmu, double until, const struct instance *observer, char text[FMU_TEXT]);
+
+/* Moves the run on as fmu_advance does, but stops at the first event on the way that counts: at its exact
+ * time, before it is taken, with fmu->event_is_pending. */
+const char *fmu_advance_to_event(fmu *fmu, double until, const struct instance *observer,
+                                 char text[FMU_TEXT]);
+
+/* Whether this build has the solver that the settings choose. */
+bool fmu_has_solver(const fmu *fmu);
+
+#endif

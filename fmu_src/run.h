@@ -1,0 +1,72 @@
+/* A run of a page, below the calls of FMI: coordinates and instants, the solvers of Co-Simulation, and jumps
+ * of quantities that change other states. */
+#ifndef TDMF_FMU_RUN_H
+#define TDMF_FMU_RUN_H
+
+#include "fmu.h"
+#include "page_exchange.h"
+#include "unit_tables.h"
+
+/* ---- instant.c ----------------------------------------------------------------------------------------- */
+
+/* Numbers of working memory that a run needs. */
+size_t instant_size(void);
+
+/* The instant of a run, with the series of its mode up to the second coefficient. */
+tdmf_page_instant instant_of(const fmu *fmu);
+double *memory_of_instant(const fmu *fmu);
+
+const tdmf_mode_kind *mode_of(const fmu *fmu);
+
+/* The mode of a run, or the one before if its outputs and coordinates are kept. */
+const tdmf_mode_kind *shown_mode_of(const fmu *fmu);
+double *parameters_of(const fmu *fmu);
+double *states_of(const fmu *fmu);
+
+/* Writes the world's states that follow from those of the mode, or the mode's from the world's. */
+void show_to_world(fmu *fmu);
+void take_from_world(fmu *fmu);
+
+/* The variation of all that follows, along variations of parameters and of the states of the mode. */
+void vary_at(const fmu *fmu, const double *dp, const double *dx, fmu_view *variation);
+
+/* ---- drive.c ------------------------------------------------------------------------------------------- */
+
+/* A run of the driver from where the unit stands, and the unit where it has got to. Times are the page's. */
+tdmf_page_run run_of(fmu *fmu);
+void keep_run(fmu *fmu, const tdmf_page_run *run);
+
+bool has_arrived(tdmf_run_outcome outcome);
+
+/* Reports events at one instant to an observer, with the states before the first and after the last. */
+void report(const fmu *fmu, const struct instance *observer, const tdmf_event_row *first,
+            const double *before, const tdmf_event_row *last, const double *after);
+
+/* Takes the events that another solver finds due, until none is. False where they do not come to an end. */
+bool settle(fmu *fmu, const struct instance *observer, bool *changed);
+
+/* Goes on, and reports every event. `events` receives the number of events. */
+tdmf_run_outcome drive(fmu *fmu, double until, const struct instance *observer, long *events);
+
+/* Goes on up to the first event that counts, and stands before it then. */
+tdmf_run_outcome drive_to_event(fmu *fmu, double until, tdmf_event_row *row);
+
+/* ---- jumps.c ------------------------------------------------------------------------------------------- */
+
+/* Records that all jumps so far have had their effects. */
+void account_for_all(fmu *fmu);
+
+/* Whether a quantity has jumped since the last such record. */
+bool quantity_has_jumped(const fmu *fmu);
+
+/* Changes the states that depend on jumps since then, and records it. True where there was one. */
+bool account_for_jumps(fmu *fmu);
+
+/* Changes the states that depend on inputs that an importer's solver has moved along the last step. */
+bool account_for_drifts(fmu *fmu);
+
+/* Takes events that are due wherever their conditions hold, such as that an input acts: no indicator shows
+ * them. */
+void take_immediate_events(fmu *fmu);
+
+#endif
