@@ -112,8 +112,10 @@ void fmu_flow(const fmu *fmu, struct fmu *seed);
 /* The continuous states as an importer sees them; `view` is that of a run that has not begun, else NULL. */
 void fmu_states(const fmu *fmu, const fmu_view *view, double states[]);
 
-/* This is far beyond any motion, and far enough from overflow for every product of the equations. */
-static const double fmu_largest_state = 1e60;
+/* The first is far beyond any motion, and far enough from overflow for every product of the equations. The
+ * second is beyond whatever is added up from such states, and far enough from overflow for products, too. */
+#define fmu_largest_state 1e60
+#define fmu_largest_sum   1e200
 
 /* A value that is cut where it is beyond any motion. NaN counts as large. */
 static inline double fmu_within_largest(double value) {

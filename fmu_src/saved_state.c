@@ -24,10 +24,6 @@ typedef struct {
 
 static const uint32_t byte_order = 0x01020304; /* reads otherwise on a machine of another kind */
 
-/* Largest sum along a run. It is beyond whatever is added up from states below fmu_largest_state, and far
- * enough from overflow for differences and products. */
-static const double largest_sum = 1e200;
-
 /* FNV-1a */
 static uint64_t checksum_of(const saved_state *saved) {
     const unsigned char *bytes = (const unsigned char *)saved;
@@ -54,42 +50,11 @@ static bool lies_between(double value, double least, double most) {
     return value >= least && value <= most;
 }
 
-/* The name of a parameter or a state: that of its variable, else the page's own. */
-static const char *name_of_number(int place) {
-    for (size_t i = 0; i < fmu_variable_count; ++i) {
-        const fmu_variable *v = &fmu_variables[i];
-        const bool is_number =
-            v->storage == STORED_PARAMETER || v->storage == STORED_INPUT || v->storage == STORED_HELD;
-        const size_t offset = v->storage == STORED_STATE
-                                  ? (size_t)(UNIT_PARAMETER_COUNT + unit_states[v->offset].index)
-                                  : v->offset;
-        if ((is_number || v->storage == STORED_STATE) && v->type != VARIABLE_STRING &&
-            offset == (size_t)place) {
-            return v->name;
-        }
-    }
-    return place < UNIT_PARAMETER_COUNT ? unit_model->parameter_names[place]
-                                        : unit_model->state_names[place - UNIT_PARAMETER_COUNT];
-}
-
-/* Trial states of an importer's solver and states on their way to an event may be out of the range of starts.
- */
-static double largest_of_state(int state) {
-    bool is_motion = unit_input_rates[state] >= 0;
-    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
-        is_motion |= unit_states[i].index == state && unit_states[i].has_start;
-    }
-    return is_motion ? fmu_largest_state : largest_sum;
-}
-
 /* The name of a number that is out of range; NULL: there is none. */
 static const char *wrong_number(const double *numbers) {
     for (int i = 0; i < UNIT_NUMBER_COUNT; ++i) {
-        const bool is_parameter = i < UNIT_PARAMETER_COUNT;
-        const double largest = is_parameter ? 0.0 : largest_of_state(i - UNIT_PARAMETER_COUNT);
-        if (!lies_between(numbers[i], is_parameter ? unit_model->parameter_least[i] : -largest,
-                          is_parameter ? unit_model->parameter_most[i] : largest)) {
-            return name_of_number(i);
+        if (!lies_between(numbers[i], unit_numbers[i].least, unit_numbers[i].most)) {
+            return unit_numbers[i].name;
         }
     }
     return NULL;
@@ -163,7 +128,7 @@ static const char *wrong_field(const fmu *fmu) {
         return "the time";
     }
     for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
-        if (!lies_between(fmu->starts[i], -largest_sum, largest_sum)) {
+        if (!lies_between(fmu->starts[i], -fmu_largest_sum, fmu_largest_sum)) {
             return unit_model->state_names[i];
         }
         if (!lies_between(fmu->accounted_rates[i], -DBL_MAX, DBL_MAX)) {
@@ -193,7 +158,7 @@ static const char *wrong_coordinate(const fmu *fmu) {
     for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
         const double value = states_of(fmu)[i], seen = states_of(&shown)[i];
         if (!(fabs(value - seen) <= 1e-9 * (at.scales[i] + fabs(value)))) {
-            return name_of_number(UNIT_PARAMETER_COUNT + i);
+            return unit_numbers[UNIT_PARAMETER_COUNT + i].name;
         }
     }
     return NULL;
@@ -207,12 +172,12 @@ static const char *wrong_state(const fmu *fmu) {
         const double value = x[row->state];
         if (!(fmu->is_exchange && row->moves) &&
             !(lies_between(value, row->least, row->most) && (!row->is_whole || value == floor(value)))) {
-            return name_of_number(UNIT_PARAMETER_COUNT + row->state);
+            return unit_numbers[UNIT_PARAMETER_COUNT + row->state].name;
         }
     }
     for (int i = 0; i < UNIT_STATE_COUNT && !fmu->is_exchange; ++i) {
         if (unit_holds_time[i] && x[i] > fmu->motion.time) {
-            return name_of_number(UNIT_PARAMETER_COUNT + i);
+            return unit_numbers[UNIT_PARAMETER_COUNT + i].name;
         }
     }
     return NULL;

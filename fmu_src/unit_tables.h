@@ -46,6 +46,12 @@ typedef struct {
     tdmf_answer *size;
 } unit_nominal;
 
+/* A number of a run: a parameter or a state of the page. */
+typedef struct {
+    const char *name; /* of its variable, else the page's own */
+    double least, most;
+} unit_number;
+
 /* Bounds that a state of the page always keeps. */
 typedef struct {
     int state;
@@ -61,6 +67,7 @@ extern const unit_guard unit_guards[];
 extern const unit_word unit_words[];
 extern const unit_requirement unit_requirements[];
 extern const unit_enumeration unit_enumerations[];
+extern const unit_number unit_numbers[]; /* parameters, then states */
 extern const unit_bound unit_bounds[];
 extern const unit_nominal unit_nominals[];
 extern const char *const unit_event_names[]; /* for messages */

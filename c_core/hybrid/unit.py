@@ -381,6 +381,31 @@ class Unit:
             rows.append(f"{{{number}, {least}, {most}, {c_boolean(is_whole)}, {moves}}},")
         return rows
 
+    def numbers(self):
+        """Rows of the numbers of a run, parameters and states: names for messages, and what they may ever be.
+
+        States that move may go far beyond the range of starts, and sums beyond any state.
+        """
+        page, public = self.page, {}
+        names, first = [*page.parameters, *page.states], len(page.parameters)
+        for row in self.rows:
+            place = row.offset
+            if row.storage == "STATE":
+                place = names.index(self.world.states[row.offset])
+            if row.storage in ("PARAMETER", "INPUT", "HELD", "STATE") and self.type_of(row) != "String":
+                public.setdefault(place, row.name)
+        starts = {self.world.states[row.offset] for row in self.rows if row.storage == "STATE" and row.is_set}
+        of_motion = starts | {n for n in page.inputs if f"{n}_rate" in page.states}
+        rows = []
+        for place, name in enumerate(names):
+            if place < first:
+                bounds = [number_text(bound) for bound in range_of(page.parameters[name])]
+            else:
+                largest = "fmu_largest_state" if name in of_motion else "fmu_largest_sum"
+                bounds = [f"-{largest}", largest]
+            rows.append(f"{{{json.dumps(public.get(place, name))}, {', '.join(bounds)}}},")
+        return rows
+
     def variable_row(self, row):
         """A row of `fmu_variable`."""
         limits = ("0.0", "1.0") if row.kind is bool else ("-DBL_MAX", "DBL_MAX")
@@ -457,6 +482,7 @@ class Unit:
             "unit_guard unit_guards": guards,
             "unit_word unit_words": words,
             "unit_requirement unit_requirements": self.requirements(functions),
+            "unit_number unit_numbers": self.numbers(),
             "unit_bound unit_bounds": self.bounds(),
             "unit_nominal unit_nominals": self.nominals(functions),
             "char *const unit_allowed": [f"{text}," for text in ranges],
