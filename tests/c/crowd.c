@@ -46,9 +46,29 @@ void place_runner(crowd *crowd, int number, const tdmf_parameters *parameters, c
     memcpy(crowd->starts[number], section, sizeof crowd->starts[number]);
 }
 
+tdmf_ensemble_case *share_case(crowd *crowd) {
+    crowd->ensemble.case_of = NULL;
+    crowd->ensemble.case_count = 1;
+    return crowd->cases;
+}
+
+void note_strides(crowd *crowd, int count) {
+    crowd->strides = allocate(crowd->count * count, sizeof *crowd->strides);
+    crowd->checkpoints = allocate(crowd->count, sizeof *crowd->checkpoints);
+    crowd->ensemble.strides = crowd->strides;
+    crowd->ensemble.stride_count = count;
+    crowd->ensemble.checkpoints = crowd->checkpoints;
+}
+
 void run_crowd(crowd *crowd, tdmf_instructions instructions) {
     crowd->ensemble.instructions = instructions;
     assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+}
+
+void assert_crowd_is_refused(crowd *crowd) {
+    const tdmf_ensemble_end before = crowd->ends[0];
+    assert_false(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    assert_memory_equal(&crowd->ends[0], &before, sizeof before);
 }
 
 void free_crowd(crowd *crowd) {
@@ -57,6 +77,8 @@ void free_crowd(crowd *crowd) {
     free(crowd->case_of);
     free(crowd->starts);
     free(crowd->ends);
+    free(crowd->strides);
+    free(crowd->checkpoints);
     free(crowd);
 }
 

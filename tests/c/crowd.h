@@ -11,6 +11,8 @@ typedef struct {
     int *case_of;
     double (*starts)[TDMF_SECTION_COUNT];
     tdmf_ensemble_end *ends;
+    tdmf_ensemble_stride *strides; /* see note_strides */
+    tdmf_ensemble_checkpoint *checkpoints;
     tdmf_ensemble ensemble; /* in one thread */
 } crowd;
 
@@ -21,8 +23,17 @@ crowd *make_crowd(int count, int max_strides, double relative_tolerance);
 void place_runner(crowd *crowd, int number, const tdmf_parameters *parameters, const tdmf_inputs *inputs,
                   const double section[TDMF_SECTION_COUNT]);
 
+/* Gives all runners the first case, which may be changed. */
+tdmf_ensemble_case *share_case(crowd *crowd);
+
+/* Notes so many strides of each runner, and where it stands. */
+void note_strides(crowd *crowd, int count);
+
 /* To the ends of all runners; asserts that the ensemble is accepted. */
 void run_crowd(crowd *crowd, tdmf_instructions instructions);
+
+/* Asserts that its ensemble is refused, and that nothing is written. */
+void assert_crowd_is_refused(crowd *crowd);
 
 void free_crowd(crowd *crowd);
 

@@ -1,29 +1,19 @@
 /* Many strides of the reduced map at once: runners end where the map takes them one by one, and the same, bit
  * for bit, whoever their neighbours are and however many threads there are. */
 #include "compare.h"
+#include "crowd.h"
 #include "random.h"
 #include "reduced_gaits.h"
 #include "sample.h"
 #include "scene.h"
 #include "simulation.h"
-#include "tdmf_slip/ensemble.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { RUNNERS = TDMF_SAMPLE_DIVISOR == 1 ? 600 : 120, STRIDES = 6 };
 
 static const double tight = 1e-11;
-
-/* Each runner with a case of its own. */
-typedef struct {
-    tdmf_model models[RUNNERS];
-    tdmf_ensemble_case cases[RUNNERS];
-    int case_of[RUNNERS];
-    double starts[RUNNERS][TDMF_SECTION_COUNT];
-    tdmf_ensemble ensemble;
-} population;
 
 static void vary(random_source *source, tdmf_parameters *p, tdmf_inputs *inputs) {
     p->foot.mass *= random_magnitude(source, 0.5, 2.0);
@@ -41,40 +31,20 @@ static void vary(random_source *source, tdmf_parameters *p, tdmf_inputs *inputs)
     inputs->hip.external_torque = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.01, 0.01);
 }
 
-static population *make_population(void) {
-    population *population = calloc(1, sizeof *population);
+static crowd *reduced_crowd(void) {
+    crowd *crowd = make_crowd(RUNNERS, STRIDES, tight);
     random_source source = {20261122};
-    assert_non_null(population);
     for (int i = 0; i < RUNNERS; ++i) {
-        tdmf_ensemble_case *its_case = &population->cases[i];
         tdmf_parameters parameters = tdmf_default_parameters();
-        vary(&source, &parameters, &its_case->inputs);
-        population->models[i] = accepted_model(&parameters);
-        its_case->model = &population->models[i];
-        its_case->rules.max_strides = STRIDES;
-        population->case_of[i] = i;
+        tdmf_inputs inputs = {.ground = {.friction = 0.0}};
+        vary(&source, &parameters, &inputs);
         const double start[TDMF_SECTION_COUNT] = {random_uniform(&source, 0.6, 2.5),
                                                   random_uniform(&source, 0.0, 1.6), 1.0,
                                                   parameters.hip.touchdown_angle};
-        memcpy(population->starts[i], start, sizeof start);
+        place_runner(crowd, i, &parameters, &inputs, start);
     }
-    const tdmf_ensemble ensemble = {.cases = population->cases,
-                                    .case_count = RUNNERS,
-                                    .case_of = population->case_of,
-                                    .starts = (const double(*)[TDMF_SECTION_COUNT])population->starts,
-                                    .count = RUNNERS,
-                                    .relative_tolerance = tight,
-                                    .threads = 1,
-                                    .map = TDMF_REDUCED_MAP};
-    population->ensemble = ensemble;
-    return population;
-}
-
-static tdmf_ensemble_end *run(const tdmf_ensemble *ensemble) {
-    tdmf_ensemble_end *ends = calloc((size_t)ensemble->count, sizeof *ends);
-    assert_non_null(ends);
-    assert_true(tdmf_run_ensemble(ensemble, ends, NULL));
-    return ends;
+    crowd->ensemble.map = TDMF_REDUCED_MAP;
+    return crowd;
 }
 
 /* ---- against the map ---------------------------------------------------------------------------------- */
@@ -140,53 +110,47 @@ static void assert_same_end(const tdmf_ensemble_end *a, const tdmf_ensemble_end 
 }
 
 TEST(runners_end_where_the_map_takes_them) {
-    population *population = make_population();
+    crowd *crowd = reduced_crowd();
+    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
+    const int count = list_instructions(sets);
     tdmf_ensemble_end expected[RUNNERS];
-    int sets = 0;
     for (int i = 0; i < RUNNERS; ++i) {
-        expected[i] = iterate(&population->cases[i], population->starts[i]);
+        expected[i] = iterate(&crowd->cases[i], crowd->starts[i]);
     }
-    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+    for (int set = 0; set < count; ++set) {
         int of_fate[TDMF_FATE_NO_STRIDE + 1] = {0};
-        if (!tdmf_has_instructions((tdmf_instructions)set)) {
-            continue;
-        }
-        ++sets;
-        population->ensemble.instructions = (tdmf_instructions)set;
-        tdmf_ensemble_end *ends = run(&population->ensemble);
+        run_crowd(crowd, sets[set]);
         for (int i = 0; i < RUNNERS; ++i) {
-            assert_same_end(&ends[i], &expected[i]);
-            ++of_fate[ends[i].fate];
+            assert_same_end(&crowd->ends[i], &expected[i]);
+            ++of_fate[crowd->ends[i].fate];
         }
         assert_true(of_fate[TDMF_FATE_UNDECIDED] > RUNNERS / 4);
         assert_true(of_fate[TDMF_FATE_NO_STRIDE] > RUNNERS / 20);
         assert_true(of_fate[TDMF_FATE_NO_START] > RUNNERS / 100);
-        free(ends);
     }
-    assert_true(sets >= 2);
-    free(population);
+    free_crowd(crowd);
 }
 
 /* ---- neighbours and threads --------------------------------------------------------------------------- */
 
 TEST(neighbours_and_threads_do_not_matter) {
-    population *population = make_population();
-    tdmf_ensemble_end *together = run(&population->ensemble);
-    population->ensemble.threads = 3;
-    tdmf_ensemble_end *shared = run(&population->ensemble);
-    assert_memory_equal(shared, together, RUNNERS * sizeof *together);
+    crowd *crowd = reduced_crowd();
+    tdmf_ensemble_end together[RUNNERS];
+    run_crowd(crowd, TDMF_BEST_INSTRUCTIONS);
+    memcpy(together, crowd->ends, sizeof together);
+    crowd->ensemble.threads = 3;
+    run_crowd(crowd, TDMF_BEST_INSTRUCTIONS);
+    assert_memory_equal(crowd->ends, together, sizeof together);
     for (int i = 0; i < RUNNERS; i += 3) {
-        tdmf_ensemble one = population->ensemble;
-        one.starts = &population->ensemble.starts[i];
-        one.case_of = &population->case_of[i];
+        tdmf_ensemble one = crowd->ensemble;
+        tdmf_ensemble_end alone;
+        one.starts = &crowd->ensemble.starts[i];
+        one.case_of = &crowd->case_of[i];
         one.count = 1;
-        tdmf_ensemble_end *alone = run(&one);
-        assert_memory_equal(alone, &together[i], sizeof *alone);
-        free(alone);
+        assert_true(tdmf_run_ensemble(&one, &alone, NULL));
+        assert_memory_equal(&alone, &together[i], sizeof alone);
     }
-    free(shared);
-    free(together);
-    free(population);
+    free_crowd(crowd);
 }
 
 /* ---- settling ----------------------------------------------------------------------------------------- */
@@ -196,22 +160,19 @@ TEST(runners_settle_on_the_gaits_of_the_reference) {
     for (int i = 0; i < REDUCED_GAITS; ++i) {
         const reduced_gait *gait = &reduced_gaits[i];
         const tdmf_parameters parameters = parameters_of_reduced_gait(gait);
+        const tdmf_inputs inputs = inputs_of_reduced_gait(gait);
         const double gaits[1][TDMF_SECTION_COUNT] = {{gait->apex[0], gait->apex[1], 7.0, NAN, 7.0, 7.0}};
-        const double starts[2][TDMF_SECTION_COUNT] = {{gait->apex[0], gait->apex[1]},
-                                                      {gait->apex[0] + 0.03, gait->apex[1] - 0.03}};
-        const tdmf_model model = accepted_model(&parameters);
-        const tdmf_ensemble_case its_case = {
-            &model,
-            inputs_of_reduced_gait(gait),
-            {.gaits = gaits, .gait_count = 1, .distance = 1e-9, .max_strides = 2000}};
-        const tdmf_ensemble ensemble = {.cases = &its_case,
-                                        .case_count = 1,
-                                        .starts = starts,
-                                        .count = 2,
-                                        .relative_tolerance = tight,
-                                        .threads = 1,
-                                        .map = TDMF_REDUCED_MAP};
-        tdmf_ensemble_end *ends = run(&ensemble);
+        crowd *crowd = make_crowd(2, 2000, tight);
+        for (int k = 0; k < 2; ++k) {
+            const double start[TDMF_SECTION_COUNT] = {gait->apex[0] + 0.03 * k, gait->apex[1] - 0.03 * k};
+            place_runner(crowd, k, &parameters, &inputs, start);
+            crowd->cases[k].rules.gaits = gaits;
+            crowd->cases[k].rules.gait_count = 1;
+            crowd->cases[k].rules.distance = 1e-9;
+        }
+        crowd->ensemble.map = TDMF_REDUCED_MAP;
+        run_crowd(crowd, TDMF_BEST_INSTRUCTIONS);
+        const tdmf_ensemble_end *ends = crowd->ends;
         assert_int_equal(ends[0].fate, TDMF_FATE_SETTLED);
         assert_int_equal(ends[0].strides, 1);
         assert_relatively_close(ends[0].time, gait->period, 1e-9);
@@ -220,15 +181,13 @@ TEST(runners_settle_on_the_gaits_of_the_reference) {
         assert_close(ends[0].apex[TDMF_SECTION_LEG_ANGLE], parameters.hip.touchdown_angle, 0.0);
         assert_int_equal(ends[1].fate, TDMF_FATE_SETTLED);
         assert_true(ends[1].strides > 20);
-        free(ends);
+        free_crowd(crowd);
     }
 }
 
 TEST(there_is_no_third_map) {
-    population *population = make_population();
-    tdmf_ensemble_end end = {.strides = 77};
-    population->ensemble.map = (tdmf_ensemble_map)2;
-    assert_false(tdmf_run_ensemble(&population->ensemble, &end, NULL));
-    assert_int_equal(end.strides, 77);
-    free(population);
+    crowd *crowd = reduced_crowd();
+    crowd->ensemble.map = (tdmf_ensemble_map)2;
+    assert_crowd_is_refused(crowd);
+    free_crowd(crowd);
 }

@@ -1,12 +1,12 @@
 /* Rough ground: its generator gives the published numbers, its steps are normal, and independent of one
  * another along strides, runners and seeds; and runners meet them, each its own. */
 #include "compare.h"
+#include "crowd.h"
 #include "philox.h"
 #include "random.h"
 #include "reference_gaits.h"
 #include "sample.h"
 #include "simulation.h"
-#include "tdmf_slip/ensemble.h"
 
 #include <math.h>
 #include <string.h>
@@ -103,35 +103,7 @@ TEST(steps_are_independent_along_strides_runners_and_seeds) {
 
 enum { RUNNERS = sample_of(300), STRIDES = 12 };
 
-static const double roughness = 0.05;
 static const uint64_t seed = 7;
-
-typedef struct {
-    tdmf_model model;
-    tdmf_ensemble_case its_case;
-    double starts[RUNNERS][TDMF_SECTION_COUNT];
-    tdmf_ensemble ensemble;
-    tdmf_ensemble_end ends[RUNNERS];
-} population;
-
-static void gather(population *population) {
-    const tdmf_parameters parameters = tdmf_default_parameters();
-    population->model = accepted_model(&parameters);
-    const tdmf_ensemble_case its_case = {&population->model,
-                                         tdmf_default_inputs(),
-                                         {.max_strides = STRIDES, .roughness = roughness, .seed = seed}};
-    population->its_case = its_case;
-    for (int i = 0; i < RUNNERS; ++i) {
-        memcpy(population->starts[i], &reference_gaits[DEFAULT_GAIT].apex, sizeof population->starts[i]);
-    }
-    const tdmf_ensemble ensemble = {.cases = &population->its_case,
-                                    .case_count = 1,
-                                    .starts = (const double(*)[TDMF_SECTION_COUNT])population->starts,
-                                    .count = RUNNERS,
-                                    .relative_tolerance = 1e-11,
-                                    .threads = 1};
-    population->ensemble = ensemble;
-}
 
 /* Strides that began with a new line waiting, and those of them in which it came into force. */
 typedef struct {
@@ -139,19 +111,19 @@ typedef struct {
 } waits;
 
 /* The native solver with the ground set at each apex. Returns the strides made. */
-static int run_over_steps(const population *population, int number, tdmf_motion *motion, waits *seen) {
-    tdmf_solver solver = solver_to(population->ensemble.relative_tolerance);
-    tdmf_inputs inputs = population->its_case.inputs;
+static int run_over_steps(const crowd *crowd, int number, tdmf_motion *motion, waits *seen) {
+    tdmf_solver solver = solver_to(crowd->ensemble.relative_tolerance);
+    tdmf_inputs inputs = crowd->cases[0].inputs;
     motion->time = 0.0;
-    tdmf_section_state((tdmf_system){&population->model, &inputs}, population->starts[number], motion->state);
-    assert_null(tdmf_start((tdmf_system){&population->model, &inputs}, motion).variable);
+    tdmf_section_state((tdmf_system){&crowd->models[0], &inputs}, crowd->starts[number], motion->state);
+    assert_null(tdmf_start((tdmf_system){&crowd->models[0], &inputs}, motion).variable);
     for (int stride = 0; stride < STRIDES; ++stride) {
         inputs.ground.height +=
-            population->its_case.rules.roughness * tdmf_ground_step(seed, (uint64_t)number, (uint32_t)stride);
-        tdmf_resolve((tdmf_system){&population->model, &inputs}, motion);
+            crowd->cases[0].rules.roughness * tdmf_ground_step(seed, (uint64_t)number, (uint32_t)stride);
+        tdmf_resolve((tdmf_system){&crowd->models[0], &inputs}, motion);
         const bool waits = motion->mode.ground.height != inputs.ground.height;
         seen->waited += waits;
-        if (!tdmf_native_stride(&solver, (tdmf_system){&population->model, &inputs}, motion->time + 1e4,
+        if (!tdmf_native_stride(&solver, (tdmf_system){&crowd->models[0], &inputs}, motion->time + 1e4,
                                 motion)
                  .closed) {
             return stride;
@@ -177,17 +149,20 @@ static void assert_same_strides(const tdmf_ensemble_end *end, const tdmf_motion 
 }
 
 /* At the apices the foot hangs low and swings forward, and the steps are as high as that. */
-static void gather_before_high_steps(population *population, double push) {
+static crowd *gather_before_high_steps(double push) {
     random_source source = {11};
-    gather(population);
-    population->its_case.rules.roughness = 0.4;
-    population->its_case.inputs.body.external_fx = 0.1 * push;
-    population->its_case.inputs.body.external_fy = push;
+    crowd *crowd = make_crowd(RUNNERS, STRIDES, 1e-11);
+    tdmf_ensemble_case *its_case = share_case(crowd);
+    its_case->rules.seed = seed;
+    its_case->rules.roughness = 0.4;
+    its_case->inputs.body.external_fx = 0.1 * push;
+    its_case->inputs.body.external_fy = push;
     for (int i = 0; i < RUNNERS; ++i) {
-        population->starts[i][TDMF_SECTION_LEG_ANGLE] = random_uniform(&source, -0.12, 0.75);
-        population->starts[i][TDMF_SECTION_LEG_ANGLE_RATE] = 0.2;
-        population->starts[i][TDMF_SECTION_COM_HEIGHT] *= random_uniform(&source, 0.75, 1.1);
+        crowd->starts[i][TDMF_SECTION_LEG_ANGLE] = random_uniform(&source, -0.12, 0.75);
+        crowd->starts[i][TDMF_SECTION_LEG_ANGLE_RATE] = 0.2;
+        crowd->starts[i][TDMF_SECTION_COM_HEIGHT] *= random_uniform(&source, 0.75, 1.1);
     }
+    return crowd;
 }
 
 static void assert_same_last_apex(const tdmf_ensemble_end *end, const tdmf_motion *motion) {
@@ -201,44 +176,42 @@ static void assert_same_last_apex(const tdmf_ensemble_end *end, const tdmf_motio
 /* There is no push, one that lightens the runner, or one that weighs it down. */
 TEST(runners_whose_ground_waits_meet_it_alike_in_all_lanes) {
     static const double pushes[] = {0.0, 2e-3, -2e-3};
-    static population population;
     static tdmf_motion motions[RUNNERS];
+    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
+    const int count = list_instructions(sets);
     int strides[RUNNERS];
     waits seen = {0};
     for (int push = 0; push < 3; ++push) {
         int compared = 0;
-        gather_before_high_steps(&population, pushes[push]);
+        crowd *crowd = gather_before_high_steps(pushes[push]);
         for (int i = 0; i < RUNNERS; ++i) {
-            strides[i] = run_over_steps(&population, i, &motions[i], &seen);
+            strides[i] = run_over_steps(crowd, i, &motions[i], &seen);
         }
-        for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-            population.ensemble.instructions = (tdmf_instructions)set;
-            if (!tdmf_has_instructions(population.ensemble.instructions)) {
-                continue;
-            }
-            assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
+        for (int set = 0; set < count; ++set) {
+            run_crowd(crowd, sets[set]);
             for (int i = 0; i < RUNNERS; ++i) {
-                assert_same_strides(&population.ends[i], &motions[i], strides[i]);
+                assert_same_strides(&crowd->ends[i], &motions[i], strides[i]);
                 if (strides[i] > 0) {
-                    assert_same_last_apex(&population.ends[i], &motions[i]);
+                    assert_same_last_apex(&crowd->ends[i], &motions[i]);
                     ++compared;
                 }
             }
         }
         assert_true(compared > RUNNERS * 9 / 10);
+        free_crowd(crowd);
     }
     assert_true(seen.waited > 3 * RUNNERS / 2 && seen.passed > RUNNERS);
 }
 
 TEST(refuses_a_roughness_that_is_none) {
-    static population population;
     static const double none[] = {-1e-300, NAN, INFINITY};
-    gather(&population);
+    crowd *crowd = gather_before_high_steps(0.0);
     for (size_t i = 0; i < sizeof none / sizeof none[0]; ++i) {
-        population.its_case.rules.roughness = none[i];
-        assert_false(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
+        crowd->cases[0].rules.roughness = none[i];
+        assert_crowd_is_refused(crowd);
     }
-    population.its_case.rules.roughness = roughness;
-    population.ensemble.map = TDMF_REDUCED_MAP;
-    assert_false(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
+    crowd->cases[0].rules.roughness = 0.05;
+    crowd->ensemble.map = TDMF_REDUCED_MAP;
+    assert_crowd_is_refused(crowd);
+    free_crowd(crowd);
 }
