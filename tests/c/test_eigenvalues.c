@@ -36,14 +36,6 @@ TEST(of_a_triangle_they_are_on_the_diagonal) {
     assert_are(SIZE, zeros, zeros, 0.0);
 }
 
-/* x^4 - 10 x^3 + 35 x^2 - 50 x + 24 = (x - 1) (x - 2) (x - 3) (x - 4). */
-TEST(of_a_companion_matrix_they_are_the_roots) {
-    static const double matrix[] = {10.0, -35.0, 50.0, -24.0, 1.0, 0.0, 0.0, 0.0,
-                                    0.0,  1.0,   0.0,  0.0,   0.0, 0.0, 1.0, 0.0};
-    static const double expected[] = {4.0, 3.0, 2.0, 1.0};
-    assert_are(4, matrix, expected, 1e-12);
-}
-
 /* All of one size and apart by a sixth of a turn: no shift tells one from another, at first. */
 TEST(of_a_cycle_they_are_roots_of_unity) {
     double matrix[SIZE * SIZE] = {0.0}, pairs[2 * SIZE];

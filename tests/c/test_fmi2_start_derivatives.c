@@ -10,147 +10,80 @@
 #include "variables.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-enum { MAX_VARIABLES = 160, SETTINGS = 8 };
+enum { MAX_VARIABLES = 160 };
 
-/* A start, and the knowns by which nothing is differentiable there: a step either way makes another mode of
- * it. Names end with NULL. */
+/* A start by its values, and the knowns by which nothing is differentiable there: a step either way makes
+ * another mode of it. */
 typedef struct {
-    const char *what;
-    struct {
-        const char *name;
-        double value;
-    } settings[SETTINGS];
+    const char *what, *values;
     int contact, phase;
-    const char *edges[9];
+    const char *edges;
 } start;
 
 /* Of every start: where there is a patch, and a default at which the hip's law has one term less. */
-static const struct {
-    const char *name;
-    double value;
-} always[] = {{"ground.patch_begin", 3.0},
-              {"ground.patch_end", 4.0},
-              {"hip.retraction_rate", 0.1},
-              {"hip.swing_clamp", 1.0}};
-
-#define FOOT(y_value, vx_value, vy_value)                                                                    \
-    {"foot.y", y_value}, {"foot.vx", vx_value}, {                                                            \
-        "foot.vy", vy_value                                                                                  \
-    }
+static const char always[] =
+    "ground.patch_begin=3 ground.patch_end=4 hip.retraction_rate=0.1 hip.swing_clamp=1";
 
 static const start starts[] = {
-    {"at an apex",
-     {{"gravity", 0.02}},
-     TDMF_CONTACT_FLIGHT,
-     TDMF_PHASE_PLACE,
-     {"foot.vy", "leg.length", "leg.angle", "leg.length_rate", "leg.angle_rate", "body.mass", "foot.mass",
-      NULL}},
-    {"at an apex, upright",
-     {FOOT(0.5, 0.3, 0.0), {"leg.angle", 0.0}, {"leg.length_rate", 0.0}, {"leg.angle_rate", 0.0}},
-     TDMF_CONTACT_FLIGHT,
-     TDMF_PHASE_PLACE,
-     {"foot.vy", "leg.length_rate", NULL}},
+    {"at an apex", "gravity=0.02", TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE,
+     "foot.vy leg.length leg.angle leg.length_rate leg.angle_rate body.mass foot.mass"},
+    {"at an apex, upright", "foot.y=0.5 foot.vx=0.3 foot.vy=0 leg.angle=0 leg.length_rate=0 leg.angle_rate=0",
+     TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, "foot.vy leg.length_rate"},
     {"at an apex, the leg level",
-     {FOOT(0.5, 0.3, 0.0),
-      {"leg.angle", 1.5707963267948966},
-      {"leg.length_rate", 0.0},
-      {"leg.angle_rate", 0.0}},
-     TDMF_CONTACT_FLIGHT,
-     TDMF_PHASE_PLACE,
-     {"foot.vy", "leg.angle_rate", NULL}},
+     "foot.y=0.5 foot.vx=0.3 foot.vy=0 leg.angle=1.5707963267948966 leg.length_rate=0 leg.angle_rate=0",
+     TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, "foot.vy leg.angle_rate"},
     {"rising, the leg swung back, the clamp open",
-     {FOOT(0.5, 0.3, 1.0), {"leg.angle", -0.6}, {"leg.angle_rate", -1.0}},
-     TDMF_CONTACT_FLIGHT,
-     TDMF_PHASE_RETRACT,
-     {NULL}},
+     "foot.y=0.5 foot.vx=0.3 foot.vy=1 leg.angle=-0.6 leg.angle_rate=-1", TDMF_CONTACT_FLIGHT,
+     TDMF_PHASE_RETRACT, ""},
     {"rising, the clamp closed",
-     {FOOT(0.5, 0.3, 0.2), {"leg.angle", -0.6}, {"leg.angle_rate", 3.0}, {"hip.external_torque", 0.01}},
-     TDMF_CONTACT_FLIGHT,
-     TDMF_PHASE_RETRACT,
-     {NULL}},
+     "foot.y=0.5 foot.vx=0.3 foot.vy=0.2 leg.angle=-0.6 leg.angle_rate=3 hip.external_torque=0.01",
+     TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT, ""},
     {"rising, without a clamp",
-     {FOOT(0.5, 0.3, 0.2),
-      {"leg.angle", -0.6},
-      {"leg.angle_rate", 3.0},
-      {"hip.external_torque", 0.01},
-      {"hip.swing_clamp", 0.0}},
-     TDMF_CONTACT_FLIGHT,
-     TDMF_PHASE_RETRACT,
-     {NULL}},
-    {"falling",
-     {FOOT(0.5, 0.3, -0.4), {"leg.angle", 1.24}, {"leg.angle_rate", 0.2}},
-     TDMF_CONTACT_FLIGHT,
-     TDMF_PHASE_PLACE,
-     {NULL}},
+     "foot.y=0.5 foot.vx=0.3 foot.vy=0.2 leg.angle=-0.6 leg.angle_rate=3 hip.external_torque=0.01 "
+     "hip.swing_clamp=0",
+     TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT, ""},
+    {"falling", "foot.y=0.5 foot.vx=0.3 foot.vy=-0.4 leg.angle=1.24 leg.angle_rate=0.2", TDMF_CONTACT_FLIGHT,
+     TDMF_PHASE_PLACE, ""},
     {"an impact, then slip forward",
-     {FOOT(0.0, 1.2, -0.3), {"leg.length", 0.9}, {"leg.angle", 0.4}, {"hip.external_torque", 0.01}},
-     TDMF_CONTACT_SLIP_POSITIVE,
-     TDMF_PHASE_DRIVE,
-     {"foot.y", NULL}},
+     "foot.y=0 foot.vx=1.2 foot.vy=-0.3 leg.length=0.9 leg.angle=0.4 hip.external_torque=0.01",
+     TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_DRIVE, "foot.y"},
     {"an impact, then slip backward",
-     {FOOT(0.0, -1.2, -0.3), {"leg.length", 0.9}, {"leg.angle", -0.4}, {"hip.external_torque", 0.01}},
-     TDMF_CONTACT_SLIP_NEGATIVE,
-     TDMF_PHASE_COAST,
-     {"foot.y", NULL}},
+     "foot.y=0 foot.vx=-1.2 foot.vy=-0.3 leg.length=0.9 leg.angle=-0.4 hip.external_torque=0.01",
+     TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST, "foot.y"},
     {"an impact, then stick",
-     {FOOT(0.0, 0.1, -0.5), {"leg.length", 0.8}, {"leg.angle", 0.2}, {"leg.length_rate", 0.1}},
-     TDMF_CONTACT_STICK,
-     TDMF_PHASE_DRIVE,
-     {"foot.y", NULL}},
+     "foot.y=0 foot.vx=0.1 foot.vy=-0.5 leg.length=0.8 leg.angle=0.2 leg.length_rate=0.1", TDMF_CONTACT_STICK,
+     TDMF_PHASE_DRIVE, "foot.y"},
     {"slip, put on the ground",
-     {FOOT(0.0, 0.8, 0.0), {"leg.length", 0.8}, {"leg.angle", 0.4}, {"leg.length_rate", 0.1}},
-     TDMF_CONTACT_SLIP_POSITIVE,
-     TDMF_PHASE_DRIVE,
-     {"foot.y", "foot.vy", NULL}},
+     "foot.y=0 foot.vx=0.8 foot.vy=0 leg.length=0.8 leg.angle=0.4 leg.length_rate=0.1",
+     TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_DRIVE, "foot.y foot.vy"},
     {"stick, put on the ground",
-     {FOOT(0.0, 0.0, 0.0), {"leg.length", 0.8}, {"leg.angle", -0.2}, {"hip.external_torque", 0.01}},
-     TDMF_CONTACT_STICK,
-     TDMF_PHASE_COAST,
-     {"foot.y", "foot.vx", "foot.vy", NULL}},
+     "foot.y=0 foot.vx=0 foot.vy=0 leg.length=0.8 leg.angle=-0.2 hip.external_torque=0.01",
+     TDMF_CONTACT_STICK, TDMF_PHASE_COAST, "foot.y foot.vx foot.vy"},
     {"a light foot on a stiff leg, falling",
-     {FOOT(0.5, 0.3, -0.4),
-      {"leg.angle", 1.24},
-      {"leg.angle_rate", 0.2},
-      {"foot.mass", 1e-6},
-      {"leg.stiffness", 1e5},
-      {"leg.damping", 30.0}},
-     TDMF_CONTACT_FLIGHT,
-     TDMF_PHASE_PLACE,
-     {NULL}},
+     "foot.y=0.5 foot.vx=0.3 foot.vy=-0.4 leg.angle=1.24 leg.angle_rate=0.2 foot.mass=1e-6 leg.stiffness=1e5 "
+     "leg.damping=30",
+     TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, ""},
     {"a light foot on a stiff leg, after an impact",
-     {FOOT(0.0, 1.2, -0.3),
-      {"leg.angle", 1.24},
-      {"leg.angle_rate", 0.2},
-      {"foot.mass", 1e-6},
-      {"leg.stiffness", 1e5},
-      {"leg.length", 0.99}},
-     TDMF_CONTACT_SLIP_POSITIVE,
-     TDMF_PHASE_DRIVE,
-     {"foot.y", NULL}},
+     "foot.y=0 foot.vx=1.2 foot.vy=-0.3 leg.angle=1.24 leg.angle_rate=0.2 foot.mass=1e-6 leg.stiffness=1e5 "
+     "leg.length=0.99",
+     TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_DRIVE, "foot.y"},
     {"a heavy foot on Earth, in stick after an impact",
-     {FOOT(0.0, 0.1, -2.0),
-      {"leg.angle", 0.4},
-      {"foot.mass", 70.0},
-      {"body.mass", 80.0},
-      {"leg.stiffness", 2e4},
-      {"gravity", 9.81}},
-     TDMF_CONTACT_STICK,
-     TDMF_PHASE_DRIVE,
-     {"foot.y", NULL}},
+     "foot.y=0 foot.vx=0.1 foot.vy=-2 leg.angle=0.4 foot.mass=70 body.mass=80 leg.stiffness=2e4 gravity=9.81",
+     TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE, "foot.y"},
 };
 
 /* A foot on the ground is on the edge of what moves the ground, too. */
 static bool is_edge(const start *start, const char *given) {
     const bool moves_ground = strcmp(given, "ground.height") == 0 || strcmp(given, "ground.slope") == 0;
-    const char *name = moves_ground ? "foot.y" : given;
-    for (int i = 0; start->edges[i] != NULL; ++i) {
-        if (strcmp(start->edges[i], name) == 0) {
-            return true;
-        }
+    const char *name = moves_ground ? "foot.y" : given, *found = strstr(start->edges, name);
+    const size_t length = strlen(name);
+    while (found != NULL && found[length] != ' ' && found[length] != '\0') { /* of a longer name */
+        found = strstr(found + length, name);
     }
-    return false;
+    return found != NULL;
 }
 
 static bool is_known(const fmu_variable *variable) {
@@ -182,18 +115,24 @@ static void set_start_value(const fmi_interface *fmi, void *instance, const char
     assert_int_equal(status, FMI_OK);
 }
 
+/* Values as name=value with spaces between. */
+static void set_listed(const fmi_interface *fmi, void *instance, const char *values) {
+    char name[64];
+    double value;
+    for (int length = 0; sscanf(values, " %63[^=]=%lf%n", name, &value, &length) == 2; values += length) {
+        set_start_value(fmi, instance, name, value);
+    }
+    assert_int_equal(strlen(values), 0);
+}
+
 static void set_start_values(const fmi_interface *fmi, void *instance, const start *start) {
     for (size_t i = 0; i < fmu_variable_count; ++i) {
         if (starts_at_minimum(&fmu_variables[i])) {
             set_start_value(fmi, instance, fmu_variables[i].name, off_minimum(&fmu_variables[i]));
         }
     }
-    for (size_t i = 0; i < sizeof always / sizeof always[0]; ++i) {
-        set_start_value(fmi, instance, always[i].name, always[i].value);
-    }
-    for (int i = 0; i < SETTINGS && start->settings[i].name != NULL; ++i) {
-        set_start_value(fmi, instance, start->settings[i].name, start->settings[i].value);
-    }
+    set_listed(fmi, instance, always);
+    set_listed(fmi, instance, start->values);
 }
 
 static fmi2Component begun(const start *start, double time) {

@@ -120,17 +120,6 @@ TEST(static_friction_decides_whether_it_sticks) {
     }
 }
 
-TEST(without_friction_the_foot_slides_on) {
-    assert_true(vx_after(0.3, -0.5, 0.0) == 0.3);
-    assert_true(vx_after(-0.3, -0.5, 0.0) == -0.3);
-    assert_true(vx_after(0.0, -0.5, 0.0) == 0.0);
-}
-
-TEST(with_huge_friction_the_foot_sticks) {
-    assert_true(vx_after(1e3, -0.5, 1e6) == 0.0);
-    assert_true(vx_after(-1e3, -0.5, 1e6) == 0.0);
-}
-
 /* The smallest velocities there are: nothing is gained, nothing turns round. */
 TEST(tiny_velocities_are_no_exception) {
     static const double tiny[] = {DBL_MIN, 4.9406564584124654e-324, 1e-310, 1e-200};
@@ -142,10 +131,4 @@ TEST(tiny_velocities_are_no_exception) {
         assert_true(vx >= 0.0 && vx <= tiny[i / 4]);
         assert_true(runner.motion.state[TDMF_FOOT_VY] == 0.0);
     }
-}
-
-/* Only the foot's vertical momentum goes: half m_f vy^2. */
-TEST(falling_straight_costs_the_foots_kinetic_energy) {
-    runner runner = falling_foot(0.0, -0.5);
-    assert_close(impact(&runner, 0.6), 0.5 * 0.1 * 0.25, 1e-16);
 }

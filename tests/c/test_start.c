@@ -25,78 +25,48 @@ static void assert_begins(const runner *runner, tdmf_contact_mode contact, tdmf_
 
 /* ---- on the ground ---------------------------------------------------------------------------------- */
 
-static runner at_ground(double angle, double force, double vy) {
-    runner runner = scene_on_ground(TDMF_CONTACT_STICK, angle, force);
-    scene_set_foot_velocity(0.0, vy, runner.motion.state);
-    start(&runner);
-    return runner;
-}
-
-TEST(falling_foot_begins_with_an_impact) {
-    const runner runner = at_ground(0.3, 0.1, -0.5);
-    assert_begins(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE, 1);
-    assert_int_equal(runner.motion.record.progress.open.touchdowns, 1);
-    assert_close(runner.motion.record.impact_loss, 0.5 * 0.1 * 0.25, 1e-15);
+/* A falling foot begins with an impact, a loaded one in contact, one that slides in slip. Stretched by 0.05
+ * the leg lifts a foot under both laws; by 0.02 the place law keeps it down. Where the stance law loads and
+ * the flight law lifts, a foot may stay as it was: it starts in contact. */
+TEST(a_start_on_the_ground_begins_as_its_foot_moves_and_is_loaded) {
+    static const struct {
+        double angle, force, vx, vy, length_rate, angle_rate, com_vy; /* 0: as it comes */
+        tdmf_contact_mode contact;
+        tdmf_hip_phase phase;
+        int events;
+    } cases[] = {{0.3, 0.1, 0.0, -0.5, 0.0, 0.0, 0.0, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE, 1},
+                 {0.3, 0.1, 0.0, 0.0, 0.0, 0.0, 0.0, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE, 0},
+                 {-0.3, 0.1, 0.0, 0.0, 0.0, 0.0, 0.0, TDMF_CONTACT_STICK, TDMF_PHASE_COAST, 0},
+                 {0.3, 0.1, 1e-3, 0.0, 0.0, 0.0, 0.0, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_DRIVE, 0},
+                 {0.3, 0.1, -1e-3, 0.0, 0.0, 0.0, 0.0, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_DRIVE, 0},
+                 {-0.3, -0.05, 0.0, 0.0, -0.01, 0.0, 0.0, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 0},
+                 {-0.3, -0.02, 0.0, 0.0, -0.01, 0.0, 0.0, TDMF_CONTACT_GRAZE, TDMF_PHASE_PLACE, 0},
+                 {-0.3, 0.01, 0.0, 0.0, 0.0, 3.0, -0.2, TDMF_CONTACT_STICK, TDMF_PHASE_COAST, 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        runner runner = scene_on_ground(TDMF_CONTACT_STICK, cases[i].angle, cases[i].force);
+        runner.motion.state[TDMF_LEG_LENGTH_RATE] = cases[i].length_rate;
+        runner.motion.state[TDMF_LEG_ANGLE_RATE] = cases[i].angle_rate;
+        if (cases[i].com_vy != 0.0) {
+            scene_set_com_vy_by_leg(&runner, cases[i].com_vy);
+        }
+        scene_set_vertical_force(&runner, cases[i].force);
+        scene_set_foot_velocity(0.0, cases[i].vy, runner.motion.state);
+        runner.motion.state[TDMF_FOOT_VX] = cases[i].vx;
+        start(&runner);
+        assert_begins(&runner, cases[i].contact, cases[i].phase, cases[i].events);
+        assert_int_equal(runner.motion.record.progress.open.touchdowns, cases[i].events);
+        assert_close(runner.motion.record.impact_loss, cases[i].events * 0.5 * 0.1 * 0.25, 1e-15);
+    }
 }
 
 TEST(rising_foot_begins_in_flight) {
-    runner rising = scene_in_flight(TDMF_PHASE_PLACE, 0.2);
-    runner falling = scene_in_flight(TDMF_PHASE_PLACE, 0.2);
+    runner rising = scene_in_flight(TDMF_PHASE_PLACE, 0.2), falling = rising;
     rising.motion.state[TDMF_FOOT_Y] = falling.motion.state[TDMF_FOOT_Y] = 0.0;
     falling.motion.state[TDMF_LEG_LENGTH_RATE] = -1.0;
     start(&rising);
     start(&falling);
     assert_begins(&rising, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT, 0);
     assert_begins(&falling, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 0);
-}
-
-TEST(loaded_foot_at_rest_begins_in_contact) {
-    const runner ahead = at_ground(0.3, 0.1, 0.0);
-    const runner behind = at_ground(-0.3, 0.1, 0.0);
-    assert_begins(&ahead, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE, 0);
-    assert_begins(&behind, TDMF_CONTACT_STICK, TDMF_PHASE_COAST, 0);
-    assert_int_equal(ahead.motion.record.progress.open.touchdowns, 0);
-}
-
-TEST(sliding_foot_begins_in_slip) {
-    static const double speeds[] = {1e-3, -1e-3};
-    for (int i = 0; i < 2; ++i) {
-        runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.3, 0.1);
-        runner.motion.state[TDMF_FOOT_VX] = speeds[i];
-        start(&runner);
-        assert_begins(&runner, i == 0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE,
-                      TDMF_PHASE_DRIVE, 0);
-    }
-}
-
-/* Stretched by 0.05 the leg lifts the foot under both laws; by 0.02 the place law keeps it down. */
-TEST(unloaded_foot_at_rest_flies_or_grazes) {
-    static const double forces[] = {-0.05, -0.02};
-    static const tdmf_contact_mode begun[] = {TDMF_CONTACT_FLIGHT, TDMF_CONTACT_GRAZE};
-    for (int i = 0; i < 2; ++i) {
-        runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, forces[i]);
-        runner.motion.state[TDMF_LEG_LENGTH_RATE] = -0.01;
-        scene_set_vertical_force(&runner, forces[i]);
-        start(&runner);
-        assert_begins(&runner, begun[i], TDMF_PHASE_PLACE, 0);
-    }
-}
-
-/* Where the stance law loads and the flight law lifts, a foot may stay as it was: it starts in contact. */
-TEST(foot_between_both_laws_begins_in_contact) {
-    runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, 0.01);
-    runner.motion.state[TDMF_LEG_ANGLE_RATE] = 3.0;
-    scene_set_com_vy_by_leg(&runner, -0.2);
-    scene_set_vertical_force(&runner, 0.01);
-    tdmf_mode placing = runner.motion.mode;
-    placing.phase = TDMF_PHASE_PLACE;
-    placing.contact = TDMF_CONTACT_FLIGHT;
-    const double torque = tdmf_hip_torque(SYSTEM_OF(&runner), &placing, runner.motion.state);
-    assert_true(
-        tdmf_sticking_force(SYSTEM_OF(&runner), &runner.motion.mode, torque, runner.motion.state).normal <
-        0.0);
-    start(&runner);
-    assert_begins(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_COAST, 0);
 }
 
 /* ---- in the air ------------------------------------------------------------------------------------- */
