@@ -8,36 +8,16 @@ import signal
 import subprocess
 import sys
 import time
-from dataclasses import replace
+from types import SimpleNamespace
 
 import netCDF4
 import pytest
 import tdmf_slip
-from conftest import HANGS, name_of_gait, reference_gaits, unit_reference
+from conftest import HANGS, unit_reference
 from tdmf_slip.fmu import simulation
 from tdmf_slip.library import section
 from tdmf_slip.paper import reference_gaits as reference
 from tdmf_slip.paper import settling
-
-PROVED = json.loads(pathlib.Path(__file__).with_name("proved_gaits.json").read_text())["gaits"]
-
-
-def middle_of(ball):
-    """A decimal ball is written as [middle +/- radius]."""
-    return float(ball.strip("[]").split(" ")[0])
-
-
-@pytest.mark.parametrize("proved", PROVED, ids=lambda proved: f"friction {proved['friction']}")
-def test_a_gait_has_its_proved_period(command, proved):
-    options = ("--friction", proved["friction"], "--set", "hip.swing_clamp=true")
-    gait = json.loads(command("gait", *options, "--json")[1])
-    assert gait["period"] == pytest.approx(middle_of(proved["period"]), rel=1e-13, abs=0)
-
-
-@pytest.mark.parametrize("known", reference_gaits(False), ids=name_of_gait)
-def test_a_gait_of_the_default_runner_has_its_reference_period(command, known):
-    gait = json.loads(command("gait", "--friction", known["friction"], "--json")[1])
-    assert gait["period"] == pytest.approx(known["period"], rel=1e-13, abs=0)
 
 
 def test_json_is_one_object_and_nothing_else(command):
@@ -70,14 +50,6 @@ def test_presets_start_on_their_gaits(command, preset, word, speed):
     stride = json.loads(out)["stride"]
     assert stride["word"] == word
     assert stride["speed"] == pytest.approx(speed, rel=1e-3)
-
-
-def test_angles_may_be_given_in_degrees(command):
-    answers = []
-    for angle in ("0.7330382858376184", "42 deg"):
-        options = ("--set", f"hip.touchdown_angle={angle}", "--stop-time", 40, "--json")
-        answers.append(json.loads(command("simulate", *options)[1])["stride"])
-    assert answers[0]["period"] == pytest.approx(answers[1]["period"], rel=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -159,28 +131,14 @@ def test_bad_input_gets_one_clear_message(command, tmp_path, options, words):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.fixture(scope="module")
-def gait():
-    return settling.settle_fmu()
-
-
-@pytest.fixture(scope="module")
-def expected():
-    """The published gait of the default runner."""
-    (gait,) = (known for known in reference.gaits() if known.friction == 0.6 and not known.swing_clamp)
-    return gait
-
-
-def test_the_gait_of_the_defaults_settles_on_the_reference(gait, expected):
-    assert gait.word == expected.word
-    assert all(drift.passed for drift in reference.drifts(gait, expected))
-
-
-@pytest.mark.parametrize("name", ["period", "speed", "cost_of_transport"])
-def test_validation_sees_a_drift(gait, expected, name):
-    """A reference that is off by 1e-5, as a mistake in the physics would make it."""
-    drifted = replace(expected, **{name: getattr(expected, name) * (1 + 1e-5)})
-    assert not all(drift.passed for drift in reference.drifts(gait, drifted))
+def test_the_unit_settles_on_its_reference_and_a_drift_is_seen():
+    """A reference that is off by 1e-5 is as a mistake in the physics would make it."""
+    gait = settling.settle_fmu()
+    (known,) = (of for of in reference.gaits() if of.friction == 0.6 and not of.swing_clamp)
+    assert gait.word == known.word and all(drift.passed for drift in reference.drifts(gait, known))
+    for name in ("period", "speed", "cost_of_transport"):
+        drifted = SimpleNamespace(**{**vars(known), name: getattr(known, name) * (1 + 1e-5)})
+        assert not all(drift.passed for drift in reference.drifts(gait, drifted))
 
 
 @pytest.mark.parametrize(
@@ -232,7 +190,6 @@ def test_the_help_that_is_named_is_that_of_the_command(command):
     "content",
     [
         '{"ground.friction": 1' + "0" * 400 + "}",
-        '{"a":' * 5000 + "1" + "}" * 5000,
         '{"body.mass": 1, "body.mass": 2}',
         '{"body.mass": 1, "body": {"mass": 1}}',
     ],
@@ -267,7 +224,7 @@ def test_without_stderr_results_are_as_with_it():
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")
-@pytest.mark.parametrize("pause", [0.0, 0.1, 0.4, 0.8])
+@pytest.mark.parametrize("pause", [0.0, 0.4])
 def test_an_interrupt_ends_a_run(pause):
     """While modules load, and in a run through FMPy, whose solver calls Python and loses what that raises."""
     program = """
@@ -291,18 +248,6 @@ sys.exit(main())
         running.send_signal(signal.SIGINT)
         out, said = running.communicate(timeout=HANGS)
     assert (running.returncode, out, said.strip()) == (130, "", "tdmf-slip: interrupted")
-
-
-def test_a_unit_that_is_not_there_is_told(tmp_path):
-    with pytest.raises(tdmf_slip.InputError, match="no unit there"):
-        tdmf_slip.load_fmu(tmp_path / "none.fmu")
-
-
-def test_names_of_the_package_are_there_when_they_are_used():
-    program = "import sys, tdmf_slip; print('numpy' in sys.modules, 'simulate' in dir(tdmf_slip))"
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
-    assert done.stdout.split() == ["False", "True"], done.stderr
-    assert all(hasattr(tdmf_slip, name) for name in tdmf_slip.__all__)
 
 
 def test_values_of_an_enumeration_have_names(command):

@@ -9,10 +9,7 @@ import shutil
 import sys
 
 import pytest
-import tdmf_slip
 from conftest import ROOT, release, succeed
-from tdmf_slip.cli import validate as command_module
-from tdmf_slip.cli.main import main
 
 GUIDES = sorted(
     path.stem
@@ -53,16 +50,6 @@ def test_every_notebook_reads_without_sphinx(notebooks):
             assert named == set(attached), name
             pictures += len(named)
     assert texts > 80 and pictures >= 18
-
-
-def test_solutions_are_folded_in_the_notebook_too(notebooks):
-    tagged = [
-        cell["metadata"]
-        for cell in cells(notebooks["exercises"], "code")
-        if "hide-cell" in cell["metadata"].get("tags", [])
-    ]
-    assert len(tagged) == 3
-    assert all(each["jupyter"] == {"source_hidden": True, "outputs_hidden": True} for each in tagged)
 
 
 @release
@@ -112,23 +99,6 @@ def test_validation_on_the_paper_page_meets_all_that_is_recorded(site):
     gaits = table.splitlines()[2:7]
     assert all(row.split()[-2:] == ["same", "words"] for row in gaits)
     assert "all 135 recorded values are met" in table
-
-
-@release
-def test_the_paper_page_shows_what_validate_finds_as_a_table_and_as_json(site, monkeypatch, capsys):
-    found = []
-
-    def validate(**options):
-        found.append(tdmf_slip.validate(**options))
-        return found[-1]
-
-    monkeypatch.setattr(command_module, "validate", validate)
-    assert main(["validate", "--json"]) == 0
-    printed, (wanted,) = json.loads(capsys.readouterr().out), found
-    assert printed["passed"] and wanted.passed
-    assert len(printed["drifts"]) == 135 and len(printed["gaits"]) == 10
-    assert sum(printed["counts"].values()) == len(printed["claims"]) == len(wanted.claims)
-    assert table_of_validation(site) == wanted.as_text().strip()
 
 
 def test_pieces_of_an_output_are_joined_as_they_came():

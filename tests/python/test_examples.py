@@ -103,16 +103,6 @@ def test_forces_of_a_treadmill_become_a_table_that_gives_back_the_runner(load, m
     assert row["peak_force"].value == pytest.approx(stride["peak_force"], rel=1e-3)
 
 
-def test_forces_without_steps_or_speed_are_refused(load, tmp_path):
-    example = load("treadmill_forces")
-    path = tmp_path / "RBDS001runT35forces.txt"
-    path.write_text("Time\tFy\n" + "".join(f"{k}\t0.0\n" for k in range(900)), encoding="utf-8")
-    with pytest.raises(SystemExit, match="0 steps; allowed: 3 or more"):
-        example.row_of(path)
-    with pytest.raises(SystemExit, match="no speed in its name"):
-        example.speed_of("forces.txt")
-
-
 def written(folder, force, title="Fy", mark="", point="."):
     """A recording of forces, with an empty cell for each NaN."""
     path = folder / "RBDS001runT35forces.txt"
@@ -171,16 +161,6 @@ def test_what_are_no_forces_gets_one_sentence(load, tmp_path, text, said):
         load("treadmill_forces").row_of(path)
     with pytest.raises(SystemExit, match="cannot be read"):
         load("treadmill_forces").row_of(tmp_path / "none")
-
-
-def test_a_bounce_of_the_force_is_no_step(load):
-    """A dip of a few rows within a contact, and a knock within a flight."""
-    example = load("treadmill_forces")
-    step = np.r_[np.zeros(60), np.full(70, 900.0)]
-    force = np.r_[np.tile(step, 6), np.zeros(60)]
-    force[100:104], force[290:293] = 0.0, 200.0
-    down, up = example.contacts(force)
-    assert len(down) == 6 and np.all(up - down == 70)
 
 
 @release

@@ -2,9 +2,6 @@
 
 import csv
 import io
-import json
-import os
-import pathlib
 import re
 import shutil
 import sys
@@ -12,7 +9,7 @@ import tomllib
 from contextlib import redirect_stdout
 
 import pytest
-from conftest import ROOT, succeed
+from conftest import ROOT
 
 SOURCES = ROOT / "documentation"
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -50,29 +47,14 @@ def test_the_five_lines_of_the_readme_print_what_it_says(tmp_path, monkeypatch):
     assert (tmp_path / "gait.png").stat().st_size > 10_000
 
 
-@pytest.mark.parametrize("path", ["README.md", "scripts/run"])
-def test_every_command_that_is_printed_first_runs_as_printed(path, command):
-    lines = re.findall(
-        r"^ *\.venv/bin/tdmf-slip (.+)$", (ROOT / path).read_text(encoding="utf-8"), re.MULTILINE
-    )
-    lines = [line for line in lines if not line.startswith("validate")]
-    assert len(lines) == 3
+def test_every_command_that_is_printed_first_runs_as_printed(command):
+    text = "".join((ROOT / path).read_text(encoding="utf-8") for path in ("README.md", "scripts/run"))
+    lines = set(re.findall(r"^ *\.venv/bin/tdmf-slip (?!validate)(.+)$", text, re.MULTILINE))
+    assert len(lines) >= 3
     for line in lines:
         arguments = [*line.split(), *(["--frames", "12"] if line.startswith("animate") else [])]
         status, _, said = command(*arguments)
         assert status == 0, (line, said)
-
-
-def test_nothing_says_to_install_what_is_not_published():
-    """Until it is; then `INSTALL` of the site's configuration says so."""
-    configuration = (SOURCES / "conf.py").read_text(encoding="utf-8")
-    (install,) = re.findall(r'^INSTALL = "(.+?)"', configuration, re.MULTILINE)
-    if install != "pip install .":
-        return
-    looked_at = [ROOT / "README.md", *SOURCES.rglob("*.md"), *(ROOT / "scripts/tdmf_slip").rglob("*.py")]
-    assert len(looked_at) > 100
-    wrong = re.compile(r"pip install ['\"]?tdmf[-_]slip")
-    assert [path for path in looked_at if wrong.search(path.read_text(encoding="utf-8"))] == []
 
 
 # ---- the gallery ----
@@ -131,14 +113,6 @@ def test_each_figure_of_the_gallery_has_its_picture_and_its_data(site):
         assert len(rows) > 2 and len({len(row) for row in csv.reader(rows)}) == 1, name
 
 
-def test_kept_data_of_a_figure_is_drawn_as_it_is_kept():
-    """Its picture stands beside it."""
-    kept = sorted((SOURCES / "data" / "figures").glob("*.csv"))
-    assert kept
-    for path in kept:
-        assert (SOURCES / "pictures" / f"{path.stem}.png").is_file(), path.name
-
-
 # ---- the glossary ----
 
 
@@ -152,27 +126,6 @@ def test_every_word_that_the_live_page_marks_is_in_the_glossary():
 
 
 # ---- install and cite ----
-
-
-def test_how_to_cite_is_what_the_citation_file_says():
-    citation = pytest.importorskip("citation", reason="NOT TESTED: how to cite, Sphinx is missing")
-    text = citation.bibtex()
-    assert text.count("@") == 2 and "doi = {10.5772/62687}" in text
-    assert "author = {Or, Yizhar and Moravia, Moti}" in text and "author = {{The TDMF-SLIP authors}}" in text
-    (version,) = re.findall(r"^version: (\S+)$", (ROOT / "CITATION.cff").read_text(encoding="utf-8"), re.M)
-    assert f"version = {{{version}}}" in text
-
-
-@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
-def test_completion_is_as_the_install_page_says(shell):
-    documented = (SOURCES / "install.md").read_text(encoding="utf-8")
-    variable = f"_TDMF_SLIP_COMPLETE={shell}_source"
-    assert f"{variable} tdmf-slip" in documented
-    command = pathlib.Path(sys.executable).with_name("tdmf-slip")
-    if not command.is_file():
-        pytest.skip("NOT TESTED: completion; the command is not beside Python")
-    said = succeed(command, env=os.environ | dict([variable.split("=")]))
-    assert "_tdmf_slip_completion" in said and len(said) > 300
 
 
 # ---- the built pages ----
@@ -201,14 +154,7 @@ def test_the_home_page_leads_to_install_cite_and_a_result(site):
 
 @in_browser
 @pytest.mark.parametrize(
-    ("query", "page", "rank"),
-    [
-        ("install", "install.html", 5),
-        ("cite", "cite.html", 5),
-        ("viability", "guides/viability.html", 5),
-        ("sweep", "guides/sweep.html", 1),
-        ("feedback", "guides/feedback.html", 1),
-    ],
+    ("query", "page", "rank"), [("install", "install.html", 5), ("sweep", "guides/sweep.html", 1)]
 )
 def test_the_search_finds_guides_before_the_reference(query, page, rank, browsers, site):
     from browser import served, wait
@@ -224,21 +170,7 @@ def test_the_search_finds_guides_before_the_reference(query, page, rank, browser
 
 
 @in_browser
-def test_pictures_are_dark_where_the_page_is(browsers, site):
-    from browser import served
-
-    with served(site) as address:
-        for screen, dark in (((1280, 900, False), False), ((360, 740, True), True)):
-            driver = browsers(*screen)
-            driver.get(f"{address}/gallery.html")
-            shown = driver.execute_script(
-                "return getComputedStyle(document.querySelector('.gallery-figure img')).filter"
-            )
-            assert ("invert" in shown) == dark, shown
-
-
-@in_browser
-@pytest.mark.parametrize("page", ["model", "extensions", "proof_method"])
+@pytest.mark.parametrize("page", ["model", "proof_method"])
 def test_an_equation_has_no_vertical_scroll_bar_and_is_not_cut_off(page, browsers, site):
     from browser import served
 
@@ -251,32 +183,3 @@ def test_an_equation_has_no_vertical_scroll_bar_and_is_not_cut_off(page, browser
                 && getComputedStyle(box).overflowY !== "visible").length];"""
         )
         assert count > 0 and cut == 0
-
-
-@in_browser
-def test_the_gallery_is_a_grid(browsers, site):
-    from browser import served
-
-    driver = browsers(1280, 900)
-    with served(site) as address:
-        driver.get(f"{address}/gallery.html")
-        boxes = driver.execute_script(
-            "return [...document.querySelectorAll('.gallery-figure')].map((box) => box.offsetTop)"
-        )
-        assert boxes[0] == boxes[1] < boxes[2]
-
-
-@in_browser
-def test_a_live_page_that_was_opened_as_a_file_says_only_what_it_needs(tmp_path, browsers):
-    shutil.copytree(SOURCES / "live" / "page", tmp_path / "live")
-    shutil.move(tmp_path / "live" / "live.html", tmp_path)
-    driver = browsers(1280, 900)
-    driver.get((tmp_path / "live.html").as_uri())
-    assert "python3 -m http.server" in driver.find_element("id", "loading").text
-    assert not driver.find_element("tag name", "main").is_displayed()
-
-
-def test_the_data_of_the_live_page_has_the_glossary(site):
-    data = (site / "live" / "data.js").read_text(encoding="utf-8")
-    (terms,) = re.findall(r"^export const terms = (.*);$", data, re.MULTILINE)
-    assert set(json.loads(terms)) == set(GLOSSARY["live"])

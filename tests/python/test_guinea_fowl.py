@@ -64,15 +64,3 @@ def test_what_is_published_stands_beside_what_is_computed(found):
     borders = found.borders(0.05)
     assert np.max(borders) == 67.0 and borders[-1] == 61.0
     assert np.all(found.borders(0.05) >= found.borders(2.0))
-
-
-def test_each_number_of_the_claims_is_one_of_the_file():
-    said = guinea_fowl.published()["published"]
-    assert (said["slowest"], said["fastest"], said["fast"]) == (1.3, 3.6, 3.0)
-    assert (said["contact_angle"], said["slip_distance"]) == (70.0, 0.10) and len(said) == 5
-
-
-def test_the_figure_is_drawn_with_its_data(command, tmp_path):
-    assert command("figures", "--only", "guinea_fowl", "--output", "made", "--format", "png")[0] == 0
-    rows = (tmp_path / "made/guinea_fowl.csv").read_text().splitlines()
-    assert rows[0] == "friction,speed,contact_angle,fell,slip_distance" and len(rows) > 1000

@@ -14,7 +14,6 @@ from tdmf_slip import Runner
 from tdmf_slip.analysis.first_passage import FirstPassage
 from tdmf_slip.analysis.rare_falls import RareFalls
 from tdmf_slip.paper.reference_gaits import Drift
-from tdmf_slip.pictures import style
 from tdmf_slip.pictures.plot import PICTURES
 
 ANGLE, TORQUE, FRICTION = "hip.touchdown_angle", "hip.stance_torque", "ground.friction"
@@ -103,14 +102,21 @@ def test_runs_show_their_last_strides_over_what_is_varied():
     assert frictions.tolist() == [0.6, 1.2] and np.array_equal(drawn, runs["speed"])
 
 
-def test_a_grid_of_gaits_shows_speeds_and_words():
-    grid = tdmf_slip.sweep({}, {"leg.damping": [0.2, 0.21], FRICTION: [0.7, 0.43]}).gaits
-    speeds, words, _ = tdmf_slip.plot(grid).axes
-    assert labels(speeds) == (FRICTION, "leg.damping (√(k m))")
-    assert np.array_equal(speeds.collections[0].get_array().reshape(2, 2), grid["speed"])
-    (legend_,) = [words.get_legend()]
-    texts = [text.get_text() for text in legend_.get_texts()]
-    assert texts == [style.word(word) for word in np.unique(grid["word"])] and len(texts) == 2
+def test_runs_sweeps_branches_and_gaits_show_their_numbers(gait):
+    run = tdmf_slip.simulate(gait, strides=2)
+    sweep = tdmf_slip.sweep({}, {FRICTION: [0.7, 0.6, 0.45]})
+    branch = tdmf_slip.continue_branch(gait, {"leg.damping": (0.2, 0.22)})
+    path = tdmf_slip.trajectory(gait, times=np.linspace(0.0, 20.0, 50))
+    for result, x, y in (
+        (run, run["time"], run["contact.fy"]),
+        (sweep, sweep.gaits[FRICTION], sweep.gaits["speed"]),
+        (branch, branch["leg.damping"], branch["lambda_max"]),
+        (path, path["time"], path["foot.y"]),
+    ):
+        drawn = [one.get_xydata() for axes in tdmf_slip.plot(result).axes for one in axes.lines]
+        assert any(np.array_equal(of, np.column_stack([x, y])) for of in drawn), result
+    edges = {tuple(one.get_ydata()) for axes in gait.plot().axes for one in axes.lines}
+    assert {(0.6, 0.6), (-0.6, -0.6)} <= edges  # the friction cone's
 
 
 def test_controllability_shows_modes_beside_the_unit_circle(gait):
@@ -125,17 +131,6 @@ def test_controllability_shows_modes_beside_the_unit_circle(gait):
     heights = np.array([bar.get_height() for bar in right.patches]).reshape(2, -1)
     assert np.array_equal(heights.T, found.modal_controllability)
     assert {ANGLE, TORQUE} <= set(legend(figure))
-
-
-def test_a_feedback_shows_eigenvalues_with_and_without_it(gait):
-    law = tdmf_slip.dead_beat(gait, [ANGLE, TORQUE])
-    figure = tdmf_slip.plot(law)
-    left, right = figure.axes
-    x, y = line(left, "without")
-    assert np.array_equal(x + 1j * y, gait.eigenvalues)
-    x, y = line(left, "with the law")
-    assert np.array_equal(x + 1j * y, law.eigenvalues)
-    assert len(right.patches) == 2 * 6 and right.get_xlabel() == "coordinate of the apex"
 
 
 def test_an_optimum_shows_what_it_changed(gait):
@@ -160,15 +155,6 @@ def test_a_comparison_has_no_bar_where_a_quantity_is_held():
     assert axes.get_xlabel() == "difference from runner 0 (%)"
 
 
-def test_a_front_shows_one_objective_over_the_other():
-    front = tdmf_slip.pareto_front(
-        {}, {TORQUE: (0.15, 0.25)}, minimize=["cost_of_transport"], maximize=["speed"], points=2, starts=1
-    )
-    (axes,) = tdmf_slip.plot(front).axes
-    assert labels(axes) == ("cost of transport", "speed (l₀√(k/m))")
-    assert np.allclose(axes.lines[0].get_ydata(), front["speed"], rtol=1e-12)
-
-
 def test_strides_to_fall_show_who_is_still_up():
     found = FirstPassage(Runner(), "+0+", 0.02, runners=100, falls=80, strides=1600)
     figure = tdmf_slip.plot(found)
@@ -190,17 +176,6 @@ def test_rare_falls_are_drawn_also_where_the_interval_is_open():
     (axes,) = tdmf_slip.plot(found).axes
     strides, still_up = line(axes, "mean 1e+06 strides until the fall")
     assert np.allclose(still_up, np.exp(-1e-6 * strides), rtol=1e-4)
-
-
-def test_a_proved_gait_shows_its_eigenvalues_and_enclosures():
-    pytest.importorskip("flint")
-    proof = tdmf_slip.prove({FRICTION: 0.6})
-    left, right = tdmf_slip.plot(proof).axes
-    x, _ = line(left, style.word(proof.word))
-    assert np.max(np.abs(x)) < 1.0 and len(x) == 6
-    names = [text.get_text() for text in right.get_yticklabels()]
-    assert names[:2] == ["com height (l₀)", "com speed (l₀√(k/m))"] and len(right.patches) == 6
-    assert right.patches[0].get_width() == pytest.approx(float(proof.apex[0].rad()))
 
 
 def test_a_proved_attraction_bounds_the_distance_stride_by_stride():

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from conftest import ROOT
+from conftest import ROOT, some_of
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from tdmf_slip import Runner, compare, find_gait, gait_at, strides_to_fall
 from tdmf_slip import viability as find_viable
@@ -17,14 +17,6 @@ from tdmf_slip.pictures.style import CurveLabel
 
 OF_THE_GAITS = {"snapshots", "stride"}
 """What `tdmf-slip validate --pictures` draws, and the documentation shows."""
-
-
-def test_a_mean_on_rough_ground_is_what_is_kept():
-    data = columns.columns("rough")
-    of_it = (data["roughness"] == 0.5) & (data["friction"] == 1.2)
-    (row,) = np.flatnonzero(of_it & (data["matched"] == 0.0))
-    found = strides_to_fall({"ground.friction": 1.2}, 0.5, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES)
-    assert found.mean_strides == pytest.approx(data["mean_strides"][row], rel=0.05)
 
 
 def test_matched_runners_on_rough_ground_are_what_is_kept():
@@ -90,35 +82,6 @@ def test_patches_cause_falls_downhill_on_grippy_ground():
             assert slippery_patch.falls(gait, friction, length) == data["falls"][row]
 
 
-def test_matched_runners_with_thrust_hop_as_high_as_by_the_hip_alone_and_slip_more():
-    data = columns.columns("thrust")
-    actuated, compared = thrust.actuated(data), 0
-    for friction in (0.2, 0.6):
-        of_it = data["friction"] == friction
-        hip = actuated[thrust.HIP_ALONE] & of_it & (data["stable"] > 0.0)
-        order = np.argsort(data["speed"][hip])
-        alike = actuated[thrust.MATCHED] & of_it
-        assert np.count_nonzero(alike) == len(thrust.SPEEDS)
-        speeds, slips = (data[name][hip][order] for name in ("speed", "slip_per_length"))
-        assert np.all(data["slip_per_length"][alike] > np.interp(data["speed"][alike], speeds, slips))
-        compared += np.count_nonzero(alike)
-    assert compared == 16
-
-
-def test_runners_matched_on_the_level_are_slowed_less_uphill():
-    data = columns.columns("slope")
-    matched = data["matched"] > 0.0
-    slips = (data["friction"] == 0.2) & ~matched
-    compared = 0
-    for friction in (0.6, 10.0):
-        alike = matched & (data["friction"] == friction)
-        speed = np.interp([0.0, 1.5], data["slope_degrees"][alike], data["speed"][alike])
-        slipping = np.interp([0.0, 1.5], data["slope_degrees"][slips], data["speed"][slips])
-        assert speed[0] == pytest.approx(slipping[0], rel=1e-3) and speed[1] > 1.08 * slipping[1]
-        compared += 1
-    assert compared == 2
-
-
 def test_viable_shares_of_matched_runners_are_what_is_kept():
     """One runner anew."""
     data = columns.columns("viability")
@@ -178,7 +141,7 @@ def test_figures_are_drawn_of_what_is_kept_with_legends_inside_and_words_beside_
     found, crossed = [], []
     save = style.save
 
-    def look(figure, path, *arguments):
+    def look(figure, path, **how):
         renderer = FigureCanvasAgg(figure).get_renderer()
         figure.draw(renderer)
         legends = [*figure.legends, *(axes.get_legend() for axes in figure.axes if axes.get_legend())]
@@ -186,22 +149,12 @@ def test_figures_are_drawn_of_what_is_kept_with_legends_inside_and_words_beside_
         found.extend(box.x0 >= 0 and box.x1 <= figure.bbox.width for box in boxes)
         labels = [text for axes in figure.axes for text in axes.texts if isinstance(text, CurveLabel)]
         crossed.extend(_crosses_a_line(label, renderer) for label in labels)
-        save(figure, path, *arguments)
+        save(figure, path, **how)
 
     monkeypatch.setattr(style, "save", look)
-    for name in (
-        "falling_friction",
-        "feedback",
-        "guinea_fowl",
-        "optimal",
-        "rough",
-        "slippery_patch",
-        "slope",
-        "thrust",
-        "viability",
-    ):
+    for name in some_of(["falling_friction", "feedback", "slippery_patch", "rough", "optimal", "thrust"], 3):
         assert command("figures", "--only", name, "--output", "made", "--format", "png")[0] == 0
-    assert len(found) >= 5 and all(found)
+    assert len(found) >= 3 and all(found)
     assert len(crossed) >= 10 and not any(crossed)
 
 

@@ -3,7 +3,6 @@
 import json
 import math
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 from tdmf_slip.cli import validate as command_module
@@ -30,29 +29,15 @@ MET = [
 MISSED = Drift(math.nan, "another border", 0.5, 0.6, 0.1, 5e-5, CLAMP)
 
 
+QUANTITIES = {"period": 24.764449999, "length": 26.3, "speed": 1.0617424, "work": 0.1}
+COST = {"cost_of_transport": 0.3717054, "liftoff_angle": -0.5, "apex": (1.0,) * 6}
+
+
 @pytest.fixture
 def gaits():
-    one = SettledRun(
-        friction=0.6,
-        word=WORDS[0.6],
-        period=24.764449999,
-        length=26.3,
-        speed=1.0617424,
-        work=0.1,
-        cost_of_transport=0.3717054,
-        liftoff_angle=-0.5,
-        apex=(1.0,) * 6,
-        start_values={},
-        strides=60,
-        change=0.0,
-    )
+    one = SettledRun(0.6, WORDS[0.6], **QUANTITIES, **COST, start_values={}, strides=60, change=0.0)
     other = replace(one, friction=0.2, word="+-")
     return {FREE: [one, replace(other, word="+0-")], CLAMP: [replace(one, speed=1.06), other]}
-
-
-def test_a_validation_passes_if_nothing_is_missed(gaits):
-    assert Validation(gaits, CLAIMS, MET, OTHERS).passed
-    assert not Validation(gaits, CLAIMS, [MISSED, *MET]).passed
 
 
 def test_json_has_both_readings_of_every_statement(gaits):
@@ -82,29 +67,15 @@ def test_the_tables_of_a_validation(gaits):
     assert first.split() == ["0.6", "+0-0+", *speeds, "same", "words"]
     assert second.startswith("0.2") and second.endswith("OTHER")
     assert agree.splitlines()[-1].split() == ["5.2", "cost", "least", "least", "same", "agrees"]
-    assert correction.splitlines()[-1].split()[-6:] == ["waits", "turns", "agrees:", "free", "swing", "only"]
+    assert " ".join(correction.split()[-6:]) == "waits turns agrees: free swing only"
     assert beyond.splitlines()[-1].endswith("computed here") and differ.splitlines()[-1].endswith("differs")
     assert counted.startswith("4 statements of Or and Moravia 2016: 1 agree, 1 depend")
     assert others.splitlines()[-1].split() == [
         *SOURCE.split(),
-        "patch",
-        "safe",
-        "slippery",
-        "same",
-        "differs",
+        *["patch", "safe", "slippery", "same", "differs"],
     ]
     assert "all 5 recorded values are met" in drifts
     assert "of a gait 5.0e-09 (allowed 1e-06), of an apex 7.0e-08 (allowed 1e-05)" in drifts
-
-
-def test_what_is_missed_is_listed_with_its_reading(gaits):
-    missed = [MISSED, replace(MISSED, friction=0.43, reading=FREE)]
-    text = Validation(gaits, CLAIMS, [*MET, *missed]).as_text()
-    said, header, rule, *rows = text.split("\n\n")[-1].splitlines()
-    assert "2 of 7 recorded values are NOT met" in said
-    assert header.startswith("friction") and set(rule) <= {"-", " "}
-    assert rows[0].split() == ["clamp", "another", "border", "0.5", "0.6", "1.0e-01", "5e-05"]
-    assert rows[1].split()[:5] == ["0.43", "free", "swing", "another", "border"]
 
 
 @pytest.mark.parametrize(("drifts", "expected"), [(MET, 0), ([*MET, MISSED], 1)])
@@ -112,8 +83,3 @@ def test_the_exit_status_says_whether_the_reference_is_met(gaits, drifts, expect
     monkeypatch.setattr(command_module, "validate", lambda **_: Validation(gaits, CLAIMS, drifts))
     status, printed, _ = command("validate", "--json")
     assert status == expected and json.loads(printed)["passed"] == (expected == 0)
-
-
-def test_the_guide_shows_the_table_instead_of_numbers_by_hand():
-    text = (Path(__file__).parents[2] / "documentation/guides/paper.md").read_text(encoding="utf-8")
-    assert "validation.as_text()" in text

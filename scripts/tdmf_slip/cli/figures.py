@@ -56,7 +56,7 @@ def figures_command(
         Fonts and line widths: house for a screen, print for a journal, slides for a projector.
     """
     from ..paper.figures import catalogue  # matplotlib is slow to load
-    from ..pictures.style import Appearance, check_drawing
+    from ..pictures.style import check_drawing
 
     check_folder(folder, "--output")
     check_drawing("--output")
@@ -71,7 +71,9 @@ def figures_command(
         only=begins or [""],
         measure=measure,
         formats=names,
-        appearance=Appearance(width=inches, dots_per_inch=resolution, style=style),
+        look=style,
+        width=inches,
+        dots_per_inch=resolution,
         progress=True,
     )
     return Answer({}, "\n".join(map(str, written)))

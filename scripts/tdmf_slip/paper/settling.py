@@ -2,16 +2,15 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..checks import checked, checked_whole
+from ..checks import checked
 from ..errors import RunError
 from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.instance import Experiment, Instance, Recorder, opened
-from ..fmu.simulation import MAX_STRIDES as MAX_OF_ALL
-from ..fmu.simulation import TOLERANCES, longest_time, time_unit
+from ..fmu.run import Run
+from ..fmu.simulation import TOLERANCES, run_unit, time_unit
 from ..given import mapping_of
 from ..library.gait import REPORTED
 from ..library.runner import Runner
@@ -23,9 +22,11 @@ from ..variables.variable import Given, Value
 DEFAULT_TOLERANCE = 1e-10
 WINDOW = 20
 """Strides averaged over: CVODE's own noise, some thousand tolerances, hides what single strides differ by."""
+STRIDES = 2 * WINDOW, 6 * WINDOW, 50 * WINDOW
+"""Strides of a run, and of longer ones where the runner has not settled by then."""
 MAX_SPREAD = 20.0
 """How far strides may be from their mean, over what the mean itself may move; noise takes a tenth of that."""
-MAX_STRIDES = 2000
+APEX = tuple(f"apex.{name}" for name in COORDINATES)
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,11 +69,7 @@ class SettledRun:
 
 
 def settle_fmu(
-    given: Mapping[str, Given] | None = None,
-    *,
-    tolerance: float = DEFAULT_TOLERANCE,
-    max_strides: int = MAX_STRIDES,
-    fmu: Fmu | None = None,
+    given: Mapping[str, Given] | None = None, *, tolerance: float = DEFAULT_TOLERANCE, fmu: Fmu | None = None
 ) -> SettledRun:
     """Run the unit until its strides repeat: on a stable periodic gait, or never.
 
@@ -85,88 +82,50 @@ def settle_fmu(
     """
     fmu = load_fmu(fmu)
     starts = fmu.variables.start_values(mapping_of(given, "given", "start values by name"), "start values")
-    runner = Runner(starts)
-    max_strides = checked_whole("max_strides", max_strides, 2 * WINDOW, MAX_OF_ALL)
-    tolerance = checked("tolerance", tolerance, *TOLERANCES)
-    strides = _Strides(runner.scales, 1000.0 * tolerance)
-    experiment = Experiment(
-        stop_time=longest_time(fmu, starts, max_strides),
-        tolerance=tolerance,
-        output_interval=time_unit(fmu, starts),
-        start_values=starts,
+    runner, tolerance = Runner(starts), checked("tolerance", tolerance, *TOLERANCES)
+    recorded = ["stride.count", "stride.word_code", *APEX]
+    change, obstacle = np.inf, ""
+    how: dict[str, Any] = {"tolerance": tolerance, "output_interval": time_unit(fmu, starts)}
+    for strides in STRIDES:
+        run = run_unit(starts, strides=strides, variables=recorded, fmu=fmu, **how)
+        if run.fallen:
+            count = run.stride["count"]
+            raise RunError(f"no gait at friction {runner[FRICTION]:g}: the runner fell after {count} strides")
+        change, obstacle = _obstacle(run, runner, 1000.0 * tolerance)
+        if not obstacle:
+            return _settled(run, starts, runner, change)
+    raise RunError(
+        f"no gait at friction {runner[FRICTION]:g}: not settled after {STRIDES[-1]} strides; over the last "
+        f"{WINDOW} {obstacle}"
     )
-    with opened(fmu) as instance:
-
-        def step_finished(_time: float, _recorder: Recorder) -> bool:
-            return strides.goes_on(instance) and len(strides.apexes) < max_strides
-
-        instance.simulate(experiment, step_finished)
-        return _settled_run(starts, runner, strides, instance)
 
 
-class _Strides:
-    """The apexes so far, and whether they have settled."""
-
-    def __init__(self, scales: NDArray[np.float64], tolerance: float) -> None:
-        self.scales = scales
-        self.tolerance = tolerance
-        self.apexes: list[list[float]] = []
-        self.words: list[str] = []
-        self.change = self.spread = float("inf")
-
-    @property
-    def settled(self) -> bool:
-        steady = self.change <= self.tolerance and self.spread <= MAX_SPREAD * self.tolerance
-        return steady and len(set(self.words[-WINDOW:])) == 1
-
-    @property
-    def obstacle(self) -> str:
-        """Why the gait has not settled, in words."""
-        words = list(dict.fromkeys(self.words[-WINDOW:]))
-        if len(words) > 1:
-            return f"the word goes on changing: {', '.join(words[:5])}"
-        if self.change > self.tolerance:
-            return f"the mean apex moved by {self.change:.2g} of its scales, allowed: {self.tolerance:.2g}"
-        return (
-            f"strides differ from their mean by {self.spread:.2g} of the apex's scales, "
-            f"allowed: {MAX_SPREAD * self.tolerance:.2g}"
-        )
-
-    def goes_on(self, instance: Instance) -> bool:
-        """Take the apex, if one more stride has closed; False once the gait has settled."""
-        if instance.value("stride.count") > len(self.apexes):
-            self.apexes.append([instance.value(f"apex.{name}") for name in COORDINATES])
-            self.words.append(instance.value("stride.word"))
-            self._measure()
-        return not self.settled
-
-    def _measure(self) -> None:
-        if len(self.apexes) >= 2 * WINDOW:
-            windows = np.array(self.apexes[-2 * WINDOW :]).reshape(2, WINDOW, -1) / self.scales
-            before, last = windows.mean(axis=1)
-            self.change = float(np.max(np.abs(last - before)))
-            self.spread = float(np.max(np.abs(windows[1] - last)))
+def _obstacle(run: Run, runner: Runner, allowed: float) -> tuple[float, str]:
+    """How far the mean apex moved from window to window, and why the gait has not settled, in words."""
+    rows = np.flatnonzero(np.diff(run.table["stride.count"]) > 0)[-2 * WINDOW :] + 1
+    apexes = np.stack([run.table[name][rows] for name in APEX], axis=1)
+    windows = apexes.reshape(2, WINDOW, -1) / runner.scales
+    before, last = windows.mean(axis=1)
+    change, spread = float(np.max(np.abs(last - before))), float(np.max(np.abs(windows[1] - last)))
+    if len(set(run.table["stride.word_code"][rows[WINDOW:]])) > 1:
+        return change, "the word goes on changing"
+    if change > allowed:
+        return change, f"the mean apex moved by {change:.2g} of its scales, allowed: {allowed:.2g}"
+    if spread > MAX_SPREAD * allowed:
+        limit = MAX_SPREAD * allowed
+        return change, f"strides differ from their mean by {spread:.2g} of the scales, allowed: {limit:.2g}"
+    return change, ""
 
 
-def _settled_run(
-    starts: Mapping[str, Value], runner: Runner, strides: _Strides, instance: Instance
-) -> SettledRun:
-    count, friction = len(strides.apexes), runner[FRICTION]
-    if instance.value("status.fallen"):
-        raise RunError(f"no gait at friction {friction:g}: the runner fell after {count} strides")
-    if not strides.settled:
-        raise RunError(
-            f"no gait at friction {friction:g}: not settled after {count} strides; over the last {WINDOW} "
-            f"{strides.obstacle}"
-        )
-    apex = strides.apexes[-1]
+def _settled(run: Run, starts: Mapping[str, Value], runner: Runner, change: float) -> SettledRun:
+    apex = tuple(run.apex[name] for name in COORDINATES)
     return SettledRun(
-        friction=friction,
-        word=strides.words[-1],
-        **{name: instance.value(f"stride.{name}") for name in REPORTED},
-        liftoff_angle=instance.value("hip.liftoff_angle"),
-        apex=tuple(apex),
-        start_values={**starts, FRICTION: friction, **runner.state_at(apex)},
-        strides=count,
-        change=strides.change,
+        friction=runner[FRICTION],
+        word=str(run.stride["word"]),
+        **{name: float(run.stride[name]) for name in REPORTED},
+        liftoff_angle=float(run.final["hip.liftoff_angle"]),
+        apex=apex,
+        start_values={**starts, FRICTION: runner[FRICTION], **runner.state_at(apex)},
+        strides=int(run.stride["count"]),
+        change=change,
     )

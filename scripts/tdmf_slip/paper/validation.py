@@ -81,11 +81,11 @@ class Validation:
         str
             Tables.
         """
-        groups = [_group_table(group, of_group(self.claims, group)) for group in Group]
-        said = [*filter(None, groups), self._summary()] if self.claims else []
-        others = [_table_of_others(self.others)] if self.others else []
-        own = [self.own.as_text(program)] if self.own.claims else []
-        return "\n\n".join([self._gait_table(), *said, *others, *own, self._drift_summary()])
+        groups = [_table(group.value, of_group(self.claims, group)) for group in Group]
+        counted = f"{len(self.claims)} statements of {PAPER}: {self._counted()}." if self.claims else ""
+        own = self.own.as_text(program) if self.own.claims else ""
+        said = [*groups, counted, _table("Other papers", self.others), own]
+        return "\n\n".join([self._gait_table(), *filter(None, said), self._drift_summary()])
 
     def _gait_table(self) -> str:
         header = ["friction", "paper"]
@@ -95,12 +95,8 @@ class Validation:
         for row in zip(*self.gaits.values(), strict=True):
             cells = [f"{row[0].friction:g}", WORDS[row[0].friction]]
             for gait in row:
-                cells += [
-                    gait.word,
-                    f"{gait.period:.4f}",
-                    f"{gait.speed:.5f}",
-                    f"{gait.cost_of_transport:.5f}",
-                ]
+                cells += [gait.word, f"{gait.period:.4f}", f"{gait.speed:.5f}"]
+                cells += [f"{gait.cost_of_transport:.5f}"]
             same = all(gait.word == WORDS[gait.friction] for gait in row)
             rows.append([*cells, "same words" if same else "OTHER"])
         notes = [
@@ -109,9 +105,6 @@ class Validation:
             "no such numbers.",
         ]
         return "\n".join([table([*header, "verdict"], rows), *notes])
-
-    def _summary(self) -> str:
-        return f"{len(self.claims)} statements of {PAPER}: {self._counted()}."
 
     def _counted(self) -> str:
         """How many statements are in each group, in words."""
@@ -127,46 +120,34 @@ class Validation:
     def _drift_summary(self) -> str:
         missed = [drift for drift in self.drifts if not drift.passed]
         if not missed:
-            of_gaits = [drift for drift in self.drifts if math.isfinite(drift.friction)]
-            largest = {d.allowed: 0.0 for d in of_gaits}
-            for drift in of_gaits:
-                largest[drift.allowed] = max(largest[drift.allowed], drift.deviation)
             quantities, apexes = reference.QUANTITY_TOLERANCE, reference.APEX_TOLERANCE
+            of_gaits = [drift for drift in self.drifts if math.isfinite(drift.friction)]
+            largest = {
+                allowed: max((of.deviation for of in of_gaits if of.allowed == allowed), default=0.0)
+                for allowed in (quantities, apexes)
+            }
             return (
                 f"Reference: all {len(self.drifts)} recorded values are met.\nLargest relative deviation "
                 f"of a gait {largest[quantities]:.1e} (allowed {quantities:g}), "
                 f"of an apex {largest[apexes]:.1e} (allowed {apexes:g})."
             )
         header = ["friction mu", "reading", "what", "computed", "reference", "deviation", "allowed"]
-        rows = [
-            [
-                f"{d.friction:g}" if math.isfinite(d.friction) else "",
-                d.reading,
-                d.what,
-                f"{d.computed}",
-                f"{d.reference}",
-                f"{d.deviation:.1e}",
-                f"{d.allowed:g}",
-            ]
-            for d in missed
-        ]
+        rows = []
+        for one in missed:
+            friction = f"{one.friction:g}" if math.isfinite(one.friction) else ""
+            values = f"{one.computed}", f"{one.reference}", f"{one.deviation:.1e}", f"{one.allowed:g}"
+            rows.append([friction, one.reading, one.what, *values])
         count = f"{len(missed)} of {len(self.drifts)}"
         return f"Reference: {count} recorded values are NOT met:\n{table(header, rows)}"
 
 
-def _group_table(group: Group, claims: Sequence[Claim]) -> str:
-    """The statements of a group under its heading; nothing where there are none."""
+def _table(heading: str, claims: Sequence[Claim]) -> str:
+    """Statements under a heading, each with its section of the paper or its source; nothing without any."""
     if not claims:
         return ""
-    header = ["section", "statement", "published", *READINGS, "verdict"]
-    rows = [[c.where, c.what, c.published, *_findings(c), c.verdict] for c in claims]
-    return f"{group.value}\n{table(header, rows)}"
-
-
-def _table_of_others(claims: Sequence[Claim]) -> str:
-    header = ["source", "statement", "published", *READINGS, "verdict"]
-    rows = [[c.source, c.what, c.published, *_findings(c), c.verdict] for c in claims]
-    return f"Other papers\n{table(header, rows)}"
+    header = ["section" if claims[0].where else "source", "statement", "published", *READINGS, "verdict"]
+    rows = [[c.where or c.source, c.what, c.published, *_findings(c), c.verdict] for c in claims]
+    return f"{heading}\n{table(header, rows)}"
 
 
 def _findings(claim: Claim) -> list[str]:

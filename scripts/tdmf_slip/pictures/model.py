@@ -1,7 +1,6 @@
 """The model, as in figure 4(b): body, leg with spring and damper, foot, hip torque, ground forces."""
 
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -100,20 +99,19 @@ HALF_WIDTH, HEIGHT, DEPTH = 1.12, 0.92, 0.05
 """Shown of the stance, over l0: to either side of its middle, above and below the ground."""
 
 
-def draw_snapshots(path: Path, stride: Stride) -> None:
+def draw_snapshots(stride: Stride) -> Figure:
     """Draw the stride above, its stance below, and below that the path of the foot over time."""
-    with style.styled():
-        figure = style.Picture(figsize=SIZE)
-        letters = style.word(stride.gait.word)
-        title = rf"One stride, gait word  {letters}, friction $\mu = {stride.gait.friction:g}$"
-        figure.text(0.015, 0.955, title, size=11)
-        _whole(figure.add_axes((0.01, 0.82, 0.98, 0.12)), stride)
-        stance, foot = _aligned_axes(figure)
-        middle = float(np.mean(stride["body.x"][stride.stance][[0, -1]]))
-        limits = (middle - HALF_WIDTH, middle + HALF_WIDTH)
-        _stance(stance, stride, limits)
-        _path(foot, stride, limits)
-        style.save(figure, path)
+    figure = style.Picture(figsize=SIZE)
+    letters = style.word(stride.gait.word)
+    title = rf"One stride, gait word  {letters}, friction $\mu = {stride.gait.friction:g}$"
+    figure.text(0.015, 0.955, title, size=11)
+    _whole(figure.add_axes((0.01, 0.82, 0.98, 0.12)), stride)
+    stance, foot = _aligned_axes(figure)
+    middle = float(np.mean(stride["body.x"][stride.stance][[0, -1]]))
+    limits = (middle - HALF_WIDTH, middle + HALF_WIDTH)
+    _stance(stance, stride, limits)
+    _path(foot, stride, limits)
+    return figure
 
 
 def _aligned_axes(figure: Figure) -> tuple[Axes, Axes]:
@@ -193,20 +191,19 @@ TEXT = 15
 INCHES, DOTS_PER_INCH = 5.0, 144
 
 
-def draw(path: Path) -> None:
-    """Draw the sketch: 720 by 720 pixels."""
-    with style.styled():
-        figure = style.Picture(figsize=(INCHES, INCHES))
-        axes = figure.add_axes((0, 0, 1, 1))
-        axes.set_xlim(-1.0, 0.62)
-        axes.set_ylim(-0.38, 1.24)
-        axes.set_axis_off()
-        _ground(axes)
-        _leg(axes)
-        _masses(axes)
-        _measures(axes)
-        _forces(axes)
-        style.save(figure, path, dots_per_inch=DOTS_PER_INCH)
+def draw() -> Figure:
+    """Draw the sketch: 720 by 720 pixels at `DOTS_PER_INCH`."""
+    figure = style.Picture(figsize=(INCHES, INCHES))
+    axes = figure.add_axes((0, 0, 1, 1))
+    axes.set_xlim(-1.0, 0.62)
+    axes.set_ylim(-0.38, 1.24)
+    axes.set_axis_off()
+    _ground(axes)
+    _leg(axes)
+    _masses(axes)
+    _measures(axes)
+    _forces(axes)
+    return figure
 
 
 def _ground(axes: Axes) -> None:

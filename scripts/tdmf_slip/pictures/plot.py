@@ -51,7 +51,7 @@ DATASETS: Mapping[str, tuple[str, Sequence[int]]] = {
     "strides": ("fate", (2,)),
     "sweep": ("word", (1, 2)),
     "viability": ("viable", (2,)),
-    "trajectory": ("mode", (1,)),
+    "trajectory": ("time", (1,)),
 }
 """Datasets that have a picture: one of their variables, and how many dimensions it may have."""
 

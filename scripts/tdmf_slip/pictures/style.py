@@ -1,11 +1,12 @@
 """Style of all pictures: colours and names of contact modes, type, axes, and how files are written."""
 
+import importlib.resources
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from contextvars import ContextVar
-from dataclasses import dataclass
 from io import BytesIO
+from itertools import product
 from pathlib import Path
+from string import Template
 from typing import Any, Literal, TypeAlias
 
 import matplotlib
@@ -136,38 +137,10 @@ STYLES: Mapping[str, Mapping[Any, Any]] = {
 """Settings by name of the style, over those for pages on a screen."""
 
 
-@dataclass(frozen=True)
-class Appearance:
-    """How figures are written, whatever they show."""
-
-    width: float | None = None
-    """Inches, with the height in proportion and type of its own size; None: as each figure was designed."""
-    dots_per_inch: float | None = None
-    """Resolution of PNG files; None: as each figure was designed."""
-    style: str = "house"
-    """One of `STYLES`."""
-
-
-DESIGNED = Appearance()
-"""Width, resolution and style that the figures were designed with."""
-
-_PRESENT: ContextVar[Appearance] = ContextVar("appearance")
-
-
 @contextmanager
-def appearing(appearance: Appearance) -> Iterator[None]:
-    """An appearance for all figures that are drawn and written inside."""
-    token = _PRESENT.set(appearance)
-    try:
-        yield
-    finally:
-        _PRESENT.reset(token)
-
-
-@contextmanager
-def styled() -> Iterator[None]:
-    """The present style, for what is drawn inside."""
-    with matplotlib.rc_context({**SETTINGS, **STYLES[_PRESENT.get(DESIGNED).style]}):
+def styled(name: str = "house") -> Iterator[None]:
+    """One of the `STYLES`, for what is drawn and written inside."""
+    with matplotlib.rc_context({**SETTINGS, **STYLES[name]}):
         yield
 
 
@@ -215,16 +188,21 @@ def check_drawing(what: str) -> None:
         ) from problem
 
 
-def save(figure: Figure, path: Path, dots_per_inch: int = DOTS_PER_INCH) -> None:
-    """Write a figure whole or not at all."""
-    present = _PRESENT.get(DESIGNED)
-    if present.width is not None:
-        width, height = figure.get_size_inches()
-        figure.set_size_inches(present.width, height * present.width / width)
+def save(
+    figure: Figure, path: Path, *, width: float | None = None, dots_per_inch: float | None = None
+) -> None:
+    """Write a figure whole or not at all; with a width, in inches, the height is in proportion."""
+    if width is not None:
+        old_width, height = figure.get_size_inches()
+        figure.set_size_inches(width, height * width / old_width)
     with whole(path) as beside:
-        figure.savefig(
-            beside, dpi=present.dots_per_inch or dots_per_inch, metadata=UNDATED.get(path.suffix.lower())
-        )
+        metadata = UNDATED.get(path.suffix.lower())
+        figure.savefig(beside, dpi=dots_per_inch or DOTS_PER_INCH, metadata=metadata)
+
+
+def template(name: str) -> Template:
+    """A page of HTML beside this module, with $names for what goes into it."""
+    return Template(importlib.resources.files(__package__).joinpath(f"{name}.html").read_text("utf-8"))
 
 
 def label(axes: Axes, horizontal: str, vertical: str) -> None:
@@ -295,13 +273,12 @@ DISTANCES = (5.0, 14.0, 28.0)
 LEADER = 10.0
 """Points from which on a thin line joins a word to its curve."""
 DIRECTIONS = ((0, 1), (0, -1), (-1, 1), (1, 1), (-1, -1), (1, -1), (-1, 0), (1, 0))
-ALIGNED = {
-    "horizontalalignment": ("right", "center", "left"),
-    "verticalalignment": ("top", "center", "bottom"),
-}
-"""Alignment of a word by the sign of its direction plus one."""
+HORIZONTAL, VERTICAL = ("right", "center", "left"), ("top", "center", "bottom")
+"""Alignments of a word by the sign of its direction plus one."""
 PLACES = 21
 """Places tried along a curve, the middle one first."""
+LEADING = {"arrowstyle": "-", "color": FAINT, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
+"""Look of the line from a word to its curve."""
 
 
 class CurveLabel(Annotation):
@@ -321,24 +298,24 @@ class CurveLabel(Annotation):
             tuple(points[0]),
             xytext=(0.0, 0.0),
             textcoords="offset points",
-            arrowprops={"arrowstyle": "-", "color": FAINT, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0},
+            arrowprops=dict(LEADING),
             path_effects=[withStroke(linewidth=2.0, foreground="white")],
             zorder=7,
             **look,
         )
-        self._points = points
-        self._distances = distances
+        self._points, self._distances = points, distances
         axes.add_artist(self)
         self.set_in_layout(False)
 
     def draw(self, renderer: RendererBase) -> None:
         """Draw the word at the first place where it touches nothing, or else where it touches least."""
         lines, boxes = self._obstacles(renderer)
-        least = np.inf
-        best = (tuple(self._points[0]), DIRECTIONS[0], self._distances[0])
-        for place in self._candidates():
-            box = self._move(*place).box_of_word(renderer)
-            touched = self._touched(box, lines, boxes)
+        count = min(PLACES, len(self._points))
+        rows = np.linspace(0, len(self._points) - 1, count).round().astype(int)
+        from_middle = sorted(rows, key=lambda row: abs(2 * row - len(self._points) + 1))
+        least, best = np.inf, (0.0, 0, DIRECTIONS[0])
+        for place in product(self._distances, from_middle, DIRECTIONS):
+            touched = self._touched(self._move(*place).box_of_word(renderer), lines, boxes)
             if touched < least:
                 least, best = touched, place
             if not touched:
@@ -351,20 +328,11 @@ class CurveLabel(Annotation):
         self.update_positions(renderer)
         return Text.get_window_extent(self, renderer)
 
-    def _candidates(self) -> Iterator[tuple[tuple[float, float], tuple[int, int], float]]:
-        count = min(PLACES, len(self._points))
-        rows = np.linspace(0, len(self._points) - 1, count).round().astype(int)
-        from_middle = sorted(rows, key=lambda row: abs(2 * row - len(self._points) + 1))
-        for distance in self._distances:
-            for row in from_middle:
-                for direction in DIRECTIONS:
-                    yield tuple(self._points[row]), direction, distance
-
-    def _move(self, at: tuple[float, float], direction: tuple[int, int], distance: float) -> "CurveLabel":
-        self.xy = at
-        self.set_position((distance * direction[0], distance * direction[1]))
-        for (name, values), sign in zip(ALIGNED.items(), direction, strict=True):
-            self.set(**{name: values[sign + 1]})
+    def _move(self, distance: float, row: int, direction: tuple[int, int]) -> "CurveLabel":
+        across, up = direction
+        self.xy = tuple(self._points[row])
+        self.set_position((distance * across, distance * up))
+        self.set(horizontalalignment=HORIZONTAL[across + 1], verticalalignment=VERTICAL[up + 1])
         self.arrow_patch.set_visible(distance > LEADER)  # type: ignore[union-attr]
         return self
 

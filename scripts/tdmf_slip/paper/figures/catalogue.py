@@ -103,10 +103,16 @@ def draw(
     only: Sequence[str] = ("",),
     measure: bool = False,
     formats: Sequence[str] = ("png", "svg"),
-    appearance: style.Appearance = style.DESIGNED,
+    look: str = "house",
+    width: float | None = None,
+    dots_per_inch: float | None = None,
     progress: bool = False,
 ) -> list[Path]:
-    """Draw the figures whose names begin with one of `only` into a folder."""
+    """Draw the figures whose names begin with one of `only` into a folder.
+
+    `look` is one of `style.STYLES`; width, in inches, and resolution are by default those of each figure.
+    """
+    how: dict[str, Any] = {"look": look, "width": width, "dots_per_inch": dots_per_inch}
     known = _figures(measure)
     for begin in only:
         if not any(name.startswith(begin) for name in known):
@@ -114,10 +120,10 @@ def draw(
     chosen = {name: figure for name, figure in known.items() if name.startswith(tuple(only))}
     folder.mkdir(exist_ok=True)
     written = []
-    with style.appearing(appearance), progress_bar("figures", len(chosen), "figures", progress) as bar:
+    with progress_bar("figures", len(chosen), "figures", progress) as bar:
         for name, figure in chosen.items():
             paths = [folder / f"{name}.{suffix}" for suffix in formats]
-            _write(figure.draw, *paths)
+            _write(figure.draw, *paths, **how)
             written += paths
             write_columns(folder / f"{name}.csv", as_columns(figure.table()))
             written.append(folder / f"{name}.csv")
@@ -132,9 +138,9 @@ def draw_gallery(folder: Path, progress: bool = False) -> list[Path]:
     stride = cache(lambda: Stride(periodic_gait(_paper_runner().replace({FRICTION: model.FRICTION}))))
     drawings: dict[str, Callable[[Path], None]] = {
         **{f"{name}.png": partial(_write, figures[name].draw) for name in PAPERS_GAITS},
-        "snapshots.png": lambda path: model.draw_snapshots(path, stride()),
+        "snapshots.png": partial(_write, lambda: model.draw_snapshots(stride())),
         "stride.gif": lambda path: animation.draw(path, stride()),
-        "model.png": model.draw,
+        "model.png": partial(_write, model.draw, dots_per_inch=model.DOTS_PER_INCH),
     }
     with progress_bar("pictures", len(drawings), "", progress) as bar:
         for name, drawing in drawings.items():
@@ -143,12 +149,12 @@ def draw_gallery(folder: Path, progress: bool = False) -> list[Path]:
     return [folder / name for name in drawings]
 
 
-def _write(draw: Callable[[], Figure], *paths: Path) -> None:
+def _write(draw: Callable[[], Figure], *paths: Path, look: str = "house", **how: float | None) -> None:
     """Draw a figure, and write it into files."""
-    with style.styled():
+    with style.styled(look):
         figure = draw()
         for path in paths:
-            style.save(figure, path)
+            style.save(figure, path, **how)
 
 
 def _paper_runner() -> Runner:
