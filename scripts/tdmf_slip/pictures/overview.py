@@ -90,12 +90,12 @@ def of_trajectory(run: xarray.Dataset) -> Figure:
     times, modes = run["time"].values, run["mode"].values if "mode" in run else ()
     pairs = zip(times[1:], modes, modes[1:], strict=False)
     changes = [time for time, before, after in pairs if before != after]
-    count = min(MAX_PANELS, len(moving))
+    count, values = min(MAX_PANELS, len(moving)), runner_in(run)
     figure, panels = style.subplots(count, 1, figsize=(7.6, 1.0 + 1.3 * count), sharex=True, squeeze=False)
     for axes, name in zip(panels[:, 0], moving, strict=False):
         axes.plot(times, run[name].values, color=style.CURVE)
-        axes.set_ylabel(style.with_unit(str(name), run[name].attrs["units"]))
+        axes.set_ylabel(style.with_unit(str(name), paper_units.label(run[name].attrs["units"], values)))
         for time in changes:
             axes.axvline(time, **style.LIMIT_LINE)
-    panels[-1, 0].set_xlabel(style.with_unit("time", "s"))
+    panels[-1, 0].set_xlabel(style.with_unit("time", paper_units.label("s", values)))
     return figure
