@@ -91,7 +91,6 @@ REFUSED = [
     (lambda r, g: attraction.robustness(START), "."),
     (lambda r, g: run_unit(inputs="ice.csv", stop_time=1), "."),
     (lambda r, g: settling.settle_fmu("human"), "."),
-    (lambda r, g: settling.settle_fmu(max_strides="x"), "."),
     (lambda r, g: settling.settle_fmu(tolerance="x"), "."),
     (lambda r, g: options.read_gait("none.json"), "."),
     (lambda r, g: simulate_many([START], strides=1, interface="x"), "."),
