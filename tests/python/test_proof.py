@@ -12,11 +12,19 @@ from conftest import CLAMPED, release
 
 pytest.importorskip("flint")
 
+from click.testing import CliRunner
 from flint import arb, ctx
+from tdmf_slip.analysis.special_points import Border
+from tdmf_slip.cli.prove import prove_command
 from tdmf_slip.errors import InputError
+from tdmf_slip.library.members import MOVING
+from tdmf_slip.proof.accuracy import QUANTITIES, error_table, solver_errors
+from tdmf_slip.proof.given import KNOWN, check_laws, gait_of
 
 PROVED = json.loads((pathlib.Path(__file__).parent / "proved_gaits.json").read_text(encoding="utf-8"))
 GAITS = {gait["friction"]: gait for gait in PROVED["gaits"]}
+EXACT, BY_CVODE = 1e-12, 1e-7
+"""Errors of solvers, as the page on accuracy says."""
 EVENTS = {
     "end of slip": "rest",
     "slip onset forwards": "slip+",
@@ -86,23 +94,33 @@ def test_enclosures_hold_what_the_library_computes(proof):
     assert np.allclose(found, sorted(np.abs(gait.eigenvalues)), atol=1e-8)
 
 
-def displaced(by):
+def test_every_solver_is_as_near_to_the_proved_gait_as_is_reported(proof):
+    errors = solver_errors(proof)
+    assert {"native", "lanes, two lanes"} < set(errors)
+    assert sum("unit" in solver for solver in errors) == 3
+    assert sum("CVODE" in solver for solver in errors) == 2
+    for solver, of in errors.items():
+        assert set(of) == {*QUANTITIES, "apex"}
+        for name, error in of.items():
+            assert 0 < error < (BY_CVODE if "CVODE" in solver else EXACT), (solver, name)
+    smaller = {solver: dict.fromkeys(of, 1e-20) for solver, of in errors.items()}
+    heading, *rows = error_table([smaller, errors])
+    assert heading == ["solver", *QUANTITIES, "apex"]
+    assert [row[0] for row in rows] == list(errors)
+    assert dict(zip(heading, rows[0], strict=True))["period"] == f"{errors['native']['period']:.1e}"
+    with pytest.raises(InputError, match="undecided"):
+        solver_errors(replace(proof, proved=False))
+
+
+@pytest.mark.parametrize(("box", "proved"), [(1e-10, False), (2e-9, True)])
+def test_a_displaced_centre_is_proved_where_the_box_reaches_the_gait(box, proved):
     gait = tdmf_slip.find_gait({"ground.friction": 10.0, **CLAMPED})
-    return replace(gait, apex=gait.apex + by)
-
-
-def test_a_displaced_centre_is_undecided_where_the_box_does_not_reach_the_gait():
-    proof = tdmf_slip.prove(displaced(1e-9), box=1e-10, digits=5)
-    assert not proof.proved
-    assert "inclusion" in proof.undecided["guard"]
-    assert proof.sentence.startswith("Undecided")
-    assert proof.as_json()["undecided"]["guard"] == proof.undecided["guard"]
-
-
-def test_a_displaced_centre_is_proved_where_it_does():
-    proof = tdmf_slip.prove(displaced(1e-9), box=2e-9, digits=5)
-    assert proof.proved
-    assert proof.word == "0+"
+    proof = tdmf_slip.prove(replace(gait, apex=gait.apex + 1e-9), box=box, digits=5)
+    assert (proof.proved, proof.word) == (proved, "0+" if proved else "")
+    if not proved:
+        assert "inclusion" in proof.undecided["guard"]
+        assert proof.sentence.startswith("Undecided")
+        assert proof.as_json()["undecided"]["guard"] == proof.undecided["guard"]
 
 
 def test_a_box_across_a_border_is_undecided_with_guard_and_time():
@@ -112,8 +130,6 @@ def test_a_box_across_a_border_is_undecided_with_guard_and_time():
 
 
 def test_parameters_are_the_numbers_that_they_read_as():
-    from tdmf_slip.proof.prove import gait_of
-
     _, values = gait_of({"ground.friction": "0.6", "hip.touchdown_angle": "40 deg"})
     assert str(values["ground.friction"]) == "3/5"
     assert str(values["hip.touchdown_angle"]) == "2 pi/9"
@@ -130,17 +146,15 @@ def test_a_box_that_is_none_is_refused(box):
 
 
 def test_the_command_prints_the_proof():
-    from click.testing import CliRunner
-    from tdmf_slip.cli.prove import prove_command
-
     ran = CliRunner().invoke(
         prove_command,
-        ["--friction", "10", "--set", "hip.swing_clamp=true", "--digits", "5", "--json"],
+        ["--friction", "10", "--set", "hip.swing_clamp=true", "--digits", "13", "--compare", "--json"],
         standalone_mode=False,
     )
     printed = json.loads(ran.stdout)
     assert printed["proved"]
     assert printed["word"] == "0+"
+    assert printed["solvers"]["native"]["period"] < EXACT
     assert agree(printed["period"], GAITS["10"]["period"])
     assert printed["parameters"]["ground.friction"] == "10"
     of_gait = {"proved", "sentence", "assumptions", "word", "stable", "box", "undecided"}
@@ -152,12 +166,10 @@ def test_the_command_prints_the_proof():
 @pytest.mark.parametrize(
     "options",
     [["--border", "0.2:0.3", "--vary", "ground.friction=1:2"], ["--border", "0.2:0.3", "--output", "x.jsonl"],
-     ["--workers", "2"], ["--vary", "ground.friction"], ["--vary", "ground.friction=2:1"]],
+     ["--workers", "2"], ["--compare", "--vary", "ground.friction=1:2"],
+     ["--vary", "ground.friction"], ["--vary", "ground.friction=2:1"]],
 )  # fmt: skip
 def test_options_that_do_not_go_together_are_refused(options, tmp_path, monkeypatch):
-    from click.testing import CliRunner
-    from tdmf_slip.cli.prove import prove_command
-
     monkeypatch.chdir(tmp_path)
     ran = CliRunner().invoke(prove_command, options, standalone_mode=False)
     assert isinstance(ran.exception, InputError)
@@ -173,7 +185,11 @@ def check_border(proof, known):
 
 @pytest.fixture(scope="module")
 def border():
-    return tdmf_slip.prove_border(0.26585156, CLAMPED, digits=8)
+    return tdmf_slip.prove_border(
+        Border(0.26585156, "+-", "+0-"),
+        tdmf_slip.find_gait({"ground.friction": 0.25, **CLAMPED}),
+        digits=5,
+    )
 
 
 def test_a_border_is_proved_where_another_program_proved_it(border):
@@ -221,9 +237,6 @@ def test_no_border_is_proved_where_there_is_none():
 
 
 def test_what_the_enclosures_do_not_know_of_is_refused():
-    from tdmf_slip.library.members import MOVING
-    from tdmf_slip.proof.given import KNOWN, check_laws
-
     assert set(KNOWN) <= set(MOVING)
     starts = {name: tdmf_slip.load_fmu().variables.start_of(name) for name in MOVING}
     check_laws(starts | dict.fromkeys(KNOWN, 0.123))

@@ -1,15 +1,15 @@
 """Accuracy of the solvers: gaits against their proved enclosures."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from flint import arb
-from numpy.typing import NDArray
 
 from ..analysis.stride_map import stride_map
 from ..errors import InputError
 from ..fmu.simulation import run_unit
 from ..library.engine import instruction_sets
+from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.strides import strides_from
 from .proof import Proof
@@ -22,6 +22,12 @@ LANES = 8
 """Runners side by side, so that every lane has one."""
 PAST = 1.0005
 """Periods after which a run of the unit has closed a stride."""
+UNITS: Mapping[str, tuple[str, Mapping[str, str]]] = {
+    "unit, Co-Simulation": ("cs", {}),
+    "unit, Co-Simulation by CVODE": ("cs", {"solver.method": "cvode"}),
+    "unit, Model Exchange by CVODE": ("me", {}),
+}
+"""Interfaces and settings of runs of the unit."""
 Numbers = dict[str, float]
 
 
@@ -30,9 +36,12 @@ def solver_errors(proof: Proof) -> dict[str, Numbers]:
     if not proof.proved:
         raise InputError("proof: undecided; allowed: a gait that is proved")
     runner = Runner({name: float(value.ball()) for name, value in proof.values.items()})
-    apex = np.array([float(x.mid()) for x in proof.apex])
-    solvers = {**_of_library(), **_of_fmu()}
-    return {name: _errors(proof, runner, solve(runner, apex)) for name, solve in solvers.items()}
+    native = strides_from(runner, np.array([float(x.mid()) for x in proof.apex]))
+    after = dict(zip(COORDINATES, native.apex + native.residual, strict=True))
+    found: dict[str, Numbers] = {"native": {**native.stride, **after}}
+    found |= {f"lanes, {name}": _by_lanes(runner, native, name) for name in instruction_sets()}
+    found |= {name: _by_unit(runner, native, *how) for name, how in UNITS.items()}
+    return {name: _errors(proof, runner, numbers) for name, numbers in found.items()}
 
 
 def _errors(proof: Proof, runner: Runner, found: Mapping[str, float]) -> Numbers:
@@ -47,59 +56,30 @@ def distance(value: float, ball: arb) -> float:
     return float(abs(ball - arb(value)).upper())
 
 
-Solve = Callable[[Runner, NDArray[np.float64]], Numbers]
+def _by_lanes(runner: Runner, native: Gait, instructions: str) -> Numbers:
+    apices = np.tile(native.apex, (LANES, 1))
+    run = stride_map(runner, apices, tolerance=FINEST, instructions=instructions)
+    after = dict(zip(COORDINATES, run["next_apex"].values[0, 0], strict=True))
+    return {**{name: float(run[name][0, 0]) for name in QUANTITIES}, **after}
 
 
-def _of_library() -> dict[str, Solve]:
-    return {"native": _native, **{f"lanes, {name}": _lanes(name) for name in instruction_sets()}}
+def _by_unit(runner: Runner, native: Gait, interface: str, settings: Mapping[str, str]) -> Numbers:
+    run = run_unit(
+        {**runner.start_values(native.apex), **settings},
+        stop_time=PAST * native.period,
+        tolerance=FINEST,
+        output_interval=native.period / 100,
+        variables=(),
+        interface=interface,
+    )
+    return {**{name: float(run.stride[name]) for name in QUANTITIES}, **run.apex}
 
 
-def _of_fmu() -> dict[str, Solve]:
-    return {
-        "unit, Co-Simulation": _fmu("cs"),
-        "unit, Co-Simulation by CVODE": _fmu("cs", {"solver.method": "cvode"}),
-        "unit, Model Exchange by CVODE": _fmu("me"),
-    }
-
-
-def _native(runner: Runner, apex: NDArray[np.float64]) -> Numbers:
-    stride = strides_from(runner, apex)
-    after = dict(zip(COORDINATES, stride.apex + stride.residual, strict=True))
-    return {**{name: stride.stride[name] for name in QUANTITIES}, **after}
-
-
-def _lanes(instructions: str) -> Solve:
-    def solve(runner: Runner, apex: NDArray[np.float64]) -> Numbers:
-        run = stride_map(runner, np.tile(apex, (LANES, 1)), tolerance=FINEST, instructions=instructions)
-        after = dict(zip(COORDINATES, run["next_apex"].values[0, 0], strict=True))
-        return {**{name: float(run[name][0, 0]) for name in QUANTITIES}, **after}
-
-    return solve
-
-
-def _fmu(interface: str, settings: Mapping[str, str] | None = None) -> Solve:
-    def solve(runner: Runner, apex: NDArray[np.float64]) -> Numbers:
-        period = strides_from(runner, apex).period
-        run = run_unit(
-            {**runner.start_values(apex), **(settings or {})},
-            stop_time=PAST * period,
-            tolerance=FINEST,
-            output_interval=period / 100,
-            variables=(),
-            interface=interface,
-        )
-        of_stride = {name: float(run.stride[name]) for name in QUANTITIES}
-        return {**of_stride, **{name: run.apex[name] for name in COORDINATES}}
-
-    return solve
-
-
-def error_table(proofs: Sequence[Proof]) -> list[list[str]]:
-    """Errors of all solvers over some gaits, the largest of each."""
-    of_all = [solver_errors(proof) for proof in proofs]
+def error_table(errors: Sequence[Mapping[str, Numbers]]) -> list[list[str]]:
+    """The largest error of each solver over some gaits, under a heading."""
     heading = ["solver", *QUANTITIES, "apex"]
     rows = [
-        [solver, *(f"{max(errors[solver][name] for errors in of_all):.1e}" for name in heading[1:])]
-        for solver in of_all[0]
+        [solver, *(f"{max(of[solver][name] for of in errors):.1e}" for name in heading[1:])]
+        for solver in errors[0]
     ]
     return [heading, *rows]

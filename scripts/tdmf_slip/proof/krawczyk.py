@@ -6,22 +6,17 @@ With G(x) = P(x) - x and a point matrix Y near the inverse of its derivative,
 
 holds every zero of G in the box X around m; where K(X) lies in the interior of X, there is exactly one.
 What is proved rests on balls alone; how m and Y were found does not matter.
-
-Eigenvalues of an enclosed matrix: Gershgorin's discs in a basis in which it is nearly diagonal.
-
-Of the map's Jacobian some eigenvalues vanish, so that its eigenvectors alone are no basis: the directions
-that the others leave over complete it.
 """
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 from flint import acb, acb_mat, arb, arb_mat, ctx
 from numpy.typing import NDArray
+from scipy.linalg import eig
 
 from .dual import UndecidedError, absolute, floats_above, greatest, identity, row_sums
 from .parameters import Forced, Parameters
@@ -31,61 +26,40 @@ from .stride import Stride, Traveller
 from .travelling_set import SetTraveller
 
 SMALL = 1e6
-"""An eigenvalue so many times the enclosure's width, or less, is taken with those that vanish,"""
-LARGE = 0.05
-"""but not where it is more than this much of the largest. A norm is rounder without them."""
+"""An eigenvalue so many times the enclosure's width, or less, is taken with those that vanish."""
 
 
-@dataclass(frozen=True)
-class Eigenvalues:
-    """Discs that hold all eigenvalues: one each, and those that overlap as many together as they are."""
+def eigenvalues(matrix: arb_mat, rank: int) -> list[acb]:
+    """Discs that hold all eigenvalues of every matrix in an enclosure that has a rank at the most.
 
-    discs: list[acb]
-    """The largest first."""
-
-    @property
-    def largest(self) -> arb:
-        """Size of the largest eigenvalue, enclosed from above."""
-        found = arb(0)
-        for disc in self.discs:
-            found = found.max(abs(disc))
-        return found
-
-    @property
-    def stable(self) -> bool | None:
-        """All inside the unit circle, or one outside; None where neither is proved."""
-        sizes = [abs(disc) for disc in self.discs]
-        if all(size < 1 for size in sizes):
-            return True
-        outside = [disc for disc, size in zip(self.discs, sizes, strict=True) if size > 1]
-        rest = [disc for disc, size in zip(self.discs, sizes, strict=True) if not size > 1]
-        apart = any(not any(disc.overlaps(other) for other in rest) for disc in outside)
-        return False if apart else None
-
-
-def eigenvalues(matrix: arb_mat, rank: int) -> Eigenvalues:
-    """Enclosures of all eigenvalues of every matrix in an enclosure that has a rank at the most."""
-    whole = acb_mat(matrix)
-    basis = _basis(matrix, LARGE)
-    discs = _discs(basis.solve(whole * basis))
-    around_zero = [k for k, disc in enumerate(discs) if disc.contains(0)]
-    if len(around_zero) == matrix.nrows() - rank:  # so many vanish, and they are in discs that hold zero
-        discs = [acb(0) if k in around_zero else disc for k, disc in enumerate(discs)]
-    real = [_real_if_alone(disc, k, discs) for k, disc in enumerate(discs)]
-    return Eigenvalues(sorted(real, key=lambda disc: -float(abs(disc).mid())))
-
-
-def is_contracting(matrix: arb_mat) -> bool:
-    """Whether it is proved that all eigenvalues of every matrix in an enclosure are inside the unit circle.
-
-    In a basis in which the matrix is nearly diagonal, the largest weighted sum of a row bounds them all.
+    The largest comes first. Discs that overlap hold as many together as they are.
     """
-    return contraction(matrix)[0] < 1
+    size = matrix.nrows()
+    try:
+        discs = acb_mat(matrix).eig(multiple=True)
+    except ValueError:
+        return [acb("nan")] * size
+    if sum(disc.contains(0) for disc in discs) == size - rank:  # so many vanish, and they are in these
+        discs = [acb(0) if disc.contains(0) else disc for disc in discs]
+    real = [_real_if_alone(disc, k, discs) for k, disc in enumerate(discs)]
+    return sorted(real, key=lambda disc: -float(abs(disc).mid()))
+
+
+def stability(discs: Sequence[acb]) -> bool | None:
+    """All eigenvalues are inside the unit circle, or one is outside; None where neither is proved."""
+    if all(abs(disc) < 1 for disc in discs):
+        return True
+    outside = [disc for disc in discs if abs(disc) > 1]
+    rest = [disc for disc in discs if not abs(disc) > 1]
+    return False if any(not any(disc.overlaps(other) for other in rest) for disc in outside) else None
 
 
 def contraction(matrix: arb_mat) -> tuple[arb, acb_mat, list[float]]:
-    """A norm in which every matrix of an enclosure is small, and how small."""
-    basis = _basis(matrix, np.inf)
+    """A norm in which every matrix of an enclosure is small, and how small.
+
+    In a basis in which the matrix is nearly diagonal, the largest weighted sum of a row bounds the norm.
+    """
+    basis = _basis(matrix)
     turned = basis.solve(acb_mat(matrix) * basis)
     sizes = absolute(turned)
     weights = [float(w) for w in _weights(floats_above(sizes), basis)]
@@ -109,40 +83,13 @@ def _weights(sizes: NDArray[np.float64], basis: acb_mat) -> NDArray[np.float64]:
     return found
 
 
-def _basis(matrix: arb_mat, large: float) -> acb_mat:
+def _basis(matrix: arb_mat) -> acb_mat:
     """Nearly eigenvectors, and a complement of those that are left out; points, and nothing rests on them."""
-    size = matrix.nrows()
     width = max(float(x.rad()) for x in matrix.entries()) + 1e-300
-    points = acb_mat(matrix.mid())
-    values, left, right = points.eig(left=True, right=True, algorithm="approx")
-    sizes = [float(abs(value).mid()) for value in values]
-    kept = [k for k in range(size) if sizes[k] > min(SMALL * width, large * max(sizes))]
-    scale = [left_times_right(left, right, k) for k in range(size)]
-    columns = [[right[i, k].mid() for i in range(size)] for k in kept]
-    if len(kept) < size:
-        rows = np.array([[complex(left[k, i]) for i in range(size)] for k in kept]).reshape(len(kept), size)
-        spare = np.linalg.svd(rows, full_matrices=True)[2][len(kept) :].conj()
-        for direction in spare:
-            vector = [acb(complex(x)) for x in direction]
-            for k in kept:
-                part = sum((left[k, i] * vector[i] for i in range(size)), acb(0)) / scale[k]
-                vector = [x - part * right[i, k] for i, x in enumerate(vector)]
-            columns.append([x.mid() for x in vector])
-    return acb_mat(size, size, [columns[j][i] for i in range(size) for j in range(size)])
-
-
-def left_times_right(left: acb_mat, right: acb_mat, k: int) -> acb:
-    """Product of a left and a right eigenvector."""
-    return sum((left[k, i] * right[i, k] for i in range(left.nrows())), acb(0))
-
-
-def _discs(matrix: acb_mat) -> list[acb]:
-    """Gershgorin's discs, row by row: around the diagonal, with the sum of the others as radius."""
-    sizes = absolute(matrix)
-    for k, row in enumerate(sizes):
-        row[k] = arb(0)
-    radii = [arb(0, row.upper()) for row in row_sums(sizes, [arb(1)] * len(sizes))]
-    return [matrix[k, k] + acb(radius, radius) for k, radius in enumerate(radii)]
+    values, left, right = eig(middle_of(matrix), left=True, right=True)
+    kept = np.abs(values) > SMALL * width
+    spare = np.linalg.svd(left[:, kept].conj().T)[2][np.count_nonzero(kept) :]
+    return acb_mat(np.hstack([right[:, kept], spare.conj().T]).tolist())
 
 
 def _real_if_alone(disc: acb, k: int, discs: list[acb]) -> acb:

@@ -22,7 +22,7 @@ from ..variables.parameters import RUNNER
 from ..variables.table import VARIABLES, by_full_name
 from .dual import UndecidedError
 from .given import MAX_DIGITS, Exact, Radius, RunnerLike, exact_value, gait_of, radius_of
-from .krawczyk import Inclusion, eigenvalues, proved_stride, refined, unique_box
+from .krawczyk import Inclusion, eigenvalues, proved_stride, refined, stability, unique_box
 from .parameters import Parameters
 from .proof import Box, Proof
 from .range_proof import RangeProof
@@ -240,16 +240,16 @@ class _Prover:
             if not box.holds(inside.solution):
                 raise UndecidedError("whether the gait lies in the box")
             assert stride.derivative is not None
-            found = eigenvalues(stride.derivative, stride.rank)
+            discs = eigenvalues(stride.derivative, stride.rank)
         return Proof(
             proved=True,
             values=self.values,
             box=box,
             digits=self.digits,
             word=stride.word,
-            stable=found.stable,
+            stable=stability(discs),
             apex=inside.solution,
             quantities=stride.quantities,
-            eigenvalues=found.discs,
+            eigenvalues=discs,
             events=[(event.name, event.time) for event in stride.events],
         )

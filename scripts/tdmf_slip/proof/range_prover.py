@@ -30,7 +30,7 @@ from ..record import origin_of
 from ..terminal.progress import progress_bar
 from .dual import UndecidedError
 from .given import Exact, ball_of
-from .krawczyk import ROOM, Inclusion, NotIncludedError, eigenvalues, is_contracting, proved_stride
+from .krawczyk import ROOM, Inclusion, NotIncludedError, contraction, eigenvalues, proved_stride, stability
 from .parameters import Parameters
 from .proof import texts_of
 from .range_proof import BITS, RangeProof, Subinterval
@@ -163,7 +163,7 @@ def _is_stable(stride: Stride) -> bool | None:
     assert stride.derivative is not None
     with ctx.workprec(BITS):
         square = arb_mat(6, 6, [stride.derivative[i, j] for i in range(6) for j in range(6)])
-        return True if is_contracting(square) else eigenvalues(square, stride.rank).stable
+        return True if contraction(square)[0] < 1 else stability(eigenvalues(square, stride.rank))
 
 
 def short_decimal(width: Fraction, digits: int = 2) -> Fraction:
