@@ -1,6 +1,6 @@
 """Numbers with their gradients: forward differentiation over any kind of number, a ball or a tube."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -10,12 +10,7 @@ from numpy.typing import NDArray
 
 def identity(size: int) -> arb_mat:
     """The unit matrix."""
-    return arb_mat(size, size, [int(i == j) for i in range(size) for j in range(size)])
-
-
-def middle(matrix: arb_mat) -> arb_mat:
-    """Midpoints of a matrix."""
-    return arb_mat(matrix.nrows(), matrix.ncols(), [x.mid() for x in matrix.entries()])
+    return arb_mat(size, size, 1)
 
 
 def greatest(values: list[arb]) -> arb:
@@ -60,7 +55,53 @@ Number = Any
 """A ball, a tube, a float or a dual of one."""
 
 
-class Dual:
+class Arithmetic:
+    """What follows from a number's sum, product and inverse. Its other operand may be of any kind."""
+
+    __slots__ = ()
+
+    def inverse(self) -> Any:
+        """One over it."""
+        raise NotImplementedError
+
+    def __add__(self, other: Number) -> Any:
+        """The sum."""
+        raise NotImplementedError
+
+    def __mul__(self, other: Number) -> Any:
+        """The product."""
+        raise NotImplementedError
+
+    def __radd__(self, other: Number) -> Any:
+        """The sum."""
+        return self + other
+
+    def __rmul__(self, other: Number) -> Any:
+        """The product."""
+        return self * other
+
+    def __neg__(self) -> Any:
+        """The negative."""
+        return self * -1
+
+    def __sub__(self, other: Number) -> Any:
+        """The difference."""
+        return self + -other
+
+    def __rsub__(self, other: Number) -> Any:
+        """The difference."""
+        return -self + other
+
+    def __truediv__(self, other: Number) -> Any:
+        """The quotient."""
+        return self * (other.inverse() if isinstance(other, Arithmetic) else 1 / arb(other))
+
+    def __rtruediv__(self, other: Number) -> Any:
+        """A number over it."""
+        return self.inverse() * other
+
+
+class Dual(Arithmetic):
     """A number and its partial derivatives by name; a name that is missing stands for zero."""
 
     __slots__ = ("gradient", "value")
@@ -68,13 +109,6 @@ class Dual:
     def __init__(self, value: Number, gradient: Mapping[str, Number]) -> None:
         """A value and its derivatives."""
         self.value, self.gradient = value, gradient
-
-    def _linear(self, value: Number, factor: Number) -> "Dual":
-        return Dual(value, {name: factor * slope for name, slope in self.gradient.items()})
-
-    def __neg__(self) -> "Dual":
-        """Its opposite."""
-        return Dual(-self.value, {name: -slope for name, slope in self.gradient.items()})
 
     def __add__(self, other: Number) -> "Dual":
         """The sum."""
@@ -85,39 +119,21 @@ class Dual:
             gradient[name] = gradient[name] + slope if name in gradient else slope
         return Dual(self.value + other.value, gradient)
 
-    __radd__ = __add__
-
-    def __sub__(self, other: Number) -> "Dual":
-        """The difference."""
-        return self.__add__(-other)
-
-    def __rsub__(self, other: Number) -> "Dual":
-        """The difference."""
-        return (-self).__add__(other)
-
     def __mul__(self, other: Number) -> "Dual":
         """The product, by the rule of products."""
         if not isinstance(other, Dual):
-            return self._linear(self.value * other, other)
-        gradient = {name: slope * other.value for name, slope in self.gradient.items()}
-        for name, slope in other.gradient.items():
-            part = self.value * slope
-            gradient[name] = gradient[name] + part if name in gradient else part
-        return Dual(self.value * other.value, gradient)
+            return self._by(self.value * other, other)
+        found = self._by(self.value * other.value, other.value)
+        return found + other._by(0, self.value)
 
-    __rmul__ = __mul__
+    def _by(self, value: Number, slope: Number) -> "Dual":
+        """A value that changes by a slope with this number."""
+        return Dual(value, {name: slope * own for name, own in self.gradient.items()})
 
-    def __truediv__(self, other: Number) -> "Dual":
-        """The quotient."""
-        return self.__mul__(1 / other)
-
-    def __rtruediv__(self, other: Number) -> "Dual":
-        """A number over this one."""
+    def inverse(self) -> "Dual":
+        """One over it."""
         inverse = 1 / self.value
-        return self._linear(inverse, -(inverse * inverse)).__mul__(other)
-
-    def _by(self, value: Number, slope: Callable[[], Number]) -> "Dual":
-        return self._linear(value, slope()) if self.gradient else Dual(value, {})
+        return self._by(inverse, -(inverse * inverse))
 
     def __ge__(self, other: Number) -> bool:
         """Whether it is proved not to be less than another."""
@@ -129,24 +145,23 @@ class Dual:
 
     def sin(self) -> "Dual":
         """The sine."""
-        return self._by(self.value.sin(), self.value.cos)
+        return self._by(self.value.sin(), self.value.cos())
 
     def cos(self) -> "Dual":
         """The cosine."""
-        return self._by(self.value.cos(), lambda: -self.value.sin())
+        return self._by(self.value.cos(), -self.value.sin())
 
     def exp(self) -> "Dual":
         """The exponential."""
-        value = self.value.exp()
-        return self._by(value, lambda: value)
+        return self._by(self.value.exp(), self.value.exp())
 
     def expm1(self) -> "Dual":
         """The exponential less 1."""
-        return self._by(self.value.expm1(), self.value.exp)
+        return self._by(self.value.expm1(), self.value.exp())
 
     def log1p(self) -> "Dual":
         """The logarithm of 1 more."""
-        return self._by(self.value.log1p(), lambda: 1 / (1 + self.value))
+        return self._by(self.value.log1p(), 1 / (1 + self.value))
 
 
 def value_of(number: Number) -> Number:

@@ -21,7 +21,7 @@ from typing import Any
 
 from flint import arb, arb_poly, ctx
 
-from .dual import UndecidedError
+from .dual import Arithmetic, UndecidedError
 from .parameters import Mode, at, kept_names, moving_names, names_of
 
 ZERO = arb(0)
@@ -39,7 +39,7 @@ class Span:
         self.time_power = self.time ** (degree + 1)
 
 
-class Tube:
+class Tube(Arithmetic):
     """A function of time on a span."""
 
     __slots__ = ("_range", "polynomial", "remainder", "span")
@@ -61,10 +61,6 @@ class Tube:
         value: arb = self.polynomial(time) + time ** (self.span.degree + 1) * self.remainder
         return value
 
-    def __neg__(self) -> "Tube":
-        """The negative."""
-        return Tube(self.span, -self.polynomial, -self.remainder)
-
     def __add__(self, other: Any) -> Any:
         """The sum with a tube or a number."""
         if isinstance(other, Tube):
@@ -72,16 +68,6 @@ class Tube:
         if isinstance(other, arb | int):
             return self if other == 0 else Tube(self.span, self.polynomial + other, self.remainder)
         return NotImplemented
-
-    __radd__ = __add__
-
-    def __sub__(self, other: Any) -> Any:
-        """The difference."""
-        return self.__add__(-other)
-
-    def __rsub__(self, other: Any) -> Any:
-        """The difference."""
-        return (-self).__add__(other)
 
     def __mul__(self, other: Any) -> Any:
         """The product: what exceeds the degree goes into the remainder."""
@@ -99,8 +85,6 @@ class Tube:
             remainder += self.remainder * other.range + span.time_power * self.remainder * other.remainder
         return Tube(span, whole.truncate(terms), remainder)
 
-    __rmul__ = __mul__
-
     def inverse(self) -> "Tube":
         """One over it: with v w = 1, w = q + t^(N+1) S where v S = -(what p q has beyond 1) - R q."""
         span, terms = self.span, self.span.degree + 1
@@ -108,14 +92,6 @@ class Tube:
         beyond = (self.polynomial * inverted).right_shift(terms)(span.time)
         values = self.range + span.time_power * self.remainder
         return Tube(span, inverted, -(beyond + self.remainder * inverted(span.time)) / values)
-
-    def __rtruediv__(self, other: Any) -> Any:
-        """A number over it."""
-        return self.inverse().__mul__(other)
-
-    def __truediv__(self, other: Any) -> Any:
-        """The quotient."""
-        return self * (other.inverse() if isinstance(other, Tube) else 1 / arb(other))
 
 
 def inverse_series(polynomial: arb_poly, terms: int) -> arb_poly:
@@ -127,7 +103,7 @@ def inverse_series(polynomial: arb_poly, terms: int) -> arb_poly:
     return inverted
 
 
-class Series:
+class Series(Arithmetic):
     """A power series of a graph, whose coefficients are computed order by order."""
 
     __slots__ = ("graph", "next", "terms")
@@ -136,10 +112,6 @@ class Series:
         """The graph, in the order of computation, and how the k-th coefficient follows."""
         self.graph, self.next, self.terms = graph, following, list[arb]()
         graph.append(self)
-
-    def __neg__(self) -> Any:
-        """The negative."""
-        return self * -1
 
     def __add__(self, other: Any) -> Any:
         """The sum with a series or a number."""
@@ -151,20 +123,6 @@ class Series:
             return self if other == 0 else Series(self.graph, lambda k: a[k] if k else a[0] + other)
         return NotImplemented
 
-    __radd__ = __add__
-
-    def __sub__(self, other: Any) -> Any:
-        """The difference."""
-        a = self.terms
-        if isinstance(other, Series):
-            b = other.terms
-            return Series(self.graph, lambda k: a[k] - b[k])
-        return self.__add__(-other)
-
-    def __rsub__(self, other: Any) -> Any:
-        """The difference."""
-        return (-self).__add__(other)
-
     def __mul__(self, other: Any) -> Any:
         """The product."""
         a = self.terms
@@ -175,10 +133,8 @@ class Series:
             return ZERO if other == 0 else Series(self.graph, lambda k: a[k] * other)
         return NotImplemented
 
-    __rmul__ = __mul__
-
-    def __rtruediv__(self, other: Any) -> Any:
-        """A number over this one; w_k follows from v w = 1."""
+    def inverse(self) -> Any:
+        """One over it; w_k follows from v w = 1."""
         a = self.terms
 
         def following(k: int) -> arb:
@@ -186,11 +142,7 @@ class Series:
             return -w[0] * sum(map(mul, a[1:], w[::-1]), ZERO) if k else 1 / a[0]
 
         inverse = Series(self.graph, following)
-        return inverse.__mul__(other)
-
-    def __truediv__(self, other: Any) -> Any:
-        """The quotient."""
-        return self * (1 / (other if isinstance(other, Series) else arb(other)))
+        return inverse
 
 
 Rates = Callable[[Mapping[str, Any]], Mapping[str, Any]]

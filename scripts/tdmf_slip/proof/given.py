@@ -18,6 +18,7 @@ from ..library.runner import Runner
 from ..variables import parameters, units
 from ..variables.table import VARIABLES
 from ..variables.variable import Variable
+from .laws import NAMES_ON_PAGE
 
 LONGEST_TEXT = 1000
 LONGEST_EXPONENT = 4
@@ -123,18 +124,6 @@ def exact_values(values: Mapping[str, float], given: Mapping[str, object]) -> di
 
 MAX_DIGITS = 200
 MIN_BOX = Fraction(1, 10**MAX_DIGITS)
-KNOWN = frozenset(
-    {
-        *("body.mass", "foot.mass", "gravity", "body.external_fx", "body.external_fy"),
-        *("leg.stiffness", "leg.damping", "leg.free_length", "leg.min_length", "leg.thrust", "leg.extension"),
-        *("ground.friction", "ground.static_friction_ratio", "ground.stribeck_velocity"),
-        *("ground.slope", "ground.height"),
-        *("hip.stance_torque", "hip.touchdown_angle", "hip.kp", "hip.kd", "hip.liftoff_angle_factor"),
-        *("hip.retraction_rate", "hip.swing_clamp", "hip.external_torque"),
-        *("control.touchdown_angle", "control.stance_torque", "control.thrust"),
-    }
-)
-"""Parameters and inputs that the enclosures take account of."""
 Radius: TypeAlias = float | str | Fraction
 RunnerLike: TypeAlias = parameters.RunnerLike | Mapping[str, object]
 """A runner as any function takes it; start values may also be fractions."""
@@ -163,7 +152,7 @@ def check_laws(values: Mapping[str, float]) -> None:
     """Refuse a runner of laws that are not enclosed here, such as a patch of ground."""
     for name, value in values.items():
         start = VARIABLES.start_of(name)
-        if name not in KNOWN and value != start:
+        if name not in NAMES_ON_PAGE and value != start:
             raise InputError(
                 f"{name} = {value:g}: gaits with it are not proved; allowed for proofs: {start:g}"
             )

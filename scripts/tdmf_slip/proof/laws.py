@@ -192,3 +192,12 @@ class Motion(RunnerOnOneLine):
         """Work of the jump of the rest length with which thrust begins or ends."""
         before, after = (r.replace(thrusting=int(on)) for on in (not begins, begins))
         return before.lengthened(after).leg_work
+
+
+NAMES_ON_PAGE = {
+    Motion.public(name): name
+    for kind in ("parameter", "state")
+    for name, quantity in Motion.quantities(kind).items()
+    if kind == "parameter" or quantity.is_input
+}
+"""Names of parameters, settings and inputs on the page, by their names in the unit."""

@@ -14,11 +14,10 @@ from typing import Any, Literal
 
 from flint import arb
 
-from ..pages import Runner
 from ..pages.hip import PLACE, REST, RETRACT
 from .dual import Dual, Number, UndecidedError, value_of
 from .given import Exact
-from .laws import Motion
+from .laws import NAMES_ON_PAGE, Motion
 
 Contact = Literal["flight", "stick", "slip", "graze"]
 LEG = ("length", "angle", "length_rate", "angle_rate")
@@ -119,7 +118,9 @@ class Parameters:
 
     def balls(self, parameter: arb | None = None, *, dual: bool = False) -> Any:
         """The runner as a `Motion` without numbers of its motion: see `at`."""
-        numbers: dict[str, Number] = {name: value.ball() for name, value in self.values.items()}
+        numbers: dict[str, Number] = {
+            name: self.values[name].ball() for name in NAMES_ON_PAGE if name in self.values
+        }
         if self.varied is not None:
             value = numbers[self.varied] if parameter is None else parameter
             numbers[self.varied] = Dual(value, {PARAMETER: arb(1)}) if dual else value
@@ -158,15 +159,6 @@ class Parameters:
             "sizes": {"length": length, "length_rate": speed, "angle_rate": 1.0 / time, "foot_vx": speed}
             | {"clearance": length, "along": speed, "off": speed},
         }
-
-
-NAMES_ON_PAGE = {
-    Runner.public(name): name
-    for kind in ("parameter", "state")
-    for name, quantity in Runner.quantities(kind).items()
-    if kind == "parameter" or quantity.is_input
-}
-"""Names of parameters, settings and inputs on the page, by their names in the unit."""
 
 
 def at(runner: Any, mode: Mode, values: Mapping[str, Number]) -> Any:

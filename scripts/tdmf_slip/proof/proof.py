@@ -4,7 +4,6 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Protocol
 
 import flint
 from flint import acb, arb
@@ -89,45 +88,41 @@ def decimal(value: Fraction, digits: int = 60) -> str:
     return str(value)
 
 
-def assumptions() -> list[str]:
-    """Assumptions of every proof."""
-    return [
-        f"in the ball arithmetic of FLINT {flint.__FLINT_VERSION__} (python-flint {flint.__version__}), each "
-        "ball contains the exact result",
-        "c_core/pages, tdmf_slip.proof.laws and tdmf_slip.proof.transitions state the model's laws",
-        "Python executes the prover correctly",
-    ]
+class Proved:
+    """What all proofs have: a sentence that says what is proved or left open, and assumptions."""
 
+    proved: bool
+    values: Mapping[str, Exact]
+    version: str
 
-class Proved(Protocol):
-    """A proof: a sentence that says what is proved, or what is left open."""
-
-    @property
-    def values(self) -> Mapping[str, Exact]:
-        """Parameters and inputs of the runner, exactly, by the unit's names."""
-
-    @property
-    def version(self) -> str:
-        """The version that proved it."""
-
-    @property
-    def proved(self) -> bool:
-        """False is undecided."""
+    def __repr__(self) -> str:
+        """The sentence, of as much as fits two lines."""
+        return f"<{type(self).__name__}: {self.sentence[:160]}{'...' if len(self.sentence) > 160 else ''}>"
 
     @property
     def sentence(self) -> str:
         """One sentence: the claim that is proved, or the reason why it is undecided."""
+        raise NotImplementedError
 
+    @property
+    def assumptions(self) -> Sequence[str]:
+        """Assumptions of the proof."""
+        return [
+            f"in the ball arithmetic of FLINT {flint.__FLINT_VERSION__} (python-flint {flint.__version__}), "
+            "each ball contains the exact result",
+            "c_core/pages, tdmf_slip.proof.laws and tdmf_slip.proof.transitions state the model's laws",
+            "Python executes the prover correctly",
+        ]
 
-def statement(proof: Proved, varied: str | None = None) -> dict[str, object]:
-    """Entries that every proof has in JSON, without the value of a varied parameter."""
-    return {
-        **origin_of(version=proof.version),
-        "parameters": texts_of(proof.values, varied),
-        "proved": proof.proved,
-        "sentence": proof.sentence,
-        "assumptions": assumptions(),
-    }
+    def statement(self, varied: str | None = None) -> dict[str, object]:
+        """Entries that every proof has in JSON, without the value of a varied parameter."""
+        return {
+            **origin_of(version=self.version),
+            "parameters": texts_of(self.values, varied),
+            "proved": self.proved,
+            "sentence": self.sentence,
+            "assumptions": self.assumptions,
+        }
 
 
 def texts_of(values: Mapping[str, Exact], varied: str | None = None) -> dict[str, str]:
@@ -136,7 +131,7 @@ def texts_of(values: Mapping[str, Exact], varied: str | None = None) -> dict[str
 
 
 @dataclass(frozen=True, repr=False)
-class Proof:
+class Proof(Proved):
     """A gait with enclosures of all that is reported, or what could not be decided."""
 
     proved: bool
@@ -169,36 +164,23 @@ class Proof:
         """Names of the section's coordinates."""
         return COORDINATES
 
-    @property
-    def assumptions(self) -> Sequence[str]:
-        """Assumptions of the proof."""
-        return assumptions()
-
-    def __repr__(self) -> str:
-        """The sentence, of as much as fits two lines."""
-        return f"<Proof: {self.sentence[:160]}{'...' if len(self.sentence) > 160 else ''}>"
-
     def as_json(self) -> dict[str, object]:
         """Plain object in which enclosures are texts `[mid +/- radius]`."""
         return {
-            **statement(self),
+            **self.statement(),
             "word": self.word or None,
             "stable": self.stable,
             "box": self.box.as_json(COORDINATES),
             "apex": [text_of(x, self.digits) for x in self.apex] or None,
-            **{name: self._reported(name) for name in QUANTITIES},
+            **{name: text_of(self.quantities.get(name), self.digits) for name in QUANTITIES},
             "eigenvalues": [self._eigenvalue(value) for value in self.eigenvalues] or None,
             "events": [[name, text_of(time, self.digits)] for name, time in self.events],
             "undecided": dict(self.undecided) or None,
         }
 
-    def _reported(self, name: str) -> str | None:
-        return text_of(self.quantities[name], self.digits) if name in self.quantities else None
-
-    def _eigenvalue(self, value: acb) -> str | list[str]:
-        if value.imag.is_zero():
-            return text_of(value.real, self.digits)
-        return [text_of(part, self.digits) for part in (value.real, value.imag)]
+    def _eigenvalue(self, value: acb) -> object:
+        parts = [text_of(part, self.digits) for part in (value.real, value.imag)]
+        return parts[0] if value.imag.is_zero() else parts
 
     @property
     def sentence(self) -> str:
@@ -218,10 +200,9 @@ class Proof:
         )
 
 
-def text_of(ball: arb, digits: int) -> str:
+def text_of(ball: arb | None, digits: int) -> str | None:
     """A ball in decimals, which holds it."""
-    text: str = ball.str(digits + FURTHER if digits > 3 else digits)
-    return text
+    return None if ball is None else ball.str(digits + FURTHER if digits > 3 else digits)
 
 
 def short(value: Fraction) -> str:

@@ -24,7 +24,7 @@ from .dual import UndecidedError
 from .given import Exact, RunnerLike, ball_of, gait_of
 from .krawczyk import Inclusion, contraction, proved_stride
 from .parameters import Parameters
-from .proof import short, statement
+from .proof import Proved, short
 from .starts import Fineness, Starts
 
 BOXES = tuple(Fraction(digit, 10**decimals) for decimals in range(3, 13) for digit in (5, 2, 1))
@@ -33,7 +33,7 @@ BITS = 64
 
 
 @dataclass(frozen=True, repr=False)
-class Attraction:
+class Attraction(Proved):
     """Starts that are proved to settle on a gait."""
 
     proved: bool
@@ -57,14 +57,10 @@ class Attraction:
     version: str = field(default=__version__, repr=False, compare=False)
     """The version that proved it."""
 
-    def __repr__(self) -> str:
-        """The sentence, of as much as fits two lines."""
-        return f"<Attraction: {self.sentence[:160]}{'...' if len(self.sentence) > 160 else ''}>"
-
     def as_json(self) -> dict[str, object]:
         """The proof as a plain object."""
         return {
-            **statement(self),
+            **self.statement(),
             "radius": self.radius,
             "rate": self.rate,
             "box": short(self.box) if self.proved else None,

@@ -22,7 +22,7 @@ from .dual import UndecidedError
 from .given import MAX_DIGITS, Exact, RunnerLike, check_laws, exact_values, runner_of
 from .krawczyk import COARSE_BITS, Inclusion, middle_of, proved_stride, refined, slopes_of, unique_box
 from .parameters import Forced, Parameters
-from .proof import Box, Proof, decimal, exactly, reported, short, statement, text_of
+from .proof import Box, Proof, Proved, decimal, exactly, reported, short, text_of
 from .prove import BEYOND, BOXES, DEFAULT_DIGITS, bits_for, prove_exactly
 from .starts import COORDINATES, Fineness, Starts
 from .stride import Stride, Traveller
@@ -33,7 +33,7 @@ ROUGH = 1e-12
 
 
 @dataclass(frozen=True, repr=False)
-class BorderProof:
+class BorderProof(Proved):
     """A border between gait words, with enclosures, or what could not be decided."""
 
     proved: bool
@@ -66,16 +66,12 @@ class BorderProof:
         """Gait words of the sides whose gait is proved, in the parameter's order."""
         return tuple(side.word for side in self.sides if side.proved)
 
-    def __repr__(self) -> str:
-        """The sentence, of as much as fits two lines."""
-        return f"<BorderProof: {self.sentence[:160]}{'...' if len(self.sentence) > 160 else ''}>"
-
     def as_json(self) -> dict[str, object]:
         """Plain object in which enclosures are texts `[mid +/- radius]`."""
         return {
-            **statement(self, self.name),
+            **self.statement(self.name),
             "vary": self.name,
-            "value": None if self.value is None else text_of(self.value, self.digits),
+            "value": text_of(self.value, self.digits),
             "kind": self.kind or None,
             "word_continued": self.word_continued or None,
             "apex": [text_of(x, self.digits) for x in self.apex] or None,

@@ -9,7 +9,7 @@ from flint import arb, ctx
 
 from ..version import __version__
 from .given import Exact, ball_of
-from .proof import decimal, reported, statement
+from .proof import Proved, decimal, reported
 
 BITS = 56
 """Precision of the arithmetic in which subintervals are proved."""
@@ -78,8 +78,8 @@ def _centre_at(subinterval: Subinterval, value: Fraction) -> list[arb]:
     return [arb(x) + arb(slope) * away for x, slope in zip(subinterval.centre, subinterval.tilt, strict=True)]
 
 
-@dataclass(frozen=True)
-class RangeProof:
+@dataclass(frozen=True, repr=False)
+class RangeProof(Proved):
     """Gaits over a range of a parameter."""
 
     name: str
@@ -92,13 +92,14 @@ class RangeProof:
     """The runner's other parameters, exactly."""
     subintervals: Sequence[Subinterval] = field(repr=False)
     """Subintervals in order, without gaps."""
+    proved: bool = field(init=False)
+    """Nothing of the range is left."""
     version: str = field(default=__version__, repr=False, compare=False)
     """The version that put the subintervals together; a file records the version of each part."""
 
-    @property
-    def proved(self) -> bool:
-        """Nothing of the range is left."""
-        return all(subinterval.proved for subinterval in self.subintervals)
+    def __post_init__(self) -> None:
+        """Sum up."""
+        object.__setattr__(self, "proved", all(subinterval.proved for subinterval in self.subintervals))
 
     @property
     def left(self) -> list[tuple[Fraction, Fraction]]:
@@ -163,7 +164,7 @@ class RangeProof:
     def as_json(self) -> dict[str, object]:
         """A plain object for JSON."""
         return {
-            **statement(self, self.name),
+            **self.statement(self.name),
             "vary": self.name,
             "range": [decimal(self.begin), decimal(self.end)],
             "words": list(self.words),

@@ -34,7 +34,7 @@ from typing import Any
 import numpy as np
 from flint import arb, arb_mat, arb_poly, ctx
 
-from .dual import Dual, Number, UndecidedError, identity, middle, norm, slope_of, value_of
+from .dual import Dual, Number, UndecidedError, identity, norm, slope_of, value_of
 from .flow import Flow, Tube, Values, fades, rates, speeds
 from .given import Radius, RunnerLike, ball_of, gait_of, radius_of
 from .guards import Guard, guard_of
@@ -69,7 +69,7 @@ class Spread:
         found = arb_mat(self.product.nrows(), self.product.ncols())
         for factor, before in reversed(self._factors):
             whole = later * factor
-            later = middle(whole)
+            later = whole.mid()
             found = found + (whole - later) * before
         return found + later * self._first
 
