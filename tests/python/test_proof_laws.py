@@ -70,7 +70,7 @@ def point(rng, contact):
     motion = at(balls, mode, values)
     held = {name: getattr(motion, name) for name in ("swing", "driving", "thrusting", "way", "law")}
     held |= {name: v[name] for name in ("liftoff_angle", "placing")} | {"slope": slope, "wind": "pushed"}
-    own = {NAMES_ON_PAGE[name]: runner[name] for name in MOVING}
+    own = {of: runner[name] for name, of in NAMES_ON_PAGE.items() if name in MOVING}
     page = RunnerOnOneLine.at(contact, **own, **held, **(flight if contact == "flight" else ground))
     return Record(balls=balls, mode=mode, values=values, motion=motion, page=page, sine=sine, cosine=cosine)
 

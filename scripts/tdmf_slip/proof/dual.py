@@ -123,8 +123,11 @@ class Dual(Arithmetic):
         """The product, by the rule of products."""
         if not isinstance(other, Dual):
             return self._by(self.value * other, other)
-        found = self._by(self.value * other.value, other.value)
-        return found + other._by(0, self.value)
+        gradient = {name: slope * other.value for name, slope in self.gradient.items()}
+        for name, slope in other.gradient.items():
+            part = self.value * slope
+            gradient[name] = gradient[name] + part if name in gradient else part
+        return Dual(self.value * other.value, gradient)
 
     def _by(self, value: Number, slope: Number) -> "Dual":
         """A value that changes by a slope with this number."""

@@ -26,7 +26,9 @@ from .stride import Stride, Traveller
 from .travelling_set import SetTraveller
 
 SMALL = 1e6
-"""An eigenvalue so many times the enclosure's width, or less, is taken with those that vanish."""
+"""An eigenvalue so many times the enclosure's width, or less, is taken with those that vanish,"""
+LARGE = 0.05
+"""but not where it is more than this much of the largest. A norm is rounder without them."""
 
 
 def eigenvalues(matrix: arb_mat, rank: int) -> list[acb]:
@@ -45,10 +47,20 @@ def eigenvalues(matrix: arb_mat, rank: int) -> list[acb]:
     return sorted(real, key=lambda disc: -float(abs(disc).mid()))
 
 
-def stability(discs: Sequence[acb]) -> bool | None:
-    """All eigenvalues are inside the unit circle, or one is outside; None where neither is proved."""
-    if all(abs(disc) < 1 for disc in discs):
+def stability(matrix: arb_mat) -> bool | None:
+    """All eigenvalues are inside the unit circle, or one is outside; None where neither is proved.
+
+    The latter by Gershgorin's discs, in a basis in which the matrix is nearly diagonal.
+    """
+    if contraction(matrix)[0] < 1:
         return True
+    basis = _basis(matrix, LARGE)
+    turned = basis.solve(acb_mat(matrix) * basis)
+    sizes = absolute(turned)
+    for k, row in enumerate(sizes):
+        row[k] = arb(0)
+    radii = [arb(0, row.upper()) for row in row_sums(sizes, [arb(1)] * len(sizes))]
+    discs = [turned[k, k] + acb(radius, radius) for k, radius in enumerate(radii)]
     outside = [disc for disc in discs if abs(disc) > 1]
     rest = [disc for disc in discs if not abs(disc) > 1]
     return False if any(not any(disc.overlaps(other) for other in rest) for disc in outside) else None
@@ -59,7 +71,7 @@ def contraction(matrix: arb_mat) -> tuple[arb, acb_mat, list[float]]:
 
     In a basis in which the matrix is nearly diagonal, the largest weighted sum of a row bounds the norm.
     """
-    basis = _basis(matrix)
+    basis = _basis(matrix, np.inf)
     turned = basis.solve(acb_mat(matrix) * basis)
     sizes = absolute(turned)
     weights = [float(w) for w in _weights(floats_above(sizes), basis)]
@@ -83,11 +95,12 @@ def _weights(sizes: NDArray[np.float64], basis: acb_mat) -> NDArray[np.float64]:
     return found
 
 
-def _basis(matrix: arb_mat) -> acb_mat:
+def _basis(matrix: arb_mat, large: float) -> acb_mat:
     """Nearly eigenvectors, and a complement of those that are left out; points, and nothing rests on them."""
     width = max(float(x.rad()) for x in matrix.entries()) + 1e-300
     values, left, right = eig(middle_of(matrix), left=True, right=True)
-    kept = np.abs(values) > SMALL * width
+    sizes = np.abs(values)
+    kept = sizes > min(SMALL * width, large * np.max(sizes))
     spare = np.linalg.svd(left[:, kept].conj().T)[2][np.count_nonzero(kept) :]
     return acb_mat(np.hstack([right[:, kept], spare.conj().T]).tolist())
 
@@ -153,7 +166,6 @@ def point_inverse(matrix: NDArray[Any]) -> arb_mat:
 
 def slopes_of(stride: Stride, tilt: Sequence[arb] = ()) -> arb_mat:
     """Derivatives of the residual by the start: six rows, and one for the margin of a forced event."""
-    assert stride.derivative is not None
     columns = stride.derivative.ncols()
     rows = stride.derivative.tolist()
     for i in range(6):
@@ -173,17 +185,6 @@ def middle_of(matrix: arb_mat) -> NDArray[np.float64]:
     return middle
 
 
-def proved_stride(
-    parameters: Parameters,
-    starts: Starts,
-    fineness: Fineness,
-    coarseness: Fineness,
-    forced: Forced | None = None,
-) -> Stride:
-    """The stride of all starts of a box, with its derivative."""
-    return SetTraveller(parameters, starts, fineness, coarseness, forced).stride()
-
-
 def unique_box(
     parameters: Parameters,
     radii: Sequence[Fraction],
@@ -198,7 +199,7 @@ def unique_box(
         with ctx.workprec(fine.bits):
             starts = box.starts()
         try:
-            Inclusion(starts, proved_stride(parameters, starts, fine, fine, forced), fine)
+            Inclusion(parameters, starts, fine, forced)
             return box
         except UndecidedError as undecided:
             problem = undecided
@@ -217,10 +218,13 @@ class NotIncludedError(UndecidedError):
 class Inclusion:
     """Krawczyk's operator on a box, and what it proves."""
 
-    def __init__(self, starts: Starts, stride: Stride, fineness: Fineness) -> None:
-        """Krawczyk's operator on a box with its stride."""
+    def __init__(
+        self, parameters: Parameters, starts: Starts, fineness: Fineness, forced: Forced | None = None
+    ) -> None:
+        """The operator, by the stride of all starts of the box."""
+        self.stride = SetTraveller(parameters, starts, fineness, forced).stride()
         with ctx.workprec(fineness.bits):
-            self._solve(starts, residual(stride, starts.centre), slopes_of(stride, starts.tilt))
+            self._solve(starts, residual(self.stride, starts.centre), slopes_of(self.stride, starts.tilt))
 
     def _solve(self, starts: Starts, left: list[arb], slopes: arb_mat) -> None:
         unknowns = slopes.nrows()

@@ -22,7 +22,7 @@ from ..variables.parameters import RUNNER
 from ..variables.table import VARIABLES, by_full_name
 from .dual import UndecidedError
 from .given import MAX_DIGITS, Exact, Radius, RunnerLike, exact_value, gait_of, radius_of
-from .krawczyk import Inclusion, eigenvalues, proved_stride, refined, stability, unique_box
+from .krawczyk import Inclusion, eigenvalues, refined, stability, unique_box
 from .parameters import Parameters
 from .proof import Box, Proof
 from .range_proof import RangeProof
@@ -233,21 +233,20 @@ class _Prover:
     def _enclosed(self, box: Box, near: Sequence[arb]) -> Proof:
         """All that is reported of the gait, from a box as small as the digits require."""
         with ctx.workprec(self.fine.bits):
-            small = Starts(near, [(arb(10) ** -self.narrow * scale).upper().mid() for scale in self.scales])
-        stride = proved_stride(self.parameters, small, self.fine, self.fine)
-        inside = Inclusion(small, stride, self.fine)
+            small = Starts.around(near, arb(10) ** -self.narrow, self.scales)
+        inside = Inclusion(self.parameters, small, self.fine)
+        stride = inside.stride
         with ctx.workprec(self.fine.bits):
             if not box.holds(inside.solution):
                 raise UndecidedError("whether the gait lies in the box")
-            assert stride.derivative is not None
-            discs = eigenvalues(stride.derivative, stride.rank)
+            discs, stable = eigenvalues(stride.derivative, stride.rank), stability(stride.derivative)
         return Proof(
             proved=True,
             values=self.values,
             box=box,
             digits=self.digits,
             word=stride.word,
-            stable=stability(discs),
+            stable=stable,
             apex=inside.solution,
             quantities=stride.quantities,
             eigenvalues=discs,

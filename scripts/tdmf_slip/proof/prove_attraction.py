@@ -22,7 +22,7 @@ from ..library.shared_steps import shares_steps
 from ..version import __version__
 from .dual import UndecidedError
 from .given import Exact, RunnerLike, ball_of, gait_of
-from .krawczyk import Inclusion, contraction, proved_stride
+from .krawczyk import Inclusion, contraction
 from .parameters import Parameters
 from .proof import Proved, short
 from .starts import Fineness, Starts
@@ -124,14 +124,12 @@ def prove_attraction(gait: RunnerLike = None) -> Attraction:
             size = ball_of(radius)
             starts = Starts(centre, [(size * scale).lower().mid() for scale in scales])
         try:
-            stride = proved_stride(parameters, starts, fine, fine)
-            inside = Inclusion(starts, stride, fine)
+            inside = Inclusion(parameters, starts, fine)
         except UndecidedError as undecided:
             problem = str(undecided)
             continue
-        assert stride.derivative is not None
         with ctx.workprec(BITS):
-            rate, basis, weights = contraction(stride.derivative)
+            rate, basis, weights = contraction(inside.stride.derivative)
             if not rate < 1:
                 problem = "whether the stride contracts"
                 continue

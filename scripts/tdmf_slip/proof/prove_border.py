@@ -20,12 +20,13 @@ from ..variables.table import FRICTION, full_name
 from ..version import __version__
 from .dual import UndecidedError
 from .given import MAX_DIGITS, Exact, RunnerLike, check_laws, exact_values, runner_of
-from .krawczyk import COARSE_BITS, Inclusion, middle_of, proved_stride, refined, slopes_of, unique_box
+from .krawczyk import COARSE_BITS, Inclusion, middle_of, refined, slopes_of, unique_box
 from .parameters import Forced, Parameters
 from .proof import Box, Proof, Proved, decimal, exactly, reported, short, text_of
 from .prove import BEYOND, BOXES, DEFAULT_DIGITS, bits_for, prove_exactly
 from .starts import COORDINATES, Fineness, Starts
 from .stride import Stride, Traveller
+from .travelling_set import SetTraveller
 
 BESIDE = 1e-7
 """Distance from a border of the gaits that decide its kind, over the parameter."""
@@ -190,15 +191,17 @@ class _BorderProver:
         scales = [*(float(scale) for scale in gait.runner.scales), max(abs(self.value), 1.0)]
         start = [*(arb(float(x)) for x in gait.apex), arb(self.value)]
         rough = Fineness(COARSE_BITS)
-        stride = proved_stride(self.parameters, self._starts(start, scales, arb(ROUGH)), rough, rough, forced)
+        stride = SetTraveller(
+            self.parameters, Starts.around(start, arb(ROUGH), scales), rough, forced
+        ).stride()
         jacobian = middle_of(slopes_of(stride))
         near = refined(self.parameters, start, jacobian, self.fine, 10.0 ** -(self.narrow + 1), forced)
         box = unique_box(
             self.parameters, BOXES, lambda radius: Box.around(near, radius, scales), COARSE_BITS, forced
         )
-        small = self._starts(near, scales, arb(10) ** -self.narrow)
-        stride = proved_stride(self.parameters, small, self.fine, self.fine, forced)
-        inside = Inclusion(small, stride, self.fine)
+        with ctx.workprec(self.fine.bits):
+            small = Starts.around(near, arb(10) ** -self.narrow, scales)
+        inside = Inclusion(self.parameters, small, self.fine, forced)
         with ctx.workprec(self.fine.bits):
             if not box.holds(inside.solution):
                 raise UndecidedError("whether the border lies in the box")
@@ -208,16 +211,12 @@ class _BorderProver:
             values=self.values,
             digits=self.digits,
             kind=forced.kind,
-            word_continued=stride.word,
+            word_continued=inside.stride.word,
             value=inside.solution[6],
             apex=inside.solution[:6],
             box=box,
             sides=self._sides(inside.solution[6]) if self.with_sides else (),
         )
-
-    def _starts(self, centre: list[arb], scales: list[float], radius: arb) -> Starts:
-        with ctx.workprec(self.fine.bits):
-            return Starts(centre, [(radius * scale).upper().mid() for scale in scales])
 
     def _seen(self, gait: Gait) -> tuple[Gait, Stride]:
         value = arb(gait.runner[self.name])

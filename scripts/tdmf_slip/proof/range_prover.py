@@ -30,7 +30,7 @@ from ..record import origin_of
 from ..terminal.progress import progress_bar
 from .dual import UndecidedError
 from .given import Exact, ball_of
-from .krawczyk import ROOM, Inclusion, NotIncludedError, contraction, eigenvalues, proved_stride, stability
+from .krawczyk import ROOM, Inclusion, NotIncludedError, stability
 from .parameters import Parameters
 from .proof import texts_of
 from .range_proof import BITS, RangeProof, Subinterval
@@ -152,18 +152,17 @@ def proved_subinterval(parameters: Parameters, subinterval: Subinterval) -> tupl
         starts = Starts(
             centre, [*(arb(r) for r in subinterval.box), radius], [arb(t) for t in subinterval.tilt]
         )
-    stride = proved_stride(parameters, starts, fine, fine)
-    inside = Inclusion(starts, stride, fine)
+    inside = Inclusion(parameters, starts, fine)
+    stride = inside.stride
     enclosure = [at_least(size) for size in inside.image]
     return replace(subinterval, word=stride.word, stable=_is_stable(stride), enclosure=enclosure), inside
 
 
 def _is_stable(stride: Stride) -> bool | None:
     """Whether every gait of a subinterval is, or none; None where that is open."""
-    assert stride.derivative is not None
     with ctx.workprec(BITS):
         square = arb_mat(6, 6, [stride.derivative[i, j] for i in range(6) for j in range(6)])
-        return True if contraction(square)[0] < 1 else stability(eigenvalues(square, stride.rank))
+        return stability(square)
 
 
 def short_decimal(width: Fraction, digits: int = 2) -> Fraction:

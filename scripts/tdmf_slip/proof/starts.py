@@ -75,6 +75,11 @@ class Starts:
     tilt: Sequence[arb] = ()
     """Points: by how much the centre moves for each unit of what is varied, shape (6,) or none."""
 
+    @classmethod
+    def around(cls, centre: Sequence[arb], radius: arb, scales: Sequence[float]) -> "Starts":
+        """Starts within a radius, in units of the scales, or just above."""
+        return cls(centre, [(radius * scale).upper().mid() for scale in scales])
+
     def balls(self) -> list[arb]:
         """All of them."""
         found = [c + arb(0, r) for c, r in zip(self.centre, self.radii, strict=True)]

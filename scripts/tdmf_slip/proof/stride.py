@@ -7,7 +7,7 @@ from typing import Any
 from flint import arb, arb_mat, ctx
 
 from ..hybrid import cos
-from .dual import UndecidedError, slope_of, value_of
+from .dual import Number, UndecidedError, slope_of, value_of
 from .flow import Flow, Tube, Values, speeds, with_direction
 from .guards import Guard, guard_of, watched
 from .parameters import Forced, Mode, Parameters, at, names_of
@@ -124,9 +124,7 @@ class Stride:
 
     centre: list[arb]
     """The apex that the centre comes to, shape (6,)."""
-    after: list[arb]
-    """The apexes that all starts come to, shape (6,)."""
-    derivative: arb_mat | None
+    derivative: arb_mat
     """Derivative of the map over all starts, shape (6, 6), or (6, 7) with the varied parameter."""
     word: str
     """The gait word, the same for all starts."""
@@ -176,21 +174,21 @@ class Traveller:
 
     def stride(self) -> Stride:
         """Follow to the next apex."""
-        for _ in range(MAX_STEPS):
-            try:
-                if self.step():
-                    return self._close()
-            except UndecidedError as problem:
-                if problem.time is None:
-                    problem.time = float(self.time.mid()) if self.time.is_finite() else None
-                raise
+        with ctx.workprec(self.fine.bits):
+            for _ in range(MAX_STEPS):
+                try:
+                    if self.step():
+                        return self._close()
+                except UndecidedError as problem:
+                    if problem.time is None:
+                        problem.time = float(self.time.mid()) if self.time.is_finite() else None
+                    raise
         raise UndecidedError("the end of the stride")
 
     def step(self) -> bool:
         """One step, or a part of one up to an event; whether it ends the stride."""
-        with ctx.workprec(self.fine.bits):
-            flow = Flow(self.thin, self.mode, self.centre, self.fine.degree)
-            return self._go(flow, flow)
+        flow = Flow(self.thin, self.mode, self.centre, self.fine.degree)
+        return self._go(flow, flow)
 
     def _go(self, thin: Flow, flow: Flow) -> bool:
         """As far as a step reaches, or to the first event; whether that ends the stride."""
@@ -298,14 +296,11 @@ class Traveller:
         self.flew = False
 
     def _close(self) -> Stride:
-        with ctx.workprec(self.fine.bits):
-            centre = [arb(value) for value in apex_of(self.thin, self.centre)]
-            return self._closed(centre, centre, None)
+        return self._closed(apex_of(self.thin, self.centre), arb_mat(0, 0))
 
-    def _closed(self, centre: list[arb], after: list[arb], derivative: arb_mat | None) -> Stride:
+    def _closed(self, centre: Sequence[Number], derivative: arb_mat) -> Stride:
         return Stride(
-            centre,
-            after,
+            [arb(value) for value in centre],
             derivative,
             "".join(self.letters),
             self.events,

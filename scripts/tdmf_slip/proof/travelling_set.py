@@ -245,14 +245,12 @@ class SetTraveller(Traveller):
         parameters: Parameters,
         starts: Starts,
         fineness: Fineness,
-        coarseness: Fineness,
         forced: Forced | None = None,
     ) -> None:
         """From their apexes."""
         super().__init__(parameters, starts.centre, fineness, forced)
-        self.coarse = coarseness
         self.columns = (*COORDINATES, *([PARAMETER] if self.varied else []))
-        with ctx.workprec(coarseness.bits):
+        with ctx.workprec(fineness.bits):
             balls = starts.balls()
             whole = balls[6] if self.varied else None
             self.wide = parameters.balls(whole)
@@ -266,8 +264,8 @@ class SetTraveller(Traveller):
             self.spread = Spread(self._slopes(begun, self.names, self.columns))
             self.set = {name: arb(value_of(begun[name])) for name in self.names}
             self._check_gravity()
-        self.drift = Drift(len(self.names))
-        self._begin_at(self.centre, None)
+            self.drift = Drift(len(self.names))
+            self._begin_at(self.centre, None)
 
     def _check_gravity(self) -> None:
         """In flight the centre of mass falls."""
@@ -284,19 +282,14 @@ class SetTraveller(Traveller):
 
     def step(self) -> bool:
         """One step, or a part of one up to an event; whether it ends the stride."""
-        with ctx.workprec(self.fine.bits):
-            thin = Flow(self.thin, self.mode, self.centre, self.fine.degree)
-        with ctx.workprec(self.coarse.bits):
-            flow = VariedFlow(self.wide, self.mode, self.set, self.coarse.degree, maximum=thin.reach)
-            return self._go(thin, flow)
+        thin = Flow(self.thin, self.mode, self.centre, self.fine.degree)
+        return self._go(thin, VariedFlow(self.wide, self.mode, self.set, self.fine.degree, thin.reach))
 
     def _begin_at(self, found: Values, derivative: arb_mat | None) -> None:
         """The centre as a point, and its error as drift."""
-        with ctx.workprec(self.fine.bits):
-            points = {name: arb(found[name]).mid() for name in self.names}
-            fresh = [arb(found[name]) - points[name] for name in self.names]
-            self.centre = points
-            around = [ball + arb(0, ball.rad()) for ball in fresh]
+        self.centre = {name: arb(found[name]).mid() for name in self.names}
+        fresh = [arb(found[name]) - self.centre[name] for name in self.names]
+        around = [ball + arb(0, ball.rad()) for ball in fresh]
         self.drift.follow(identity(len(self.names)) if derivative is None else derivative, around)
 
     def _around(self, plain: Values) -> Values:
@@ -312,9 +305,7 @@ class SetTraveller(Traveller):
         assert isinstance(flow, VariedFlow)
         flow.vary(self.dual)
         derivative = flow.matrix(end)
-        with ctx.workprec(self.fine.bits):
-            found = thin.at(end)
-        self._begin_at(found, derivative)
+        self._begin_at(thin.at(end), derivative)
         self.spread.follow(derivative)
         self.set = self._around(flow.at(end))
 
@@ -373,25 +364,20 @@ class SetTraveller(Traveller):
     def _centre_after(self, met: Met, thin: Flow) -> tuple[Instant, Entered]:
         """The centre at its own event, and just after it."""
         name, mode, times = met.guard.name, met.before, met.times
-        with ctx.workprec(self.fine.bits):
-            own = Guard(name, guard_of(name, thin.motion(self.thin)), met.guard.order)
-            low, high = (arb(bound.mid()) for bound in (times.lower(), times.upper()))
-            when = own.zero_after(low, high) if low < high else None
-            when = times if when is None else when
-            at = thin.at(when)
-            return (when, at), Transition(self.thin, mode, at, met.forced).take(name)
+        own = Guard(name, guard_of(name, thin.motion(self.thin)), met.guard.order)
+        low, high = (arb(bound.mid()) for bound in (times.lower(), times.upper()))
+        when = own.zero_after(low, high) if low < high else None
+        when = times if when is None else when
+        found = thin.at(when)
+        return (when, found), Transition(self.thin, mode, found, met.forced).take(name)
 
     def _close(self) -> Stride:
-        with ctx.workprec(self.fine.bits):
-            balls = {
-                name: self.centre[name] + d for name, d in zip(self.names, self.drift.balls(), strict=True)
-            }
-            centre = [arb(value) for value in apex_of(self.thin, balls)]
-        with ctx.workprec(self.coarse.bits):
-            numbers = dict(zip(self.names, seeds([self.set[n] for n in self.names], self.names), strict=True))
-            apexes = dict(zip(COORDINATES, apex_of(self.dual, numbers), strict=True))
-            derivative = self._slopes(apexes, COORDINATES, self.names) * self.spread.product
-            return self._closed(centre, [arb(value_of(a)) for a in apexes.values()], derivative)
+        drifts = zip(self.names, self.drift.balls(), strict=True)
+        centre = apex_of(self.thin, {name: self.centre[name] + ball for name, ball in drifts})
+        numbers = dict(zip(self.names, seeds([self.set[n] for n in self.names], self.names), strict=True))
+        apexes = dict(zip(COORDINATES, apex_of(self.dual, numbers), strict=True))
+        derivative = self._slopes(apexes, COORDINATES, self.names) * self.spread.product
+        return self._closed(centre, derivative)
 
 
 BITS = 80
@@ -416,13 +402,13 @@ def tube_along(gait: RunnerLike = None, radius: Radius = Fraction(1, 10**8)) -> 
     found, values = gait_of(gait)
     fine, size = Fineness(BITS), radius_of(radius)
     with ctx.workprec(BITS):
-        radii = [ball_of(size) * float(scale) for scale in found.runner.scales]
-        starts = Starts([arb(float(x)) for x in found.apex], [r.upper().mid() for r in radii])
-    traveller = SetTraveller(Parameters(values), starts, fine, fine)
-    sections = [_section(traveller)]
-    while not traveller.step():
-        sections.append(_section(traveller))
-    return [*sections, _section(traveller)]
+        scales = [float(scale) for scale in found.runner.scales]
+        starts = Starts.around([arb(float(x)) for x in found.apex], ball_of(size), scales)
+        traveller = SetTraveller(Parameters(values), starts, fine)
+        sections = [_section(traveller)]
+        while not traveller.step():
+            sections.append(_section(traveller))
+        return [*sections, _section(traveller)]
 
 
 def _section(traveller: SetTraveller) -> Section:
