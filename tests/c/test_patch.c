@@ -1,30 +1,18 @@
 /* A patch of ground with a friction of its own: runs of an independent program word by word, derivatives
  * with the foot's place as a seventh coordinate, feet at rest on a border, and what is refused. */
 #include "compare.h"
+#include "crowd.h"
+#include "differentiate.h"
 #include "patch_runs.h"
-#include "scene.h"
 #include "simulation.h"
 
-#include "tdmf_slip/cvode.h"
-#include "tdmf_slip/ensemble.h"
-#include "tdmf_slip/orbit.h"
-#include "tdmf_slip/reduced_map.h"
-
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
-static tdmf_model model_of(const patch_run *run) {
+static simulation begin(const patch_run *run) {
     const tdmf_parameters parameters = parameters_of_patch_run(run);
-    const tdmf_model model = accepted_model(&parameters);
-    return model;
-}
-
-static tdmf_motion motion_at_start(const patch_run *run, tdmf_system system) {
-    tdmf_motion motion = {.time = 0.0};
-    tdmf_section_state(system, run->start, motion.state);
-    assert_null(tdmf_start(system, &motion).variable);
-    return motion;
+    const tdmf_inputs inputs = inputs_of_patch_run(run);
+    return simulation_from(&parameters, &inputs, run->start, 1e-13);
 }
 
 static void assert_apex(const double apex[TDMF_SECTION_COUNT], const double expected[TDMF_SECTION_COUNT],
@@ -34,12 +22,12 @@ static void assert_apex(const double apex[TDMF_SECTION_COUNT], const double expe
     }
 }
 
-static void assert_section(const tdmf_model *model, const tdmf_motion *motion,
-                           const double expected[TDMF_SECTION_COUNT], double foot_x, double tolerance) {
+static void assert_section(const simulation *at, const double expected[TDMF_SECTION_COUNT], double foot_x,
+                           double tolerance) {
     double section[TDMF_SECTION_COUNT];
-    tdmf_section_of_state(model, &motion->mode.ground, motion->state, section);
+    tdmf_section_of_state(&at->model, &at->motion.mode.ground, at->motion.state, section);
     assert_apex(section, expected, tolerance);
-    assert_close(motion->state[TDMF_FOOT_X], foot_x, tolerance * fmax(1.0, fabs(foot_x)));
+    assert_close(at->motion.state[TDMF_FOOT_X], foot_x, tolerance * fmax(1.0, fabs(foot_x)));
 }
 
 /* ---- runs ---------------------------------------------------------------------------------------------- */
@@ -56,11 +44,11 @@ static int count_crossings(const tdmf_event_log *log, const patch_run *run) {
     return crossings;
 }
 
-static void assert_falls(const patch_run *run, tdmf_system system, tdmf_solver *solver, tdmf_motion *motion) {
-    assert_int_equal(tdmf_native_stride(solver, system, DBL_MAX, motion).outcome, TDMF_FELL);
-    assert_close(motion->time, run->fall_time, 1e-7);
+static void assert_falls(const patch_run *run, simulation *at) {
+    assert_int_equal(simulation_advance(at, 1e9), TDMF_FELL);
+    assert_close(at->motion.time, run->fall_time, 1e-7);
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-        assert_close(motion->state[i], run->fall_state[i], 1e-7 * fmax(1.0, fabs(run->fall_state[i])));
+        assert_close(at->motion.state[i], run->fall_state[i], 1e-7 * fmax(1.0, fabs(run->fall_state[i])));
     }
 }
 
@@ -68,39 +56,32 @@ TEST(the_native_solver_makes_each_run_word_by_word) {
     int crossings = 0, falls = 0;
     for (int i = 0; i < PATCH_RUNS; ++i) {
         const patch_run *run = &patch_runs[i];
-        const tdmf_model model = model_of(run);
-        const tdmf_inputs inputs = inputs_of_patch_run(run);
-        tdmf_motion motion = motion_at_start(run, (tdmf_system){&model, &inputs});
-        tdmf_event_log log = {0};
-        tdmf_solver solver = solver_to(1e-13);
+        simulation at = begin(run);
         int its_crossings = 0;
         for (int k = 0; k < run->strides; ++k) {
-            solver.log = &log;
-            log.count = 0;
-            assert_true(tdmf_native_stride(&solver, (tdmf_system){&model, &inputs}, DBL_MAX, &motion).closed);
-            assert_string_equal(motion.record.stride.word, run->words[k]);
+            simulation_stride(&at);
+            assert_string_equal(at.motion.record.stride.word, run->words[k]);
             if (its_crossings == 0) {
-                its_crossings = count_crossings(&log, run);
+                its_crossings = count_crossings(&at.log, run);
             }
             if (k == 0 && run->first_foot_x != 0.0) {
-                assert_section(&model, &motion, run->first_apex, run->first_foot_x, 1e-9);
+                assert_section(&at, run->first_apex, run->first_foot_x, 1e-9);
             }
         }
         /* The run that falls is unstable: what is lost of its digits grows with its strides. */
-        assert_section(&model, &motion, run->end_apex, run->end_foot_x, run->fall_time > 0.0 ? 1e-7 : 1e-9);
+        assert_section(&at, run->end_apex, run->end_foot_x, run->fall_time > 0.0 ? 1e-7 : 1e-9);
         if (run->end_time > 0.0) {
-            assert_close(motion.time, run->end_time, 1e-9);
+            assert_close(at.motion.time, run->end_time, 1e-9);
         }
         if (run->last.period > 0.0) {
-            const tdmf_stride *stride = &motion.record.stride;
+            const tdmf_stride *stride = &at.motion.record.stride;
             assert_close(stride->period, run->last.period, 1e-9);
             assert_close(stride->speed, run->last.speed, 1e-9);
             assert_close(stride->cost_of_transport, run->last.cost_of_transport, 1e-9);
             assert_close(stride->slip_distance, run->last.slip_distance, 1e-9);
         }
         if (run->fall_time > 0.0) {
-            solver.log = NULL;
-            assert_falls(run, (tdmf_system){&model, &inputs}, &solver, &motion);
+            assert_falls(run, &at);
             ++falls;
         }
         crossings += its_crossings;
@@ -109,81 +90,51 @@ TEST(the_native_solver_makes_each_run_word_by_word) {
     assert_int_equal(crossings, 11);
 }
 
+/* This ends past the last apex and before the next touchdown. */
 TEST(cvode_makes_each_run) {
     for (int i = 0; i < PATCH_RUNS && tdmf_cvode_is_available(); ++i) {
         const patch_run *run = &patch_runs[i];
-        if (run->fall_time > 0.0) {
-            continue;
+        if (run->fall_time == 0.0) {
+            simulation at = begin(run);
+            double section[TDMF_SECTION_COUNT];
+            assert_int_equal(simulation_advance_by(tdmf_cvode_advance, &at, run->end_time + 1.0),
+                             TDMF_ARRIVED);
+            read_apex(&at.motion.record, section);
+            assert_int_equal(at.motion.record.stride.count, run->strides);
+            assert_string_equal(at.motion.record.stride.word, run->words[run->strides - 1]);
+            assert_apex(section, run->end_apex, 1e-8);
+            assert_relatively_close(at.motion.record.apex.time, run->end_time, 1e-9);
         }
-        const tdmf_model model = model_of(run);
-        const tdmf_inputs inputs = inputs_of_patch_run(run);
-        tdmf_motion motion = motion_at_start(run, (tdmf_system){&model, &inputs});
-        tdmf_solver solver = solver_to(1e-13);
-        /* This ends past the last apex and before the next touchdown. */
-        assert_int_equal(
-            tdmf_cvode_advance(&solver, (tdmf_system){&model, &inputs}, NULL, run->end_time + 1.0, &motion),
-            TDMF_ARRIVED);
-        const tdmf_apex *apex = &motion.record.apex;
-        assert_int_equal(motion.record.stride.count, run->strides);
-        assert_string_equal(motion.record.stride.word, run->words[run->strides - 1]);
-        const double section[TDMF_SECTION_COUNT] = {apex->com_height,      apex->com_speed,
-                                                    apex->leg_length,      apex->leg_angle,
-                                                    apex->leg_length_rate, apex->leg_angle_rate};
-        assert_apex(section, run->end_apex, 1e-8);
-        assert_relatively_close(apex->time, run->end_time, 1e-9);
     }
 }
 
 /* Feet and patches are shifted alike. */
-static void assert_lanes_make_each_run(tdmf_instructions instructions, double shift) {
-    tdmf_model models[PATCH_RUNS];
-    tdmf_ensemble_case cases[PATCH_RUNS];
-    int case_of[PATCH_RUNS];
-    double starts[PATCH_RUNS][TDMF_SECTION_COUNT], foot_x[PATCH_RUNS];
-    tdmf_ensemble_end ends[PATCH_RUNS];
-    for (int i = 0; i < PATCH_RUNS; ++i) {
-        const patch_run *run = &patch_runs[i];
-        tdmf_parameters parameters = parameters_of_patch_run(run);
-        parameters.ground.patch_begin += shift;
-        parameters.ground.patch_end += shift;
-        models[i] = accepted_model(&parameters);
-        const tdmf_ensemble_case its_case = {
-            &models[i], inputs_of_patch_run(run), {.max_strides = run->strides + (run->fall_time > 0.0)}};
-        cases[i] = its_case;
-        case_of[i] = i;
-        foot_x[i] = shift;
-        memcpy(starts[i], run->start, sizeof starts[i]);
-    }
-    const tdmf_ensemble ensemble = {.cases = cases,
-                                    .case_count = PATCH_RUNS,
-                                    .case_of = case_of,
-                                    .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
-                                    .foot_x = shift == 0.0 ? NULL : foot_x,
-                                    .count = PATCH_RUNS,
-                                    .relative_tolerance = 1e-13,
-                                    .threads = 1,
-                                    .instructions = instructions};
-    assert_true(tdmf_run_ensemble(&ensemble, ends, NULL));
-    for (int i = 0; i < PATCH_RUNS; ++i) {
-        const patch_run *run = &patch_runs[i];
-        const bool falls = run->fall_time > 0.0;
-        assert_int_equal(ends[i].fate, falls ? TDMF_FATE_FELL : TDMF_FATE_UNDECIDED);
-        assert_int_equal(ends[i].strides, run->strides);
-        assert_apex(ends[i].apex, run->end_apex, falls ? 1e-7 : 1e-9);
-        assert_close(ends[i].foot_x - shift, run->end_foot_x, falls ? 1e-6 : 1e-9 * fabs(run->end_foot_x));
-    }
-}
-
-TEST(lanes_make_each_run_wherever_it_is) {
-    int sets = 0;
-    for (int i = TDMF_ONE_BY_ONE; i <= TDMF_AVX512; ++i) {
-        if (tdmf_has_instructions((tdmf_instructions)i)) {
-            assert_lanes_make_each_run((tdmf_instructions)i, 0.0);
-            assert_lanes_make_each_run((tdmf_instructions)i, -40.0);
-            ++sets;
+TEST(an_ensemble_makes_each_run_wherever_it_is) {
+    for (double shift = 0.0; shift > -50.0; shift -= 40.0) {
+        crowd *crowd = make_crowd(PATCH_RUNS, 0, 1e-13);
+        double foot_x[PATCH_RUNS];
+        for (int i = 0; i < PATCH_RUNS; ++i) {
+            const tdmf_inputs inputs = inputs_of_patch_run(&patch_runs[i]);
+            tdmf_parameters parameters = parameters_of_patch_run(&patch_runs[i]);
+            parameters.ground.patch_begin += shift;
+            parameters.ground.patch_end += shift;
+            foot_x[i] = shift;
+            place_runner(crowd, i, &parameters, &inputs, patch_runs[i].start);
+            crowd->cases[i].rules.max_strides = patch_runs[i].strides + (patch_runs[i].fall_time > 0.0);
         }
+        crowd->ensemble.foot_x = shift == 0.0 ? NULL : foot_x;
+        run_crowd(crowd, TDMF_BEST_INSTRUCTIONS);
+        for (int i = 0; i < PATCH_RUNS; ++i) {
+            const patch_run *run = &patch_runs[i];
+            const tdmf_ensemble_end *end = &crowd->ends[i];
+            const bool falls = run->fall_time > 0.0;
+            assert_int_equal(end->fate, falls ? TDMF_FATE_FELL : TDMF_FATE_UNDECIDED);
+            assert_int_equal(end->strides, run->strides);
+            assert_apex(end->apex, run->end_apex, falls ? 1e-7 : 1e-9);
+            assert_close(end->foot_x - shift, run->end_foot_x, falls ? 1e-6 : 1e-9 * fabs(run->end_foot_x));
+        }
+        free_crowd(crowd);
     }
-    assert_true(sets >= 2);
 }
 
 /* ---- derivatives --------------------------------------------------------------------------------------- */
@@ -214,40 +165,27 @@ static tdmf_return stride_at(const scene_of_stride *scene, const tdmf_seed *seed
     return stride;
 }
 
-static void write_end(const tdmf_return *stride, double end[COORDINATES]) {
-    memcpy(end, stride->apex, sizeof stride->apex);
-    end[FOOT_X] = stride->foot_x;
-}
-
-static void write_variation(const tdmf_stride_variation *variation, double end[COORDINATES]) {
-    memcpy(end, variation->apex, sizeof variation->apex);
-    end[FOOT_X] = variation->foot_x;
-}
-
 static void exact_variation(const scene_of_stride *scene, int k, double variation[COORDINATES]) {
     scene_of_stride moved = {.at = {0.0}};
     *coordinate_of(&moved, k) = 1.0;
     const tdmf_seed seed = {.parameters = moved.parameters};
     const tdmf_return stride = stride_at(scene, k < COORDINATES ? NULL : &seed);
-    write_variation(&stride.variations[k < FOOT_X ? k : FOOT_X], variation);
+    const tdmf_stride_variation *along = &stride.variations[k < FOOT_X ? k : FOOT_X];
+    memcpy(variation, along->apex, sizeof along->apex);
+    variation[FOOT_X] = along->foot_x;
 }
 
-/* The differences are of eighth order. */
-static void difference(const scene_of_stride *scene, int k, double step, double variation[COORDINATES]) {
-    static const double weights[] = {4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0};
-    memset(variation, 0, COORDINATES * sizeof *variation);
-    for (int i = 0; i < 8; ++i) {
-        const int far = i / 2 + 1;
-        const double sign = i % 2 == 0 ? 1.0 : -1.0;
-        scene_of_stride moved = *scene;
-        double end[COORDINATES];
-        *coordinate_of(&moved, k) += sign * far * step;
-        const tdmf_return stride = stride_at(&moved, NULL);
-        write_end(&stride, end);
-        for (int c = 0; c < COORDINATES; ++c) {
-            variation[c] += sign * weights[far - 1] * end[c] / step;
-        }
-    }
+typedef struct {
+    scene_of_stride scene;
+    int coordinate;
+} coordinate_line;
+
+static void ends_on_line(long double t, const void *context, double ends[]) {
+    coordinate_line moved = *(const coordinate_line *)context;
+    *coordinate_of(&moved.scene, moved.coordinate) += (double)t;
+    const tdmf_return stride = stride_at(&moved.scene, NULL);
+    memcpy(ends, stride.apex, sizeof stride.apex);
+    ends[FOOT_X] = stride.foot_x;
 }
 
 TEST(each_stride_is_differentiated_by_foot_x_and_patch) {
@@ -262,7 +200,9 @@ TEST(each_stride_is_differentiated_by_foot_x_and_patch) {
         for (int k = 0; k < SEEDS; ++k) {
             double exact[COORDINATES], expected[COORDINATES], size = 1.0;
             exact_variation(&scene, k, exact);
-            difference(&scene, k, i == 2 && k < 2 ? 1e-6 : 1e-5, expected); /* the third is near an edge */
+            const coordinate_line line = {scene, k};
+            const long double step = i == 2 && k < 2 ? 1e-6L : 1e-5L; /* the third is near an edge */
+            derivatives_at_zero(ends_on_line, &line, step, COORDINATES, expected);
             for (int c = 0; c < COORDINATES; ++c) {
                 size = fmax(size, fabs(exact[c]));
             }
@@ -295,108 +235,55 @@ TEST(without_a_crossing_foot_x_is_carried_along) {
 
 /* ---- at rest on a border ------------------------------------------------------------------------------- */
 
-typedef struct {
-    double begin, end, angle;
-    tdmf_contact_mode mode;
-    double state[TDMF_MECHANICAL_COUNT]; /* after 0.2 */
-} stand;
-
-static const stand stands[] = {
-    {0.0,
-     5.0,
-     -0.5,
-     TDMF_CONTACT_STICK,
-     {0.0, 0.0, 0.9017944261195923, -0.5001063652364338, 0.0, 0.0, 0.017765865632805102,
-      -0.0010619319215578998}},
-    {0.0,
-     5.0,
-     0.5,
-     TDMF_CONTACT_SLIP_POSITIVE,
-     {0.0074813661377107115, 0.0, 0.905345586245614, 0.5073604543164006, 0.07294391399884824, 0.0,
-      0.05226370038347332, 0.07139200740322711}},
-    {-5.0,
-     0.0,
-     -0.5,
-     TDMF_CONTACT_SLIP_NEGATIVE,
-     {-0.0074813661377107115, 0.0, 0.905345586245614, -0.5073604543164006, -0.07294391399884824, 0.0,
-      0.05226370038347332, -0.07139200740322711}},
-    {-5.0,
-     0.0,
-     0.5,
-     TDMF_CONTACT_STICK,
-     {0.0, 0.0, 0.9017944261195923, 0.5001063652364338, 0.0, 0.0, 0.017765865632805102,
-      0.0010619319215578998}},
-};
-
-TEST(a_foot_at_rest_on_a_border_slips_where_it_is_held_less) {
-    for (size_t i = 0; i < 2 * sizeof stands / sizeof *stands; ++i) {
-        const stand *stand = &stands[i / 2];
-        tdmf_parameters parameters = tdmf_default_parameters();
-        tdmf_inputs inputs = tdmf_default_inputs();
-        tdmf_motion motion = {.state = {[TDMF_LEG_LENGTH] = 0.9, [TDMF_LEG_ANGLE] = stand->angle}};
-        tdmf_solver solver = tdmf_solver_default();
-        parameters.ground.patch_begin = stand->begin;
-        parameters.ground.patch_end = stand->end;
-        parameters.hip.stance_torque = 0.0;
-        inputs.ground.friction = 0.6;
-        const tdmf_model model = accepted_model(&parameters);
-        motion.time = 0.0;
-        assert_null(tdmf_start((tdmf_system){&model, &inputs}, &motion).variable);
-        assert_int_equal(motion.mode.contact, stand->mode);
-        if (i % 2 == 0) {
-            assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&model, &inputs}, NULL, 0.2, &motion),
-                             TDMF_ARRIVED);
-        } else if (tdmf_cvode_is_available()) {
-            solver.relative_tolerance = 1e-12;
-            assert_int_equal(tdmf_cvode_advance(&solver, (tdmf_system){&model, &inputs}, NULL, 0.2, &motion),
-                             TDMF_ARRIVED);
-        } else {
-            continue;
-        }
-        for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
-            assert_close(motion.state[k], stand->state[k], i % 2 == 0 ? 1e-11 : 1e-9);
-        }
-    }
-}
-
-/* A foot at rest at x = 0 whose leg tips over to the side `push`, so that it slips there in time. */
-static tdmf_motion tip_over(double begin, double end, double friction, double push, double angle) {
+/* A still foot at x = 0, or one that slips there, on a leg that leans and turns. */
+static simulation stand(double begin, double end, double patch_friction, double friction,
+                        const double state[TDMF_STATE_COUNT]) {
+    simulation at = {.inputs = tdmf_default_inputs(), .solver = solver_to(1e-12)};
     tdmf_parameters parameters = tdmf_default_parameters();
-    tdmf_inputs inputs = tdmf_default_inputs();
-    tdmf_motion motion = {
-        .state = {
-            [TDMF_LEG_LENGTH] = 0.9, [TDMF_LEG_ANGLE] = push * angle, [TDMF_LEG_ANGLE_RATE] = push * 0.3}};
-    tdmf_solver solver = tdmf_solver_default();
     parameters.ground.patch_begin = begin;
     parameters.ground.patch_end = end;
-    parameters.ground.patch_friction = 0.1;
+    parameters.ground.patch_friction = patch_friction;
     parameters.hip.stance_torque = 0.0;
-    inputs.ground.friction = friction;
-    const tdmf_model model = accepted_model(&parameters);
-    const tdmf_system system = {&model, &inputs};
-    assert_null(tdmf_start(system, &motion).variable);
-    assert_int_equal(motion.mode.contact, TDMF_CONTACT_STICK);
-    assert_int_equal(tdmf_native_advance(&solver, system, NULL, 0.5, &motion), TDMF_ARRIVED);
-    assert_int_equal(motion.mode.contact,
-                     push > 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE);
-    return motion;
+    at.model = accepted_model(&parameters);
+    at.inputs.ground.friction = friction;
+    memcpy(at.motion.state, state, sizeof at.motion.state);
+    simulation_start(&at);
+    return at;
 }
 
-/* It is held by the friction of the side to which it slips, as on ground that has no other. */
-TEST(a_foot_on_a_border_holds_on_by_the_friction_of_the_side_it_is_pushed_to) {
-    for (int side = -1; side <= 1; side += 2) {
-        const double begin = side > 0 ? 0.0 : -5.0, end = begin + 5.0;
-        for (int k = 0; k < 2; ++k) {
-            const bool into_patch = k == 1;
-            const double push = into_patch ? side : -side;
-            const double angle = into_patch ? 0.02 : 0.5;
-            const tdmf_motion on_border = tip_over(begin, end, 0.6, push, angle);
-            const tdmf_motion alone = tip_over(0.0, 0.0, into_patch ? 0.1 : 0.6, push, angle);
-            for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-                assert_close(on_border.state[i], alone.state[i], 1e-11);
-            }
-        }
+static void assert_same_motion(const simulation *a, const simulation *b, double tolerance) {
+    assert_int_equal(a->motion.mode.contact, b->motion.mode.contact);
+    for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
+        assert_close(a->motion.state[k], b->motion.state[k], tolerance);
     }
+}
+
+/* A foot on a border is held by the friction of the side that it is pushed to, as on ground that has no
+ * other: it slips onto the slippery patch and sticks on the ground beside it; at once, or when its leg has
+ * tipped over far enough. */
+TEST(a_foot_on_a_border_is_held_by_the_friction_of_the_side_it_is_pushed_to) {
+    int slipped = 0;
+    for (int i = 0; i < 16; ++i) {
+        const double side = i & 1 ? 1.0 : -1.0, push = i & 2 ? side : -side; /* into the patch, or off it */
+        const bool tips_over = (i & 4) != 0, by_cvode = (i & 8) != 0;
+        const double begin = side > 0.0 ? 0.0 : -5.0, patch_friction = tips_over ? 0.1 : 0.0;
+        const double angle = push * (tips_over && push == side ? 0.02 : 0.5);
+        const double state[TDMF_STATE_COUNT] = {[TDMF_LEG_LENGTH] = 0.9,
+                                                [TDMF_LEG_ANGLE] = angle,
+                                                [TDMF_LEG_ANGLE_RATE] = tips_over ? push * 0.3 : 0.0};
+        solver_call *const advance = by_cvode ? tdmf_cvode_advance : tdmf_native_advance;
+        simulation on_border = stand(begin, begin + 5.0, patch_friction, 0.6, state);
+        simulation alone = stand(0.0, 0.0, 0.0, push == side ? patch_friction : 0.6, state);
+        if (by_cvode && !tdmf_cvode_is_available()) {
+            continue;
+        }
+        assert_int_equal(on_border.motion.mode.contact, alone.motion.mode.contact);
+        assert_int_equal(simulation_advance_by(advance, &on_border, tips_over ? 0.5 : 0.2), TDMF_ARRIVED);
+        assert_int_equal(simulation_advance_by(advance, &alone, tips_over ? 0.5 : 0.2), TDMF_ARRIVED);
+        assert_same_motion(&on_border, &alone, by_cvode ? 1e-9 : 1e-11);
+        slipped += on_border.motion.mode.contact != TDMF_CONTACT_STICK;
+    }
+    assert_true(slipped >= 6);
 }
 
 /* ---- a border that is met as the slip ends ------------------------------------------------------------- */
@@ -406,43 +293,23 @@ static const double shifts[SHIFTS] = {-1e-5, -1e-7, -1e-9, -1e-11, -1e-13, -1e-1
                                       1e-15, 1e-13, 1e-11, 1e-9,   1e-7,   1e-5};
 static const double slip_ends_by = 0.2;
 
-/* A foot that slips forward and comes to rest, its leg leaning by an angle, which pushes it on or back. */
-static tdmf_motion motion_that_slips(double angle) {
-    tdmf_motion motion = {
-        .state = {[TDMF_FOOT_VX] = 0.02, [TDMF_LEG_LENGTH] = 0.9, [TDMF_LEG_ANGLE] = angle}};
-    const double unit[2] = {sin(angle), cos(angle)};
-    motion.state[TDMF_LEG_LENGTH_RATE] = motion.state[TDMF_FOOT_VX] * unit[0];
-    motion.state[TDMF_LEG_ANGLE_RATE] = motion.state[TDMF_FOOT_VX] * unit[1] / 0.9;
-    return motion;
-}
-
-static double energy_and_losses(tdmf_system system, const tdmf_motion *motion) {
-    const double *state = motion->state;
-    return tdmf_mechanical_energy(system, &motion->mode, state).total + state[TDMF_ENERGY_DAMPER_LOSS] +
-           state[TDMF_ENERGY_FRICTION_LOSS];
-}
-
-/* Where it is then, on ground of friction 1 with a slippery patch from `border` on. */
-static tdmf_motion slip_to_a_border(double angle, double border, bool by_cvode) {
-    tdmf_parameters parameters = tdmf_default_parameters();
-    tdmf_inputs inputs = tdmf_default_inputs();
-    tdmf_motion motion = motion_that_slips(angle);
-    tdmf_solver solver = solver_to(1e-12);
-    parameters.ground.patch_begin = border;
-    parameters.ground.patch_end = 5.0;
-    parameters.hip.stance_torque = 0.0;
-    inputs.ground.friction = 1.0;
-    const tdmf_model model = accepted_model(&parameters);
-    const tdmf_system system = {&model, &inputs};
-    assert_null(tdmf_start(system, &motion).variable);
-    assert_int_equal(motion.mode.contact, TDMF_CONTACT_SLIP_POSITIVE);
-    const double before = energy_and_losses(system, &motion);
+/* Where a foot is that slips forward and comes to rest, its leg leaning by an angle, which pushes it on or
+ * back, on ground of friction 1 with a slippery patch from `border` on. */
+static simulation slip_to_a_border(double angle, double border, bool by_cvode) {
+    static const double speed = 0.02, length = 0.9;
+    const double state[TDMF_STATE_COUNT] = {[TDMF_FOOT_VX] = speed,
+                                            [TDMF_LEG_LENGTH] = length,
+                                            [TDMF_LEG_ANGLE] = angle,
+                                            [TDMF_LEG_LENGTH_RATE] = speed * sin(angle),
+                                            [TDMF_LEG_ANGLE_RATE] = speed * cos(angle) / length};
+    simulation at = stand(border, 5.0, 0.0, 1.0, state);
+    assert_int_equal(at.motion.mode.contact, TDMF_CONTACT_SLIP_POSITIVE);
     assert_int_equal(
-        (by_cvode ? tdmf_cvode_advance : tdmf_native_advance)(&solver, system, NULL, slip_ends_by, &motion),
+        simulation_advance_by(by_cvode ? tdmf_cvode_advance : tdmf_native_advance, &at, slip_ends_by),
         TDMF_ARRIVED);
-    assert_close(energy_and_losses(system, &motion), before, 1e-11);
-    assert_true(motion.record.event_count < 10);
-    return motion;
+    assert_close(simulation_ledger_error(&at), 0.0, 1e-11);
+    assert_true(at.motion.record.event_count < 10);
+    return at;
 }
 
 /* Pushed back, it is held by the ground that it comes from, or slips back to it: the border makes the less of
@@ -450,14 +317,15 @@ static tdmf_motion slip_to_a_border(double angle, double border, bool by_cvode) 
 TEST(a_foot_that_is_pushed_back_ends_where_it_would_without_the_border) {
     int compared = 0;
     for (int by_cvode = 0; by_cvode <= (int)tdmf_cvode_is_available(); ++by_cvode) {
-        const tdmf_motion without = slip_to_a_border(-0.5, 4.0, by_cvode);
-        assert_int_equal(without.mode.contact, TDMF_CONTACT_STICK);
+        const simulation without = slip_to_a_border(-0.5, 4.0, by_cvode);
+        assert_int_equal(without.motion.mode.contact, TDMF_CONTACT_STICK);
         for (int i = 0; i < SHIFTS; ++i) {
-            const double border = without.state[TDMF_FOOT_X] + shifts[i];
-            const tdmf_motion motion = slip_to_a_border(-0.5, border, by_cvode);
-            assert_int_equal(motion.mode.contact, TDMF_CONTACT_STICK);
+            const double border = without.motion.state[TDMF_FOOT_X] + shifts[i];
+            const simulation at = slip_to_a_border(-0.5, border, by_cvode);
+            assert_int_equal(at.motion.mode.contact, TDMF_CONTACT_STICK);
             for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
-                assert_close(motion.state[k], without.state[k], 1e-10 + 20.0 * fmax(0.0, -shifts[i]));
+                assert_close(at.motion.state[k], without.motion.state[k],
+                             1e-10 + 20.0 * fmax(0.0, -shifts[i]));
             }
             ++compared;
         }
@@ -469,20 +337,20 @@ TEST(a_foot_that_is_pushed_back_ends_where_it_would_without_the_border) {
 TEST(a_foot_that_is_pushed_on_rests_before_the_border_or_slips_on) {
     int rested = 0, slipped = 0;
     for (int by_cvode = 0; by_cvode <= (int)tdmf_cvode_is_available(); ++by_cvode) {
-        const tdmf_motion without = slip_to_a_border(0.5, 4.0, by_cvode);
-        const double rest = without.state[TDMF_FOOT_X];
-        const double gone = slip_to_a_border(0.5, rest - 1e-10, by_cvode).state[TDMF_FOOT_X] - rest;
-        assert_int_equal(without.mode.contact, TDMF_CONTACT_STICK);
+        const simulation without = slip_to_a_border(0.5, 4.0, by_cvode);
+        const double rest = without.motion.state[TDMF_FOOT_X];
+        const double gone = slip_to_a_border(0.5, rest - 1e-10, by_cvode).motion.state[TDMF_FOOT_X] - rest;
+        assert_int_equal(without.motion.mode.contact, TDMF_CONTACT_STICK);
         assert_true(gone > 2e-3);
         for (int i = 0; i < SHIFTS; ++i) {
-            const tdmf_motion motion = slip_to_a_border(0.5, rest + shifts[i], by_cvode);
-            const double way = motion.state[TDMF_FOOT_X] - rest;
-            if (motion.mode.contact == TDMF_CONTACT_STICK) {
+            const simulation at = slip_to_a_border(0.5, rest + shifts[i], by_cvode);
+            const double way = at.motion.state[TDMF_FOOT_X] - rest;
+            if (at.motion.mode.contact == TDMF_CONTACT_STICK) {
                 assert_true(shifts[i] > -1e-10);
                 assert_close(way, 0.0, 1e-10);
                 ++rested;
             } else {
-                assert_int_equal(motion.mode.contact, TDMF_CONTACT_SLIP_POSITIVE);
+                assert_int_equal(at.motion.mode.contact, TDMF_CONTACT_SLIP_POSITIVE);
                 assert_true(shifts[i] < 1e-10);
                 assert_close(way, gone, 0.3 * sqrt(fabs(shifts[i])) + 1e-5);
                 ++slipped;
@@ -508,15 +376,11 @@ TEST(a_patch_that_ends_before_it_begins_is_refused_by_name) {
 /* A patch is at a place, which these maps have not. */
 TEST(maps_without_foot_x_refuse_a_patch) {
     const patch_run *run = &patch_runs[0];
-    const tdmf_model model = model_of(run);
-    const tdmf_inputs inputs = inputs_of_patch_run(run);
-    tdmf_solver solver = tdmf_solver_default();
-    assert_int_equal(
-        tdmf_return_map(&solver, (tdmf_system){&model, &inputs}, run->start, 1e3, false, NULL, 0).outcome,
-        TDMF_RETURN_REFUSED);
-    assert_int_equal(tdmf_find_orbit(&solver, (tdmf_system){&model, &inputs}, run->start, NULL, 0).outcome,
-                     TDMF_ORBIT_NO_START);
-    assert_int_equal(
-        tdmf_reduced_map(&solver, (tdmf_system){&model, &inputs}, run->start, 1e3, false, NULL, 0).outcome,
-        TDMF_RETURN_REFUSED);
+    simulation at = begin(run);
+    const tdmf_system system = SYSTEM_OF(&at);
+    assert_int_equal(tdmf_return_map(&at.solver, system, run->start, 1e3, false, NULL, 0).outcome,
+                     TDMF_RETURN_REFUSED);
+    assert_int_equal(tdmf_find_orbit(&at.solver, system, run->start, NULL, 0).outcome, TDMF_ORBIT_NO_START);
+    assert_int_equal(tdmf_reduced_map(&at.solver, system, run->start, 1e3, false, NULL, 0).outcome,
+                     TDMF_RETURN_REFUSED);
 }
