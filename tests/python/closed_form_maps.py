@@ -100,12 +100,6 @@ def swapping_ring(x, p):
     return -x * (1 + 0.3 * off), np.array([-(1 + 0.3 * off) - 0.6 * x**2]), -0.6 * x * p, "x"
 
 
-def saddle(point, p):
-    """Eigenvalues p and 1/2: their product passes 1 at 2."""
-    x, y = point
-    return np.array([p * x, y / 2]), np.array([[p, 0.0], [0.0, 0.5]]), np.array([x, 0.0]), "x"
-
-
 def tent(left, right):
     """Border collision in one dimension: slopes on both sides of x = 0, where the fixed point is at p = 0."""
 
@@ -147,3 +141,13 @@ def falling(x, p):
     if x[0] > 1.0:
         raise RunError("the runner fell")
     return p + 0.5 * x, np.array([[0.5]]), np.ones(1), "-"
+
+
+def linear(matrix_of):
+    """x' = M(p) x, whose fixed point is 0: eigenvalues that are any functions of p."""
+
+    def step(point, p):
+        matrix = np.asarray(matrix_of(p), dtype=float)
+        return matrix @ point, matrix, np.zeros(len(point)), "x"
+
+    return step

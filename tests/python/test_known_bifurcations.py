@@ -8,9 +8,9 @@ from closed_form_maps import (
     delayed_logistic,
     falling,
     henon,
+    linear,
     logistic,
     ring,
-    saddle,
     swapping_ring,
     tent,
     torn,
@@ -19,6 +19,7 @@ from closed_form_maps import (
 from tdmf_slip import RunError, Runner, find_gait
 from tdmf_slip.analysis.branch_problem import to_value
 from tdmf_slip.analysis.branches import trace, whole_branch, with_doubled_branches
+from tdmf_slip.analysis.special_points import special_points
 from tdmf_slip.library import classic_slip
 from tdmf_slip.numerics.following import Limits, Track, follow
 
@@ -134,10 +135,58 @@ def test_the_classic_slip_folds_where_its_own_slope_says():
     assert branch.values[-1] == low
 
 
-def test_a_neutral_saddle_is_nothing():
-    problem = MapProblem(saddle, 2)
-    branch, _ = followed(problem, problem.beginning(1.5, [0.0, 0.0]), 1.5, 2.5)
-    assert specials_of(branch) == [] and branch.ended == "end of the range"
+def real(*values):
+    return np.diag(values)
+
+
+def pair(radius, angle=1.0):
+    return radius * np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+
+
+def both(one, other):
+    nothing = np.zeros((len(one), len(other)))
+    return np.block([[one, nothing], [nothing.T, other]])
+
+
+@pytest.mark.parametrize(
+    ("matrix_of", "met"),
+    [
+        (lambda p: real(-(p**9), 0.2), [("period doubling", 1.0)]),
+        (pair, [("Neimark-Sacker", 1.0)]),
+        # Several within one step are told apart.
+        (lambda p: real(-p, -p - 0.05), [("period doubling", 0.95), ("period doubling", 1.0)]),
+        (
+            lambda p: both(pair(p + 0.2), real(-p - 0.03, 0.1)),
+            [("Neimark-Sacker", 0.8), ("period doubling", 0.97)],
+        ),
+        # Where none passes the unit circle there is nothing: a neutral saddle, and two that become a pair.
+        (lambda p: real(p + 1.0, 0.5), []),
+        (lambda p: real(2.2 - p, 1.2) if p < 1.0 else pair(1.2, p - 1.0), []),
+        (lambda p: real(0.5 * p, -0.3), []),
+        # What is none of them is kept: eigenvalues that jump, two at once, and a branch that does not turn.
+        (lambda p: real(0.9 if p < 1.0 else 1.1, 0.0), [("unclassified", 1.0)]),
+        (lambda p: pair(0.9 if p < 1.0 else 1.1), [("unclassified", 1.0)]),
+        (lambda p: pair(0.9) if p < 1.0 else real(1.1, 1.2), [("unclassified", 1.0)]),
+        (lambda p: real(-p - 1e-7, -p - 1e-7), [("unclassified", 1.0)]),
+        (lambda p: both(pair(p + 1e-7), real(-p - 1e-7)), [("unclassified", 1.0)]),
+    ],
+)
+def test_special_points_are_classified_by_the_eigenvalues(matrix_of, met):
+    problem = MapProblem(linear(matrix_of), len(matrix_of(0.5)))
+    branch, _ = followed(problem, problem.beginning(0.5, np.zeros(len(matrix_of(0.5)))), 0.5, 1.5, 0.4)
+    assert [(special.kind, pytest.approx(special.value, abs=2e-6)) for special in branch.specials] == met
+    assert all((special.kind == "unclassified") == bool(special.why) for special in branch.specials)
+    assert branch.ended == "end of the range"
+
+
+def test_a_branch_that_cannot_be_parted_is_not_judged(monkeypatch):
+    """Newton's method may come back to the same gait again and again."""
+    problem = MapProblem(linear(lambda p: real(-p, -p - 0.05)), 2)
+    start, end = (problem.beginning(p, [0.0, 0.0]) for p in (0.5, 1.5))
+    monkeypatch.setattr(problem, "between", lambda before, after, share: after)
+    (special,) = special_points(problem, start, end)
+    why = "0 eigenvalues outside the unit circle become 2"
+    assert special.as_json() == {"kind": "unclassified", "value": 1.0, "between": [0.5, 1.5], "why": why}
 
 
 def test_where_two_branches_cross_is_not_judged():
