@@ -202,7 +202,7 @@ def test_a_map_says_friction_and_units(preset, length, rate):
     runner = Runner(preset).replace({"ground.friction": 0.55})
     data = basin.basin(runner, {"leg_length": (1.2, 1.3), "leg_angle_rate": (0.2, 0.4)}, 2)
     _, axes, figure = drawn(data)
-    assert "friction 0.55" in axes.get_title(loc="left")
+    assert "friction 0.55" in axes.get_title()
     assert (axes.get_ylabel(), axes.get_xlabel()) == (length, rate)
     assert "beyond the map" in figure.legends[0].get_texts()[0].get_text()
 

@@ -208,19 +208,6 @@ def test_a_diagram_a_dataset_and_json_with_doubled_gaits_are_one_command(command
     assert status == 2 and "map.nc: holds a basin" in complaint
 
 
-def test_the_reduced_map_is_followed_as_well(command):
-    """It has two coordinates, and nearly the full model's borders."""
-    printed = {}
-    for model in ("full", "reduced"):
-        options = ("--vary", "ground.friction=1.2:0.4", "--model", model, "--json")
-        status, out, _ = command("continue", *options)
-        printed[model] = json.loads(out)
-        assert status == 0 and printed[model]["ended"] == "end of the range"
-    full, reduced = ([s["value"] for s in printed[m]["specials"]] for m in ("full", "reduced"))
-    assert len(full) == 3 and reduced[0] == pytest.approx(full[0], rel=0.02)
-    assert {len(point["apex"]) for point in printed["reduced"]["points"]} == {2}
-
-
 def test_lines_are_solid_where_gaits_are_stable(over_low_angle):
     axes = plot(branch_dataset(over_low_angle)).axes[0]
     lines = {line.get_label(): line for line in axes.get_lines()}

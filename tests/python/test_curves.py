@@ -122,29 +122,24 @@ def test_period_doublings_over_two_parameters(command, tmp_path):
     assert (tmp_path / "curves.png").read_bytes()[:4] == b"\x89PNG"
 
 
-def test_word_borders_cross_the_ranges_of_two_parameters():
-    curves = curves_in(continue_curves({}, {FRICTION: (0.55, 0.45), DAMPING: (0.19, 0.21)}))
-    words = [("+0-0+", "+0-+"), ("+0-+", "+0-")]
-    assert [(curve.kind, curve.words) for curve in curves] == [("word border", pair) for pair in words]
-    for curve in curves:
-        assert curve.began == curve.ended == "edge of the ranges" and len(curve.points) < 60
-        assert sorted(curve.points[[0, -1], 1]) == pytest.approx([0.19, 0.21])
-        friction, damping = curve.points[len(curve.points) // 4]
-        runner = Runner({DAMPING: damping})
-        branch = continue_branch.plain(runner, {FRICTION: (friction + 1e-4, friction - 1e-4)}, switch=False)
-        (value,) = (of.value for of in branch.specials if of.words == curve.words)
-        assert value == pytest.approx(friction, rel=1e-8)
-
-
-def test_a_border_has_each_word_on_its_side():
+def test_a_word_border_crosses_the_ranges_of_two_parameters_and_has_each_word_on_its_side():
     """Whichever way the first range leads: left of the curve the word of a lower friction is written."""
     curves = continue_curves({}, {FRICTION: (1.1, 1.2), DAMPING: (0.198, 0.202)})
+    (curve,) = curves_in(curves)
+    assert (curve.kind, curve.words) == ("word border", ("+0-0+", "+0+"))
+    assert curve.began == curve.ended == "edge of the ranges" and len(curve.points) < 60
+    assert sorted(curve.points[[0, -1], 1]) == pytest.approx([0.198, 0.202])
+    friction, damping = curve.points[len(curve.points) // 4]
+    runner = Runner({DAMPING: damping})
+    branch = continue_branch.plain(runner, {FRICTION: (friction + 1e-4, friction - 1e-4)}, switch=False)
+    (value,) = (of.value for of in branch.specials if of.words == curve.words[::-1])
+    assert value == pytest.approx(friction, rel=1e-8)
     figure = plot(curves)
     figure.canvas.draw()
     axes = figure.axes[0]
     texts = sorted(axes.texts, key=lambda text: text.get_window_extent().x0)
     assert [text.get_text() for text in texts] == ["+0−0+", "+0+"]
-    line = axes.transData.transform(curves_in(curves)[0].points)
+    line = axes.transData.transform(curve.points)
     for text in texts:
         assert not any(text.get_window_extent().contains(*point) for point in line)
 

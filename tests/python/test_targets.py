@@ -11,8 +11,7 @@ from tdmf_slip import InputError, Runner, TargetNotMetError, find_gait
 from tdmf_slip.analysis.target import Target
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.members import VARIED
-from tdmf_slip.library.quantities import QUANTITIES, REDUCED_QUANTITIES, quantities_of, scales_of
-from tdmf_slip.library.strides import varied_stride
+from tdmf_slip.library.quantities import QUANTITIES, REDUCED_QUANTITIES, quantities_of
 from tdmf_slip.variables.parameters import read_parameters
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
@@ -28,31 +27,6 @@ def assert_met(gait, target, within=1e-10):
     assert target
     for name, value in target.items():
         assert quantities_of(again, [name])[name] == pytest.approx(value, rel=within)
-
-
-@pytest.mark.parametrize("model", ["full", "reduced"])
-@pytest.mark.parametrize("parameters", [{"ground.friction": 0.6}, read_parameters(FAST_HUMAN)])
-def test_derivatives_of_what_is_ordered_are_those_of_differences(model, parameters):
-    gait = find_gait(parameters, model=model)
-    names = ["hip.stance_torque", "leg.stiffness", "body.mass", "gravity"]
-    scales, steps = scales_of(gait.runner, names), 1e-6
-    quantities = QUANTITIES if model == "full" else REDUCED_QUANTITIES
-    exact = varied_stride(gait.runner, gait.apex, quantities, names).by_all * scales
-
-    def moved(k, sign):
-        apex, runner = gait.apex.copy(), gait.runner
-        if k < len(apex):
-            apex[k] += sign * steps * scales[k]
-        else:
-            name = names[k - len(apex)]
-            runner = runner.replace({name: runner[name] * (1.0 + sign * steps)})
-        stride = varied_stride(runner, apex, quantities, [])
-        return np.append(stride.residual, stride.quantities)
-
-    for k in range(len(scales)):
-        difference = (moved(k, 1.0) - moved(k, -1.0)) / (2.0 * steps)
-        size = max(1.0, np.max(np.abs(exact[:, k])))
-        assert exact[:, k] == pytest.approx(difference, abs=1e-6 * size), (k, names)
 
 
 PRESCRIBED = [

@@ -52,8 +52,6 @@ class Settled:
     """Where they are in the box, from 0 to 1, shape (m, d)."""
     apexes: NDArray[np.float64]
     """Apices next to those of their gaits, shape (m, n)."""
-    strides: int
-    """Number of strides that all runners made together, those that did not settle included."""
 
     def gaits(self, merit_of: Callable[[Runner, NDArray[np.float64]], float]) -> Iterator[Gait]:
         """Gaits from which a search is worth beginning, that of least merit first.
@@ -100,7 +98,7 @@ def settled_gaits(
     numbers = np.flatnonzero(runs.running & (runs.returns < SETTLED))
     runners = (runs.runners[number] for number in numbers)
     kept = tuple(runner for runner in runners if runner is not None)
-    return Settled(kept, points[numbers], runs.apexes[numbers], runs.strides)
+    return Settled(kept, points[numbers], runs.apexes[numbers])
 
 
 def around(runner: Runner, name: str, shares: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -129,7 +127,6 @@ class _Runs:
         self.apexes = np.tile(begin.apex, (len(rows), 1))
         self.running = np.zeros(len(rows), dtype=bool)
         self.returns = np.full(len(rows), np.inf)
-        self.strides = 0
 
     def begin(self) -> None:
         """From the apex given; those that fall from there on, from where their neighbours have come to."""
@@ -157,7 +154,6 @@ class _Runs:
         made = batch.run(AT_ONCE, record=True).recorded
         assert made is not None
         closed = (made["fate"] == CLOSED).all(axis=1) & (made["length"][:, -1] > 0.0)
-        self.strides += int(np.count_nonzero(made["fate"] == CLOSED))
         ends, begins = made["next_apex"][:, -1], made["apex"][:, -1]
         going = np.flatnonzero(which)[closed]
         self.running[which] = closed

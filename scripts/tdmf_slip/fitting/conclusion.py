@@ -8,7 +8,8 @@ linear interval; where they identify it poorly it is not symmetric, and may have
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,14 +32,9 @@ BETTER = 1e-3
 """Fall of the loss below the least one that says that this was none."""
 
 
-@dataclass(frozen=True, eq=False)
-class End:
-    """One end of an interval."""
-
-    at: float
-    """The unknown; infinite where there is no end."""
-    why: str
-    """Reason why it ends before the rise: `range` or `gaits`; else empty."""
+End: TypeAlias = tuple[float, str]
+"""One end of an interval: the unknown, infinite where there is no end; and why it ends before the loss has
+risen, `range` or `gaits`, else an empty text."""
 
 
 class BetterFitError(Exception):
@@ -84,29 +80,29 @@ class Profile:
         for _ in range(TRIES):
             far = min(step, sign * (bound - begin))
             if far <= inside[0]:
-                return End(bound, "range")
+                return bound, "range"
             found = self._constrained(number, begin + sign * far, seen)
             if found is None:
                 step, why = 0.5 * (inside[0] + far), "gaits"
                 if far - inside[0] < MET * far:
-                    return End(begin + sign * inside[0], why)
+                    return begin + sign * inside[0], why
                 continue
             root = self._root(found)
             if root < self.root:
                 inside, seen = (far, root), found.at
                 if far == sign * (bound - begin):
-                    return End(bound, "range")
+                    return bound, "range"
             else:
                 outside = (far, root)
             if abs(root - self.root) <= MET * self.root:
                 break
             if outside is None and far >= FARTHEST:
-                return End(sign * np.inf, "")
+                return sign * np.inf, ""
             step = self._next(inside, outside, why)
         if outside is None and not abs(inside[1] - self.root) <= MET * self.root:
-            return End(begin + sign * inside[0], why) if why else End(sign * np.inf, "")
+            return (begin + sign * inside[0], why) if why else (sign * np.inf, "")
         far = self._interpolated(inside, outside or inside)
-        return End(begin + sign * far, "")
+        return begin + sign * far, ""
 
     def _next(self, inside: tuple[float, float], outside: tuple[float, float] | None, why: str) -> float:
         """Distance of the next point from the best fit."""
@@ -257,7 +253,7 @@ class Conclusion:
                 linear += [problem.parameters[other].label for other in wanted if other >= k]
                 break
             found[k] = self._in_units(k, ends)
-            if any(end.why == "gaits" for end in ends):
+            if any(why == "gaits" for _, why in ends):
                 recorded.append(
                     f"the interval of {problem.parameters[k].label} ends where no gaits are found"
                 )
@@ -269,8 +265,8 @@ class Conclusion:
 
     def _in_units(self, number: int, ends: tuple[End, End]) -> tuple[float, float, str]:
         step, begin = self.problem.steps[number], self.problem.begin[number]
-        low, high = (float(begin + step * end.at) for end in ends)
-        return low, high, ", ".join(dict.fromkeys(end.why for end in ends if end.why))
+        low, high = (float(begin + step * at) for at, _ in ends)
+        return low, high, ", ".join(dict.fromkeys(why for _, why in ends if why))
 
     def _notes(self) -> Iterator[str]:
         """Notes on the search and on how to read the fit."""

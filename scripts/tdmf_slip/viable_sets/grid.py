@@ -365,13 +365,11 @@ def _reach(
 
 def _largest_of_three(values: NDArray[np.float32], axis: int) -> NDArray[np.float32]:
     """Largest of each value and its two neighbours along an axis; NaN counts only if all three are NaN."""
-    largest = values.copy()
-    low = [slice(None)] * values.ndim
-    high = low.copy()
-    low[axis], high[axis] = slice(None, -1), slice(1, None)
-    np.fmax(largest[tuple(high)], values[tuple(low)], out=largest[tuple(high)])
-    np.fmax(largest[tuple(low)], values[tuple(high)], out=largest[tuple(low)])
-    return largest
+    from scipy.ndimage import maximum_filter1d  # slow to load
+
+    known = np.where(np.isnan(values), -1.0, values)  # differences are not negative
+    largest: NDArray[np.float32] = maximum_filter1d(known, 3, axis, mode="nearest")
+    return np.where(largest < 0.0, np.nan, largest)
 
 
 def _accuracy(grid: Grid, scales: NDArray[np.float64]) -> NDArray[np.float64]:
