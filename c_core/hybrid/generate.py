@@ -8,8 +8,10 @@ import json
 import re
 
 from .c_text import comment, lines_of, number_text, wrapped_text
+from .errors import page_error
 from .expressions import forget_expressions, lift
 from .instants import Functions, Instants, c_name
+from .limits import FILES
 from .motions import Motion
 from .page import Page
 from .quantities import range_of
@@ -72,7 +74,12 @@ def derive(model):
 def generate(page, for_unit=True):
     """The C of a page that has been read, by file. Only a unit needs the rates of the world's states."""
     page.c = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", page.model.__name__).lower()
+    page.c += "_" * (page.c in FILES)
     functions, names = Functions(page.c), [c_name(key) for key in page.keys]
+    for i, (mode, _) in enumerate(page.keys):
+        if names[i] in names[:i]:
+            text = f"has the name `{names[i]}` with its words, which another mode has; rename one of them"
+            raise page_error(page.modes[mode], mode, text)
     instants, top = Instants(page, functions, for_unit), TOP.format(name=page.model.__name__)
     header = [
         f'{top}#ifndef {page.c.upper()}_H\n#define {page.c.upper()}_H\n\n#include "driver.h"\n',

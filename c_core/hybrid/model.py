@@ -182,7 +182,7 @@ class _Page(type):
         new._places = body.places
         for own, value in body.items():
             is_declared = isinstance(value, Quantity) or any(hasattr(value, mark) for mark in MARKS)
-            is_word = bases and own in vars(Model) and not own.startswith("__")
+            is_word = bases and own in {*vars(Model), "COUNT"} and not own.startswith("__")
             if is_word and (is_declared or own not in OVERRIDABLE):
                 raise page_error(value, own, "is a word of the language; choose another name")
             if is_declared and (own.startswith("_") or not own.isascii() or len(own) > NAME_LIMIT):

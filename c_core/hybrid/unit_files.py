@@ -11,11 +11,9 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from .description import build_description, description
-from .limits import C_CORE
+from .limits import C_CORE, UNIT
 from .unit import unit_of
 
-UNIT = next(folder for folder in (C_CORE / "fmu_src", C_CORE.parent / "fmu_src") if folder.is_dir())
-"""The C sources that all units share, in a checkout or in the installed package."""
 KERNEL = C_CORE / "hybrid" / "kernel"
 FOLDERS = UNIT, KERNEL, C_CORE / "kernel"
 DRIVER = (

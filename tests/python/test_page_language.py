@@ -14,6 +14,7 @@ from unit_pages import ball_at
 
 from c_core import hybrid
 from c_core.hybrid import Model, coordinates, event, mode, output, parameter, sin, state
+from c_core.hybrid.unit_files import build_units
 from c_core.pages.runner import PlainRunner
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
@@ -175,6 +176,40 @@ def test_awkward_names_powers_and_a_thousand_terms_work():
     found = solve_ivp(rates, (0, 1), [0.5, -0.3, 0.1], "DOP853", rtol=1e-12, atol=1e-13).y[:, -1]
     assert [run.register, run.double, run.minus_k] == pytest.approx(found, abs=1e-10)
     assert max(len(line) for text in page.files.values() for line in text.split("\n")) <= 110
+
+
+TAKEN = """
+from c_core.hybrid import *
+
+class {page}(Model):
+    start = "falls", {{}}
+    height, speed, gravity = state(1, "m"), state(0, "m/s"), parameter(2, "m/s2")
+
+    @mode("register")
+    def falls(b):
+        return dict(height=b.speed, speed=-b.gravity)
+
+    @mode("lands", ends=True)
+    def double(b):
+        return {{}}
+
+    @event("falls", when=lambda b: b.height, unit="m")
+    def main(b):
+        return b.to("double", lands={lands!r})
+"""
+
+
+@pytest.mark.parametrize(
+    ("page", "lands"),
+    [("Driver", "a b"), ("Math", "*/"), ("UnitPage", 0.5), ("Unit", -1), ("FixedPoint", "+")],
+)
+def test_pages_may_be_called_as_c_files_are_and_words_may_have_any_characters(tmp_path, page, lands):
+    """Header files of the standard and of the driver, and of the units."""
+    names = {"__name__": "<locals>"}
+    exec(TAKEN.format(page=page, lands=lands).replace('"falls", {}', '"falls", {"register": "int"}'), names)
+    names[page].__qualname__ = f"<locals>.{page}"
+    assert CompiledPage(names[page]).start(tolerance=1e-13).to(2.0).time == pytest.approx(1)
+    assert len(build_units(names[page], tmp_path, compiler=page_runs.compiler(), flags=["-O0"])) == 2
 
 
 def counter(level, guard):

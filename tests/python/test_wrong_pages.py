@@ -66,6 +66,8 @@ WRONG = [
     ("a function twice", {"more": "@mode()\n    def fall(b):\n        return {}"}, "`fall` is declared twice"),
     ("a word of the language", {"quantities": "start = parameter(1)"}, "`start` is"),
     ("a method of the language", {"quantities": "replace = parameter(1)"}, "`replace` is a word of the language"),
+    ("the last name of a list", {"decision": "pass", "event": "@mode()\n    def COUNT(b):\n        return {}\n    " + GOOD["event"]}, "`COUNT` is a word of the language"),
+    ("two modes of one name", {"more": GEAR + '@mode()\n    def drive_low(b):\n        return {}\n    @event("drive", when=lambda b: b.height, unit="m")\n    def leaves(b):\n        return b.to("drive_low")', "decision": 'return b.to("drive", gear="low", speed=1)'}, "has the name `drive_low` with its words, which another mode has"),
     ("a name that C cannot have", {"quantities": "größe = parameter(1)"}, "`größe` cannot be a name"),
     ("a private name", {"quantities": "_mass = parameter(1)"}, "`_mass` cannot be a name"),
     ("an unknown unit", {"quantities": 'a = parameter(1, "newton")'}, "unit `newton`, in which `newton` is no unit; allowed are 1, rad, kg, m"),
