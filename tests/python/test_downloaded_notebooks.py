@@ -99,20 +99,3 @@ def test_validation_on_the_paper_page_meets_all_that_is_recorded(site):
     gaits = table.splitlines()[2:7]
     assert all(row.split()[-2:] == ["same", "words"] for row in gaits)
     assert "all 135 recorded values are met" in table
-
-
-def test_pieces_of_an_output_are_joined_as_they_came():
-    notebooks = pytest.importorskip("notebooks", reason="NOT TESTED: the site's output, MyST-NB is missing")
-    from myst_nb.core.utils import coalesce_streams
-    from nbformat.v4 import new_output
-
-    def torn():
-        regions = [("stdout", "len"), ("stdout", "gth\n 26."), ("stderr", "a"), ("stdout", "24\n")]
-        return [new_output("stream", name=name, text=text) for name, text in regions]
-
-    assert coalesce_streams(torn())[0]["text"] != "length\n 26.24\n"  # else nothing is torn, nothing to join
-    joined = notebooks.in_one_piece(torn(), coalesce_streams)
-    assert [(one["name"], one["text"]) for one in joined] == [
-        ("stdout", "length\n 26.24\n"),
-        ("stderr", "a\n"),
-    ]

@@ -74,35 +74,6 @@ def test_the_gallery_has_every_figure_and_each_runs_live_by_names_that_there_are
     assert all((SOURCES / "guides" / f"{guide}.md").is_file() for guide in guides)
 
 
-RUNNERS_OF_FIGURES = {
-    "optimal": {
-        "ground.friction": "friction",
-        "hip.touchdown_angle": "touchdown_angle",
-        "hip.stance_torque": "stance_torque",
-        "leg.thrust": "thrust",
-    },
-    "thrust": {"ground.friction": "friction", "hip.stance_torque": "hip_torque", "leg.thrust": "thrust"},
-    "slope": {"ground.friction": "friction", "ground.slope": "slope_degrees"},
-}
-"""By figure: in which column of its data a parameter stands."""
-
-
-@pytest.mark.parametrize("figure", RUNNERS_OF_FIGURES)
-def test_the_runner_that_a_figure_opens_is_one_of_those_it_shows(figure, fmu):
-    columns = RUNNERS_OF_FIGURES[figure]
-    text = (SOURCES / "gallery.md").read_text(encoding="utf-8")
-    (state,) = re.findall(rf"^```\{{gallery-figure\}} {figure}\n(?:.+\n)*?:live: (\S+)$", text, re.MULTILINE)
-    given = dict(pair.split("=") for pair in state.split("&"))
-    assert set(given) <= set(columns)
-    opened = {
-        column: float(given.get(name, str(fmu.variables[name].start)).removesuffix("deg"))
-        for name, column in columns.items()
-    }
-    with (ROOT / "scripts/tdmf_slip/paper/figures" / f"{figure}.csv").open(encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    assert [row for row in rows if all(float(row[column]) == value for column, value in opened.items())]
-
-
 def test_each_figure_of_the_gallery_has_its_picture_and_its_data(site):
     page = (site / "gallery.html").read_text(encoding="utf-8")
     pictures, data = (set(re.findall(rf'"figures/(\w+)\.{suffix}"', page)) for suffix in ("png", "csv"))

@@ -10,13 +10,39 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from tdmf_slip import Runner, compare, find_gait, gait_at, strides_to_fall
 from tdmf_slip import viability as find_viable
 from tdmf_slip.library.quantities import quantities_of
-from tdmf_slip.paper.figures import columns, optimal, rough, slippery_patch, slope, thrust, viability
+from tdmf_slip.paper.figures import columns, optimal, rough, slippery_patch, thrust, viability
 from tdmf_slip.paper.matched import HOLD, VARY
 from tdmf_slip.pictures import style
 from tdmf_slip.pictures.style import CurveLabel
 
 OF_THE_GAITS = {"snapshots", "stride"}
 """What `tdmf-slip validate --pictures` draws, and the documentation shows."""
+FRICTION, TORQUE, THRUST, ANGLE = "ground.friction", thrust.TORQUE, thrust.THRUST, thrust.ANGLE
+RUNNERS = {
+    "slope": {"friction": FRICTION, "slope_degrees": "ground.slope"},
+    "thrust": {"friction": FRICTION, "hip_torque": TORQUE, "thrust": THRUST, "touchdown_angle": ANGLE},
+    "optimal": {"friction": FRICTION, "stance_torque": TORQUE, "thrust": THRUST, "touchdown_angle": ANGLE},
+}
+"""By figure: columns of its data that are values of the runner."""
+
+
+def gait_of(figure, data, row):
+    """The gait of a row, found anew."""
+    values = {name: float(data[column][row]) for column, name in RUNNERS[figure].items()}
+    if "ground.slope" in values:
+        values["ground.slope"] = np.radians(values["ground.slope"])
+    return find_gait(Runner(values))
+
+
+@pytest.mark.parametrize("figure", RUNNERS)
+def test_gaits_of_a_figure_are_what_is_kept(figure):
+    data = columns.columns(figure)
+    stable = data.get("stable", 1.0) == 1.0
+    rows = [np.flatnonzero((data["friction"] == mu) & stable)[0] for mu in np.unique(data["friction"])[-3:]]
+    for row in rows:
+        stride = gait_of(figure, data, row).stride
+        for name in ("speed", "cost_of_transport"):
+            assert stride[name] == pytest.approx(data[name][row], rel=1e-6), row
 
 
 def test_matched_runners_on_rough_ground_are_what_is_kept():
@@ -27,55 +53,21 @@ def test_matched_runners_on_rough_ground_are_what_is_kept():
     assert tuple(friction) == rough.FRICTIONS
     low, high = data["mean_strides_low"][matched], data["mean_strides_high"][matched]
     assert np.all(high[friction >= 2.5] < 140.0) and np.all(low[friction <= 0.3] > 450.0)
-    mean = data["mean_strides"][matched]
-    assert np.all(np.diff(mean[(friction >= 0.15) & (friction <= 2.5)]) < 0.0)
-    runners = compare([{"ground.friction": mu} for mu in (rough.REFERENCE, 10.0)], hold=HOLD, vary=VARY)
+    runners = compare([{FRICTION: mu} for mu in (rough.REFERENCE, 10.0)], hold=HOLD, vary=VARY)
     runner = gait_at(runners.sel(runner=1, step="after")).runner
     found = strides_to_fall(runner, rough.MATCHED_ROUGHNESS, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES)
     (row,) = np.flatnonzero(matched & (data["friction"] == 10.0))
     assert found.mean_strides == pytest.approx(data["mean_strides"][row], rel=0.1)
 
 
-def test_gaits_on_slopes_are_what_is_kept():
-    data = columns.columns("slope")
-    for friction in slope.COLOURS:
-        row = np.flatnonzero(data["friction"] == friction)[0]
-        angle = np.radians(data["slope_degrees"][row])
-        gait = find_gait(Runner({"ground.friction": friction, "ground.slope": angle}))
-        for name in ("speed", "cost_of_transport"):
-            assert gait.stride[name] == pytest.approx(data[name][row], rel=1e-7)
-
-
-def test_gaits_of_each_actuation_are_what_is_kept():
-    data = columns.columns("thrust")
-    compared = 0
-    for friction in thrust.FRICTIONS:
-        for chosen in thrust.actuated(data).values():
-            rows = np.flatnonzero(chosen & (data["friction"] == friction) & (data["stable"] > 0.0))
-            for row in rows[len(rows) // 2 :][:1]:
-                torque, thrusts = (data[name][row] for name in ("hip_torque", "thrust"))
-                start = {"ground.friction": friction, thrust.TORQUE: torque, thrust.THRUST: thrusts}
-                start[thrust.ANGLE] = data["touchdown_angle"][row]
-                stride = find_gait(Runner(start)).stride
-                slip = stride["slip_distance"] / stride["length"]
-                assert slip == pytest.approx(data["slip_per_length"][row], rel=1e-7, abs=1e-12)
-                for name in ("speed", "cost_of_transport"):
-                    assert stride[name] == pytest.approx(data[name][row], rel=1e-7)
-                compared += 1
-    assert compared == 10
-
-
 def test_patches_cause_falls_downhill_on_grippy_ground():
     """Some points are measured again; the guide's numbers are those of all points."""
     data = columns.columns("slippery_patch")
     assert len(data["falls"]) == 5 * 11 * 14
-    first = {
-        friction: slippery_patch.shortest(data, friction, matched=False) for friction in (10.0, 1.2, 0.6)
-    }
+    first = {mu: slippery_patch.shortest(data, mu, matched=False) for mu in (10.0, 1.2, 0.6)}
     assert [round(first[friction][2]) for friction in (10.0, 1.2)] == [251, 1002]
     assert first[0.6][2] == np.inf and np.all(first[10.0] <= first[1.2])
-    its = slippery_patch.gaits(Runner({}))
-    for gait, matched in its:
+    for gait, matched in slippery_patch.gaits(Runner({})):
         rows = (data["matched"] == matched) & (data["friction"] == gait.friction)
         for row in np.flatnonzero(rows)[[3, 60, 100]]:
             friction, length = data["patch_friction"][row], data["length"][row]
@@ -86,15 +78,12 @@ def test_viable_shares_of_matched_runners_are_what_is_kept():
     """One runner anew."""
     data = columns.columns("viability")
     assert tuple(data["friction"]) == viability.FRICTIONS
-    assert (data["inner_share"] <= data["outer_share"]).all()
-    assert (data["inner_robustness"] <= data["outer_robustness"]).all()
+    for what in ("share", "robustness"):
+        assert (data[f"inner_{what}"] <= data[f"outer_{what}"]).all()
     (row,) = np.flatnonzero(data["friction"] == 1.2)
-    names = ("hip.stance_torque", "hip.touchdown_angle")
-    values = {"ground.friction": 1.2, **{name: data[name][row] for name in names}}
-    gait, reference = (
-        find_gait(of, model="reduced") for of in (values, {"ground.friction": viability.REFERENCE})
-    )
-    for name in ("speed", "apex_height"):
+    values = {FRICTION: 1.2, **{name: data[name][row] for name in viability.VARY}}
+    gait, reference = (find_gait(of, model="reduced") for of in (values, {FRICTION: viability.REFERENCE}))
+    for name in viability.HOLD:
         (value,), (wanted,) = (quantities_of(of, [name]).values() for of in (gait, reference))
         assert value == pytest.approx(wanted, rel=1e-6)
     found = find_viable(values, axes=viability.AXES, vary=viability.CHOSEN, n=viability.CELLS)
@@ -102,33 +91,19 @@ def test_viable_shares_of_matched_runners_are_what_is_kept():
     assert float(found["outer_robustness"].mean()) == pytest.approx(data["outer_robustness"][row], abs=1e-3)
 
 
-def test_optimal_runners_are_what_is_kept():
-    """They are gaits, the search finds no better ones from there, and the cheapest slips on purpose."""
+def test_the_search_finds_no_better_runners_than_those_kept_and_the_cheapest_slips_on_purpose():
     data = columns.columns("optimal")
     costs, slips = {}, {}
     for row in np.flatnonzero((data["friction"] > 0.58) & (data["friction"] < 0.6)):
-        values = {
-            "ground.friction": data["friction"][row],
-            optimal.ANGLE: data["touchdown_angle"][row],
-            optimal.TORQUE: data["stance_torque"][row],
-            optimal.THRUST: data["thrust"][row],
-        }
-        gait = find_gait(Runner(values))
+        gait = gait_of("optimal", data, row)
         objective = optimal.CHEAPEST if data["cheapest"][row] else optimal.MIN_SLIP
         (again,) = optimal.best(gait.runner, objective, [SimpleNamespace(gait=gait)])
         assert again.why == ""
         for name in ("speed", "cost_of_transport", "slip_distance"):
-            assert gait.stride[name] == pytest.approx(data[name][row], rel=1e-6)
             assert again.gait.stride[name] == pytest.approx(data[name][row], rel=1e-4)
-        costs[objective], slips[objective] = (
-            data[name][row] for name in ("cost_of_transport", "slip_distance")
-        )
+        costs[objective], slips[objective] = (data[of][row] for of in ("cost_of_transport", "slip_distance"))
     assert costs[optimal.CHEAPEST] < costs[optimal.MIN_SLIP]
     assert slips[optimal.CHEAPEST] > 1.5 * slips[optimal.MIN_SLIP]
-    cheapest = data["cheapest"] > 0.0
-    frictions, over = data["friction"][cheapest], data["cost_of_transport"][cheapest]
-    assert len(frictions) == len(optimal.FRICTIONS)
-    assert 0.2 < frictions[np.argmin(over)] < 0.45 and np.min(over) < 0.85 * over[np.argmax(frictions)]
 
 
 def _crosses_a_line(label, renderer):
@@ -152,9 +127,9 @@ def test_figures_are_drawn_of_what_is_kept_with_legends_inside_and_words_beside_
         save(figure, path, **how)
 
     monkeypatch.setattr(style, "save", look)
-    for name in some_of(["falling_friction", "feedback", "slippery_patch", "rough", "optimal", "thrust"], 3):
+    for name in some_of(["falling_friction", "feedback", "slippery_patch", "rough", "optimal", "thrust"], 2):
         assert command("figures", "--only", name, "--output", "made", "--format", "png")[0] == 0
-    assert len(found) >= 3 and all(found)
+    assert len(found) >= 2 and all(found)
     assert len(crossed) >= 10 and not any(crossed)
 
 
