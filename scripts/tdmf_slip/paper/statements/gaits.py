@@ -1,0 +1,470 @@
+"""Claims about gaits: over friction, on friction that falls, on slopes, by thrust, and of least cost."""
+
+import math
+from collections.abc import Callable, Mapping
+from functools import cache
+
+import numpy as np
+
+from ...analysis.sweeps import Row, sweep_row
+from ...analysis.targeted import find_gait
+from ...errors import GaitNotFoundError, RunError
+from ...library.fixed_point import gait_near
+from ...library.gait import Gait
+from ...library.runner import Runner
+from ...optimization.optimize import optimize
+from ...optimization.optimum import Optimum
+from ...variables.table import FRICTION
+from .claim import (
+    ALL_BUT_HUMAN,
+    ANGLE,
+    CLAMPED,
+    DEFAULT,
+    HEAVY,
+    HUMAN,
+    SLIPS,
+    STICKS,
+    TABLE_1,
+    THRUST,
+    TORQUE,
+    Check,
+    Estimate,
+    Measure,
+    Regime,
+    changed_to,
+    equal_to,
+    gait,
+    made_equal,
+    matched,
+    over_length,
+    remembered,
+    solved,
+    stride_quantity,
+)
+
+# Statements on speed, cost and stability at each friction
+
+FRICTIONS = np.geomspace(STICKS, 0.1, 200)
+REFINED = 41
+"""Frictions between the neighbours of the fastest gait."""
+NEAR_OPTIMUM, LOW = 0.5, 0.25
+"""Friction near which Table 1 runs fastest, and one at which every runner slips for most of its stance."""
+
+
+@cache
+def swept(regime: Regime, model: str = "full") -> Row:
+    """Gaits at all frictions, from the greatest on."""
+    return sweep_row(Runner(regime.values, model=model), FRICTION, FRICTIONS)
+
+
+@cache
+def fastest(regime: Regime) -> Gait:
+    """The fastest of all gaits."""
+    found = swept(regime).gaits
+    number = int(np.argmax([one.stride["speed"] for one in found]))
+    ends = found[max(number - 1, 0)].friction, found[min(number + 1, len(found) - 1)].friction
+    near = sweep_row(Runner(regime.values), FRICTION, np.geomspace(*ends, REFINED)).gaits
+    best: Gait = max(near, key=lambda one: one.stride["speed"])
+    return best
+
+
+def _over_sticking(quantity: str, of: Callable[[Regime], Gait]) -> Measure:
+    """Change of a quantity from the gait on friction 10 to another runner, in per cent."""
+
+    def change(regime: Regime) -> float:
+        return 100.0 * (of(regime).stride[quantity] / gait(regime, STICKS).stride[quantity] - 1.0)
+
+    return solved(change)
+
+
+def _as_it_comes(friction: float) -> Callable[[Regime], Gait]:
+    return lambda regime: gait(regime, friction)
+
+
+def _equal(friction: float) -> Callable[[Regime], Gait]:
+    """The runner on a friction with speed, apex height and leg angle of the one on friction 10."""
+    return lambda regime: matched(regime, STICKS, friction)
+
+
+def _drop(regime: Regime) -> float:
+    """How far the spectral radius falls below what it was at a greater friction."""
+    radii = np.array([one.lambda_max for one in swept(regime).gaits])
+    return round(float(np.max(np.maximum.accumulate(radii) - radii)), 6)
+
+
+def _at_40_degrees(friction: float) -> Measure:
+    """Spectral radius at weight 0.022 and the touchdown angle of Table 1, by either reading."""
+
+    def radius(regime: Regime) -> float:
+        if regime not in (DEFAULT, CLAMPED):
+            raise RunError("not computed")
+        return gait(regime, friction, gravity=HEAVY.values["gravity"]).lambda_max
+
+    return solved(radius)
+
+
+OVER_FRICTION_CHECKS = {
+    "fastest-friction": Check(
+        solved(lambda regime: fastest(regime).friction),
+        None,
+        lambda rows: (
+            all(0.445 < rows[name].number < 0.5 for name in ALL_BUT_HUMAN) and rows["human"].number > 0.85
+        ),
+    ),
+    "fastest-gain": Check(
+        _over_sticking("speed", fastest),
+        None,
+        lambda rows: (
+            all(10.0 < rows[name].number < 13.0 for name in ALL_BUT_HUMAN)
+            and 0.0 <= rows["human"].number < 0.1
+        ),
+    ),
+    "net-cost": Check(
+        _over_sticking("cost_of_transport", _as_it_comes(NEAR_OPTIMUM)),
+        _over_sticking("cost_of_transport", _equal(NEAR_OPTIMUM)),
+        lambda rows: (
+            all(rows[name].number < -15.0 and 0.0 < rows[name].ratio < 1.0 for name in ALL_BUT_HUMAN)
+            and rows["human"].number > 0.0 > rows["human"].ratio
+        ),
+    ),
+    "positive-cost": Check(
+        _over_sticking("positive_cost_of_transport", _as_it_comes(NEAR_OPTIMUM)),
+        _over_sticking("positive_cost_of_transport", _equal(NEAR_OPTIMUM)),
+        lambda rows: all(row.number < 0.0 < row.ratio for row in rows.values()),
+    ),
+    "net-cost-slippery": Check(
+        _over_sticking("cost_of_transport", _as_it_comes(LOW)),
+        _over_sticking("cost_of_transport", _equal(LOW)),
+        lambda rows: (
+            all(rows[name].number < 0.0 < rows[name].ratio < 30.0 for name in ALL_BUT_HUMAN)
+            and rows["human"].number > 0.0 > rows["human"].ratio
+        ),
+    ),
+    "positive-cost-slippery": Check(
+        _over_sticking("positive_cost_of_transport", _as_it_comes(LOW)),
+        _over_sticking("positive_cost_of_transport", _equal(LOW)),
+        lambda rows: (
+            rows["default"].number < 0.0 < rows["clamp"].number
+            and rows["default"].ratio < 0.0 < rows["clamp"].ratio
+            and rows["human"].number < 0.0 < rows["human"].ratio
+        ),
+    ),
+    "eigenvalues-rise": Check(
+        solved(_drop),
+        None,
+        lambda rows: (
+            all(rows[name].number < 0.001 for name in TABLE_1)
+            and all(rows[name].number > 0.01 for name in ("heavy", "human"))
+        ),
+    ),
+    "heavy-sticks": Check(
+        _at_40_degrees(STICKS), None, lambda rows: all(rows[name].number > 1.0 for name in TABLE_1)
+    ),
+    "heavy-slips": Check(
+        _at_40_degrees(0.3), None, lambda rows: rows["clamp"].number < 1.0 < rows["default"].number
+    ),
+}
+
+
+# Friction that falls with the speed of the foot, beside the static friction at any speed
+
+SLIDING, RATIO, VELOCITY = 0.3, 2.0, 0.1
+"""Sliding friction, static over sliding friction, and the velocity over which it falls, over l0 sqrt(k/m)."""
+
+
+@remembered
+def _falling(regime: Regime) -> Gait:
+    scale = gait(regime, SLIDING).runner.scales[1]
+    return gait(
+        regime,
+        SLIDING,
+        ground__static_friction_ratio=RATIO,
+        ground__stribeck_velocity=VELOCITY * float(scale),
+    )
+
+
+def _static(regime: Regime) -> Gait:
+    return gait(regime, RATIO * SLIDING)
+
+
+@remembered
+def _equal_to_falling(regime: Regime) -> Gait:
+    return equal_to(_falling(regime), _static(regime))
+
+
+FALLING_CHECKS = {
+    "falling-speed": Check(
+        stride_quantity(_falling, "speed"),
+        stride_quantity(_static, "speed"),
+        lambda rows: rows.above(*ALL_BUT_HUMAN) and rows.below("human"),
+    ),
+    "falling-cost": Check(
+        stride_quantity(_falling, "cost_of_transport"),
+        stride_quantity(_equal_to_falling, "cost_of_transport"),
+        lambda rows: rows.below(*rows),
+    ),
+    "falling-positive-cost": Check(
+        stride_quantity(_falling, "positive_cost_of_transport"),
+        stride_quantity(_equal_to_falling, "positive_cost_of_transport"),
+        lambda rows: rows.below(*rows),
+    ),
+}
+
+
+# Slopes: the speed uphill, the steepest slope with a gait, and the steepest on which it is stable
+
+SLOPE = "ground.slope"
+FIRST, SHORTEST = 0.005, 1e-5
+"""First step of the slope along a branch, and the step at which its fold counts as reached, rad."""
+AWAY = 0.1
+"""Distance from its prediction, over the scales, beyond which a gait belongs to another branch."""
+FLAT = 0.85
+"""Touchdown angle that lays the leg flatter than the paper's 40 degrees, rad."""
+UPHILL = math.radians(1.5)
+"""Slope on which the gaits of both frictions are stable in Table 1, rad."""
+
+
+def _level(regime: Regime, friction: float, reference: float | None, angle: float | None = None) -> Gait:
+    """The gait on level ground, or the runner made equal to the one on friction `reference`."""
+    if reference is not None:
+        return matched(regime, reference, friction)
+    return gait(regime, friction, hip__touchdown_angle=angle)
+
+
+@remembered
+def climb(regime: Regime, friction: float, reference: float | None, angle: float | None) -> tuple[Gait, ...]:
+    """Gaits up to the fold at which the branch from level ground turns back."""
+    found, step = [_level(regime, friction, reference, angle)], FIRST
+    while step > SHORTEST:
+        last = found[-1]
+        guess = last.apex
+        if len(found) > 1:
+            guess = guess + (last.apex - found[-2].apex) * step / (_slope(last) - _slope(found[-2]))
+        try:
+            next_one = gait_near(last.runner.replace({SLOPE: _slope(last) + step}), guess)
+        except RunError:
+            step *= 0.5
+            continue
+        if np.max(np.abs(next_one.apex - guess) / last.runner.scales) > AWAY:
+            step *= 0.5
+            continue
+        found.append(next_one)
+    return tuple(found)
+
+
+def _slope(one: Gait) -> float:
+    return one.runner[SLOPE]
+
+
+def steepest(friction: float, angle: float | None = None) -> Measure:
+    """Slope of the steepest gait, degrees."""
+    return solved(lambda regime: math.degrees(_slope(climb(regime, friction, None, angle)[-1])))
+
+
+def stable_to(friction: float, angle: float | None = None, reference: float | None = None) -> Measure:
+    """Slope of the last stable gait, degrees; the interval ends at the first unstable gait."""
+
+    def degrees(regime: Regime, seed: int) -> Estimate:
+        gaits = climb(regime, friction, reference, angle)
+        unstable = next((k for k, one in enumerate(gaits) if not one.stable), len(gaits))
+        if not unstable:
+            raise RunError("unstable")
+        last = math.degrees(_slope(gaits[unstable - 1]))
+        return Estimate(last, last, math.degrees(_slope(gaits[min(unstable, len(gaits) - 1)])))
+
+    return degrees
+
+
+def at_the_top(quantity: str, friction: float) -> Measure:
+    """A quantity of the steepest gait."""
+    return stride_quantity(lambda regime: climb(regime, friction, None, None)[-1], quantity)
+
+
+def slowed(friction: float, reference: float | None = None) -> Measure:
+    """Speed uphill over the speed on level ground."""
+
+    def over(regime: Regime) -> float:
+        one = _level(regime, friction, reference)
+        uphill = changed_to(one, SLOPE, UPHILL, 6)
+        return uphill.stride["speed"] / one.stride["speed"]
+
+    return solved(over)
+
+
+SLOPES_CHECKS = {
+    "slope-speed": Check(
+        slowed(SLIPS),
+        slowed(STICKS, SLIPS),
+        lambda rows: rows.below(*ALL_BUT_HUMAN) and rows["human"].number > 1.0,
+    ),
+    "slope-steepest": Check(steepest(SLIPS), steepest(STICKS), lambda rows: rows.above(*rows)),
+    "slope-top-speed": Check(
+        at_the_top("speed", SLIPS),
+        stride_quantity(lambda regime: gait(regime, SLIPS), "speed"),
+        lambda rows: rows["default"].ratio < 0.05 and rows["clamp"].ratio < 0.25,
+    ),
+    "slope-stable": Check(
+        stable_to(SLIPS), stable_to(STICKS), lambda rows: rows.above("default") and rows.below("clamp")
+    ),
+    "slope-stable-matched": Check(
+        stable_to(SLIPS), stable_to(STICKS, None, SLIPS), lambda rows: 1.0 < rows["default"].ratio < 1.4
+    ),
+    "slope-flat": Check(
+        stable_to(SLIPS, FLAT),
+        stable_to(STICKS, FLAT),
+        lambda rows: all(rows.above(name) and rows[name].number > 11.2 for name in ALL_BUT_HUMAN),
+    ),
+    "slope-flat-0.6": Check(
+        steepest(0.6, FLAT), steepest(SLIPS, FLAT), lambda rows: rows.below("default") and rows.above("clamp")
+    ),
+}
+
+
+# Thrust of the leg beside torque of the hip, at equal speed
+
+FASTER = 1.3
+"""Speed over the speed of the gait on friction 0.2 as it comes."""
+HELPED = 0.1
+"""Thrust, over the leg's length."""
+
+
+@remembered
+def by_torque(regime: Regime) -> Gait:
+    """The runner whose torque gives the speed."""
+    return _at_speed(regime, TORQUE, 0.0)
+
+
+@remembered
+def by_thrust(regime: Regime) -> Gait:
+    """The runner whose thrust, added to its torque, gives the speed."""
+    return _at_speed(regime, THRUST, HELPED)
+
+
+def _at_speed(regime: Regime, name: str, added: float) -> Gait:
+    one = gait(regime, SLIPS)
+    begin = one.runner[name] + added * one.runner["leg.free_length"]
+    values = {**regime.values, FRICTION: SLIPS, name: begin}
+    try:
+        return find_gait(values, target={"speed": FASTER * one.stride["speed"]}, vary=[name])
+    except RunError as error:
+        raise GaitNotFoundError(str(error)) from error
+
+
+@remembered
+def as_high(regime: Regime) -> Gait:
+    """The runner with thrust that has the speed and apex height of the runner driven by torque."""
+    reference = by_torque(regime)
+    helped = changed_to(reference, THRUST, HELPED * reference.runner["leg.free_length"], 2)
+    return made_equal(reference, helped, ("speed", "apex_height"), (TORQUE, ANGLE))
+
+
+def _by_way(of: Callable[[Regime], Gait]) -> Measure:
+    return solved(lambda regime: of(regime).stride["slip_distance"] / of(regime).stride["length"])
+
+
+THRUST_CHECKS = {
+    "thrust-slip": Check(_by_way(by_thrust), _by_way(by_torque), lambda rows: rows.below(*TABLE_1)),
+    "thrust-slip-stride": Check(
+        over_length(by_thrust, "slip_distance"),
+        over_length(by_torque, "slip_distance"),
+        lambda rows: rows.above(*TABLE_1),
+    ),
+    "thrust-height": Check(
+        over_length(by_thrust, "apex_height"),
+        over_length(by_torque, "apex_height"),
+        lambda rows: rows.above(*TABLE_1),
+    ),
+    "thrust-slip-matched": Check(
+        _by_way(as_high), _by_way(by_torque), lambda rows: rows.above(*TABLE_1, "heavy")
+    ),
+    "thrust-cost-matched": Check(
+        stride_quantity(as_high, "cost_of_transport"),
+        stride_quantity(by_torque, "cost_of_transport"),
+        lambda rows: rows.below(*TABLE_1, "heavy"),
+    ),
+    "thrust-positive-cost-matched": Check(
+        stride_quantity(as_high, "positive_cost_of_transport"),
+        stride_quantity(by_torque, "positive_cost_of_transport"),
+        lambda rows: rows.below(*TABLE_1, "heavy"),
+    ),
+}
+
+
+# The cheapest runners at one speed: by net work, and by positive work, which refunds no braking
+
+SLIPPERY, BETWEEN = 0.3, 0.85
+"""Frictions at which the runner of least net work slips for most of its stance, and for some of it."""
+NET, POSITIVE = "cost_of_transport", "positive_cost_of_transport"
+SPEED, RADIUS = 0.8, 0.95
+BOUNDS: Mapping[str, tuple[float, float]] = {ANGLE: (0.3, 1.1), TORQUE: (0.0, 0.6), THRUST: (0.0, 0.4)}
+HUMAN_SPEED, HUMAN_RADIUS = 2.5, 0.975
+HUMAN_BOUNDS: Mapping[str, tuple[float, float]] = {
+    ANGLE: (0.2, 0.8),
+    TORQUE: (0.0, 1000.0),
+    THRUST: (0.0, 0.02),
+}
+"""Speed in m/s, largest spectral radius, and what may vary, of the human preset."""
+
+
+@remembered
+def _best(regime: Regime, friction: float, quantity: str) -> Optimum:
+    """The runner with the least value of a quantity; the search begins at the regime's own runner."""
+    is_human = regime is HUMAN
+    return optimize(
+        {**regime.values, FRICTION: friction},
+        HUMAN_BOUNDS if is_human else BOUNDS,
+        minimize=quantity,
+        target={"speed": HUMAN_SPEED if is_human else SPEED},
+        stable=HUMAN_RADIUS if is_human else RADIUS,
+        starts=1,
+    )
+
+
+def _cost(friction: float, least: str, counted: str) -> Measure:
+    """The cost `counted` of the runner that has the least cost `least`."""
+    return solved(lambda regime: _best(regime, friction, least).gait.stride[counted])
+
+
+def _slip(regime: Regime) -> float:
+    stride = _best(regime, SLIPPERY, NET).gait.stride
+    return 100.0 * stride["slip_distance"] / stride["length"]
+
+
+OPTIMA_CHECKS = {
+    "optimal-net": Check(
+        _cost(SLIPPERY, NET, NET),
+        _cost(STICKS, NET, NET),
+        lambda rows: (
+            all(0.78 < rows[name].ratio < 0.84 for name in ALL_BUT_HUMAN) and 0.95 < rows["human"].ratio < 1.0
+        ),
+    ),
+    "optimal-slip": Check(
+        solved(_slip), None, lambda rows: all(0.5 < row.number < 2.5 for row in rows.values())
+    ),
+    "optimal-net-positive": Check(
+        _cost(SLIPPERY, NET, POSITIVE),
+        _cost(STICKS, POSITIVE, POSITIVE),
+        lambda rows: all(rows[name].ratio > 1.04 for name in TABLE_1),
+    ),
+    "optimal-positive": Check(
+        _cost(BETWEEN, POSITIVE, POSITIVE),
+        _cost(STICKS, POSITIVE, POSITIVE),
+        lambda rows: (
+            all(0.97 < rows[name].ratio < 0.985 for name in ALL_BUT_HUMAN)
+            and 0.99 < rows["human"].ratio < 1.0
+        ),
+    ),
+    "optimal-positive-slippery": Check(
+        _cost(SLIPPERY, POSITIVE, POSITIVE),
+        _cost(STICKS, POSITIVE, POSITIVE),
+        lambda rows: rows["default"].ratio < 1.0 < rows["clamp"].ratio,
+    ),
+}
+
+CHECKS = {
+    "over_friction": OVER_FRICTION_CHECKS,
+    "falling": FALLING_CHECKS,
+    "slopes": SLOPES_CHECKS,
+    "thrust": THRUST_CHECKS,
+    "optima": OPTIMA_CHECKS,
+}

@@ -1,0 +1,388 @@
+"""Claims about what a gait attracts, what is viable, the reduced map, and feedback from stride to stride."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...analysis.attraction import DISTURBED, FARTHEST, Robustness, robustness, volume
+from ...analysis.basin import basin
+from ...analysis.first_passage import strides_to_fall
+from ...analysis.search import periodic_gait
+from ...errors import RunError
+from ...feedback.gains import Feedback, dead_beat, lqr
+from ...library.engine import SETTLED
+from ...library.gait import Gait
+from ...library.ground import RoughGround
+from ...library.laws import AffineLaw
+from ...library.runner import Runner
+from ...library.section import COORDINATES
+from ...variables.table import FRICTION
+from ...viable_sets.viability import viability
+from .claim import (
+    ALL_BUT_HUMAN,
+    ANGLE,
+    HEAVY,
+    HUMAN,
+    SLIPS,
+    STICKS,
+    TABLE_1,
+    TORQUE,
+    Check,
+    Estimate,
+    Measure,
+    Regime,
+    equal_to,
+    gait,
+    made_equal,
+    remembered,
+    solved,
+    stable_gait,
+)
+from .gaits import swept
+from .rough_ground import LOW, RATE, faster, foot, runner_on
+
+if TYPE_CHECKING:
+    import xarray
+
+
+# Regions of attraction, and the largest disturbances that are recovered from, sticking and slipping
+
+SAMPLES = 4000
+"""Starts for each share, drawn from a box in all six coordinates."""
+LIGHT = 0.005
+"""Gravity of a runner of half the weight of Table 1."""
+Design = Callable[[Regime, float], AffineLaw]
+"""Designs a law for the gait of a regime at a friction."""
+
+
+def _share_of(one: Gait, seed: int, law: AffineLaw | None = None) -> Estimate:
+    """Share of the box of `analysis.attraction` that settles on a gait."""
+    found = volume(one, SAMPLES, seed=seed, law=law)
+    return Estimate(found.share, *found.interval)
+
+
+@remembered
+def _share(
+    regime: Regime, friction: float, reference: float | None, design: Design | None, seed: int
+) -> Estimate:
+    return _share_of(runner_on(regime, friction, reference), seed, design and design(regime, friction))
+
+
+def share(friction: float, reference: float | None = None, design: Design | None = None) -> Measure:
+    """Share of the box that settles on the gait. Other runners and laws have other starts than the gait."""
+    other = reference is not None or design is not None
+    return lambda regime, seed: _share(regime, friction, reference, design, 2 * seed + other)
+
+
+def _light_gait(regime: Regime, friction: float) -> Gait:
+    if regime in (HEAVY, HUMAN):
+        raise RunError("not computed")
+    return gait(regime, friction, gravity=LIGHT)
+
+
+def _light_share(regime: Regime, seed: int) -> Estimate:
+    return _share_of(_light_gait(regime, STICKS), 2 * seed)
+
+
+def _light_control(regime: Regime, seed: int) -> Estimate:
+    return _share_of(equal_to(_light_gait(regime, STICKS), _light_gait(regime, SLIPS)), 2 * seed + 1)
+
+
+@remembered
+def _robustness(
+    regime: Regime, friction: float, reference: float | None, design: Design | None
+) -> Robustness:
+    law = design and design(regime, friction)
+    return robustness(runner_on(regime, friction, reference), law=law)
+
+
+def largest(
+    disturbance: str, friction: float, reference: float | None = None, design: Design | None = None
+) -> Measure:
+    """The largest disturbance that is recovered from, over the scale of its coordinate."""
+
+    def measure(regime: Regime, seed: int) -> Estimate:
+        found = getattr(_robustness(regime, friction, reference, design), disturbance)
+        scale = gait(regime, friction).runner.scales[COORDINATES.index(DISTURBED[disturbance])]
+        value = float(found / scale)
+        return Estimate(value, min(value, FARTHEST), value)
+
+    return measure
+
+
+ATTRACTION_CHECKS = {
+    "attraction": Check(
+        share(STICKS),
+        share(SLIPS, STICKS),
+        lambda rows: rows.below(*TABLE_1) and rows[HEAVY.name].ratio < 0.5 and not rows.below(HUMAN.name),
+    ),
+    "attraction-light": Check(
+        _light_share, _light_control, lambda rows: all(0.9 < rows[name].ratio < 1.0 for name in TABLE_1)
+    ),
+    "push-forward": Check(
+        largest("push_forward", STICKS),
+        largest("push_forward", SLIPS, STICKS),
+        lambda rows: rows.below(*TABLE_1),
+    ),
+    "step-up": Check(
+        largest("step_up", STICKS), largest("step_up", SLIPS, STICKS), lambda rows: rows.below(*TABLE_1)
+    ),
+    "step-down": Check(
+        largest("step_down", STICKS), largest("step_down", SLIPS, STICKS), lambda rows: rows.below(*TABLE_1)
+    ),
+}
+
+
+# Viable sets, slipping and sticking: apexes from which some touchdown angle at each apex prevents a fall
+
+VIABLE_CELLS = 96
+Range = tuple[float, float]
+VIABLE_PLANE: Mapping[str, Range] = {"com_height": (0.3, 4.0), "com_speed": (0.0, 4.0)}
+VIABLE_PLANES: Mapping[str, Mapping[str, Range]] = {
+    "human": {"com_height": (0.6, 1.4), "com_speed": (0.0, 6.0)}
+}
+"""Ranges of height in m and speed in m/s, and by regime where they differ from these."""
+CHOSEN = {ANGLE: (0.1, 1.3, 24)}
+
+
+@remembered
+def _viable(regime: Regime, friction: float, reference: float | None = None) -> "xarray.Dataset":
+    """Viable set of the reduced map, which has no swing and is the same in both readings."""
+    runner = Runner({**regime.values, FRICTION: friction}, model="reduced")
+    if reference is not None:
+        gaits = periodic_gait(runner.replace({FRICTION: reference})), periodic_gait(runner)
+        runner = made_equal(*gaits, ("speed", "apex_height"), (TORQUE, ANGLE)).runner
+    return viability(runner, axes=VIABLE_PLANES.get(regime.name, VIABLE_PLANE), vary=CHOSEN, n=VIABLE_CELLS)
+
+
+def _enclosed(
+    inner: Callable[["xarray.Dataset"], float], outer: Callable[["xarray.Dataset"], float]
+) -> Callable[..., Measure]:
+    def of(friction: float, reference: float | None = None) -> Measure:
+        def measure(regime: Regime, seed: int) -> Estimate:
+            found = _viable(regime, friction, reference)
+            low, high = inner(found), outer(found)
+            return Estimate(0.5 * (low + high), low, high)
+
+        return measure
+
+    return of
+
+
+_viable_share = _enclosed(lambda found: found.inner_share, lambda found: found.outer_share)
+_viable_actions = _enclosed(
+    lambda found: float(found["inner_robustness"].mean()),
+    lambda found: float(found["outer_robustness"].mean()),
+)
+
+VIABLE_CHECKS = {
+    "viable": Check(
+        _viable_share(SLIPS), _viable_share(STICKS, SLIPS), lambda rows: rows.above(*ALL_BUT_HUMAN)
+    ),
+    "viable-angles": Check(
+        _viable_actions(SLIPS), _viable_actions(STICKS, SLIPS), lambda rows: rows.below(*TABLE_1)
+    ),
+    "viable-angles-between": Check(
+        _viable_actions(1.2, SLIPS), _viable_actions(SLIPS), lambda rows: rows.above(*TABLE_1)
+    ),
+}
+
+
+# Statements on the reduced map beside the full model, at each friction
+
+STARTS = 64
+STARTS_PLANE = {"com_height": (0.6, 4.0), "com_speed": (-1.0, 2.5)}
+STARTS_PLANES = {"human": {"com_height": (0.85, 1.3), "com_speed": (0.5, 5.0)}}
+"""Ranges of height in m and speed in m/s of the starts, and by regime where they differ from these."""
+
+
+@cache
+def _pairs(regime: Regime) -> tuple[tuple[Gait, Gait], ...]:
+    """Gaits of both models at the frictions at which both have one."""
+    full, small = (swept(regime, model).by_value for model in ("full", "reduced"))
+    pairs = tuple((one, other) for one, other in zip(full, small, strict=True) if one and other)
+    if not pairs:
+        raise RunError("no common gait")
+    return pairs
+
+
+def _same_words(regime: Regime) -> float:
+    """Share of the frictions with gaits of both models at which the words are the same."""
+    pairs = _pairs(regime)
+    return sum(full.word == small.word for full, small in pairs) / len(pairs)
+
+
+def _farthest(distance: Callable[[Gait, Gait], float]) -> Measure:
+    """Largest difference between the two models at any friction."""
+    return solved(lambda regime: max(distance(*pair) for pair in _pairs(regime)))
+
+
+def _percent_of(quantity: str) -> Measure:
+    return _farthest(lambda full, small: 100.0 * abs(small.stride[quantity] / full.stride[quantity] - 1.0))
+
+
+def _eigenvalue(number: int) -> Measure:
+    return _farthest(lambda full, small: abs(small.eigenvalues[number] - full.eigenvalues[number]))
+
+
+@cache
+def _settles(regime: Regime, model: str) -> NDArray[np.bool_]:
+    """Whether each start settles on the gait, over a plane of height and speed."""
+    found = basin(
+        {**regime.values, FRICTION: 0.6}, STARTS_PLANES.get(regime.name, STARTS_PLANE), STARTS, model=model
+    )
+    settled: NDArray[np.bool_] = found["fate"].values == SETTLED
+    return settled
+
+
+def _only(model: str, other: str) -> Measure:
+    """Share of the starts that settle by one model but not by the other."""
+    return solved(lambda regime: float(np.mean(_settles(regime, model) & ~_settles(regime, other))))
+
+
+def _retracted(model: str) -> Measure:
+    """Growth of the size of the second eigenvalue, which belongs to height, with the rate of retraction."""
+
+    def growth(regime: Regime) -> float:
+        runner = Runner({**regime.values, FRICTION: STICKS}, model=model)
+        retracting = runner.replace({RATE: faster(runner)})
+        sizes = [abs(periodic_gait(one).eigenvalues[1]) for one in (runner, retracting)]
+        return float(sizes[1] - sizes[0])
+
+    return solved(growth)
+
+
+REDUCED_CHECKS = {
+    "reduced-words": Check(
+        solved(_same_words), None, lambda rows: all(rows[name].number > 0.99 for name in TABLE_1)
+    ),
+    "reduced-speed": Check(
+        _percent_of("speed"),
+        None,
+        lambda rows: all(rows[name].number < 0.1 for name in TABLE_1) and rows["heavy"].number < 3.0,
+    ),
+    "reduced-period": Check(
+        _percent_of("period"), None, lambda rows: all(rows[name].number < 1.1 for name in TABLE_1)
+    ),
+    "reduced-largest": Check(
+        _eigenvalue(0), None, lambda rows: all(rows[name].number < 2e-3 for name in TABLE_1)
+    ),
+    "reduced-second": Check(
+        _eigenvalue(1), None, lambda rows: rows["clamp"].number < 0.07 < rows["default"].number < 0.13
+    ),
+    "reduced-retraction": Check(
+        _retracted("full"),
+        _retracted("reduced"),
+        lambda rows: rows["default"].ratio < 0.0 < rows["clamp"].ratio,
+    ),
+    "reduced-falls": Check(
+        _only("full", "reduced"),
+        _only("reduced", "full"),
+        lambda rows: (
+            all(rows[name].ratio > 1.0 for name in TABLE_1)
+            and all(rows[name].ratio < 1.0 for name in ("heavy", "human"))
+        ),
+    ),
+}
+
+
+# Feedback from stride to stride, beside a runner that carries its foot higher without any
+
+SETTINGS = (ANGLE, TORQUE)
+MODERATE, SLIPPERY = 0.6, 0.1
+NEGLIGIBLE = 0.05
+"""Size of an eigenvalue that a dead-beat law leaves as it is."""
+ANGLE_REACH, TORQUE_REACH = 0.1, 0.5
+"""Largest change of a setting: rad, and as a share of the gait's own torque."""
+NOISE = 0.01
+"""Standard deviation of the sensors' noise, over the scales of the section; smaller where steps are."""
+RUNNERS, MAX_STRIDES = 256, 400
+
+
+@cache
+def regulator(regime: Regime, friction: float) -> Feedback:
+    """A quadratic regulator of touchdown angle and stance torque, within limits."""
+    one = stable_gait(regime, friction)
+    return lqr(one, SETTINGS, limits=_limits(one))
+
+
+@cache
+def dead_beat_law(regime: Regime, friction: float) -> Feedback:
+    """A law of the same settings and limits that removes a small disturbance in two strides."""
+    one = stable_gait(regime, friction)
+    return dead_beat(one, SETTINGS, limits=_limits(one), negligible=NEGLIGIBLE)
+
+
+def _limits(one: Gait) -> dict[str, tuple[float, float]]:
+    angle, torque = (one.runner[name] for name in SETTINGS)
+    reach = TORQUE_REACH * torque
+    return {ANGLE: (angle - ANGLE_REACH, angle + ANGLE_REACH), TORQUE: (torque - reach, torque + reach)}
+
+
+@cache
+def _passage(
+    regime: Regime, friction: float, design: Design | None, reference: float | None, seed: int
+) -> Estimate:
+    one = runner_on(regime, friction, reference)
+    law = None
+    if design is not None:
+        noise = (NOISE * regime.step * one.runner.scales).tolist()
+        law = replace(design(regime, friction), noise=noise, seed=seed)
+    ground = RoughGround(LOW * regime.step, 3 * seed + (design is not None) + 2 * (reference is not None))
+    found = strides_to_fall(one.runner, ground, RUNNERS, max_strides=MAX_STRIDES, gait=one, law=law)
+    return Estimate.of_strides(found)
+
+
+def _strides(friction: float, design: Design | None = None, reference: float | None = None) -> Measure:
+    """Mean number of strides until the fall on steps."""
+    return lambda regime, seed: _passage(regime, friction, design, reference, seed)
+
+
+FEEDBACK_CHECKS = {
+    "feedback-strides": Check(
+        _strides(MODERATE, regulator),
+        _strides(MODERATE),
+        lambda rows: (
+            rows["clamp"].ratio > 10.0 and not any(rows.above(name) for name in ("default", "human"))
+        ),
+    ),
+    "feedback-without": Check(
+        largest("step_up", MODERATE),
+        foot("foot_clearance", MODERATE),
+        lambda rows: rows["default"].ratio > 0.95 and rows["clamp"].ratio < 0.8,
+    ),
+    "feedback-with": Check(
+        largest("step_up", MODERATE, design=regulator),
+        foot("foot_clearance", MODERATE),
+        lambda rows: all(0.95 < rows[name].ratio < 1.01 for name in TABLE_1),
+    ),
+    "feedback-matched": Check(
+        _strides(MODERATE, reference=SLIPS), _strides(MODERATE), lambda rows: rows.above(*rows)
+    ),
+    "feedback-dead-beat": Check(
+        _strides(SLIPPERY, dead_beat_law),
+        _strides(SLIPPERY),
+        lambda rows: rows.above("default") and not rows.above("clamp"),
+    ),
+    "feedback-step-down": Check(
+        largest("step_down", STICKS, design=regulator),
+        largest("step_down", STICKS),
+        lambda rows: rows.above(*TABLE_1) and rows.below("heavy"),
+    ),
+    "feedback-attraction": Check(
+        share(STICKS, design=regulator),
+        share(STICKS),
+        lambda rows: rows.above(*TABLE_1) and rows.below("heavy"),
+    ),
+}
+
+CHECKS = {
+    "attraction": ATTRACTION_CHECKS,
+    "viable": VIABLE_CHECKS,
+    "reduced": REDUCED_CHECKS,
+    "feedback": FEEDBACK_CHECKS,
+}

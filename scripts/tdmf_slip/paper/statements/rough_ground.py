@@ -1,0 +1,306 @@
+"""Claims about rough ground and slippery patches, and about retraction of the leg there."""
+
+import math
+from collections.abc import Callable
+from functools import cache
+
+from scipy.stats import binomtest
+
+from ...analysis.first_passage import FirstPassage, strides_to_fall
+from ...analysis.rare_falls import rare_falls
+from ...analysis.targeted import find_gait
+from ...errors import RunError
+from ...library.gait import Gait
+from ...library.ground import RoughGround, correlated_weights
+from ...library.runner import Runner
+from .claim import (
+    ALL_BUT_HUMAN,
+    ANGLE,
+    SLIPS,
+    STICKS,
+    TABLE_1,
+    TORQUE,
+    Check,
+    Estimate,
+    Measure,
+    Regime,
+    changed_to,
+    equal_to,
+    gait,
+    matched,
+    over_length,
+    remembered,
+    solved,
+    stable_gait,
+)
+
+# Rough ground: strides until the fall, and how they depend on the height of the foot
+
+RUNNERS, MAX_STRIDES = 256, 300
+"""200 falls give a mean to 15 %, with a confidence of 95 %; a runner still up at the end is censored."""
+LOW = 0.3
+"""Standard deviation of the ground's steps, or of the segments' heights, l0 in Table 1."""
+LOWER, WALKERS = 0.2, 16
+"""Steps on which falls are too rare to be counted, and walkers at each level of the splitting."""
+CORRELATION = 0.7
+"""Correlation of each step with the step before: such ground goes on rising or falling."""
+SEGMENT = 5.0
+"""Length of a level segment, l0."""
+
+
+def runner_on(regime: Regime, friction: float, reference: float | None) -> Gait:
+    """The runner on a friction, as it comes or made equal to the runner on friction `reference`."""
+    return stable_gait(regime, friction) if reference is None else matched(regime, reference, friction)
+
+
+@cache
+def falls(regime: Regime, friction: float, reference: float | None, ground: RoughGround) -> FirstPassage:
+    """Run all runners until they fall or have made `MAX_STRIDES` strides."""
+    one = runner_on(regime, friction, reference)
+    return strides_to_fall(one.runner, ground, RUNNERS, max_strides=MAX_STRIDES, gait=one)
+
+
+def strides(
+    friction: float,
+    roughness: float,
+    reference: float | None = None,
+    *,
+    correlation: float = 0.0,
+    segment: float = 0.0,
+    trips: bool = False,
+) -> Measure:
+    """Mean number of strides until the fall of the runner of `runner_on`."""
+
+    def measure(regime: Regime, seed: int) -> Estimate:
+        ground = RoughGround(
+            roughness * regime.step,
+            2 * seed + (reference is not None),  # value and control have independent ground
+            correlated_weights(correlation),
+            segment_length=segment,
+            trips=trips,
+        )
+        return Estimate.of_strides(falls(regime, friction, reference, ground))
+
+    return measure
+
+
+def rarely(regime: Regime, seed: int) -> Estimate:
+    """Mean number of strides until the fall of the slipping runner on low steps, by multilevel splitting."""
+    one = stable_gait(regime, SLIPS)
+    found = rare_falls(one.runner, LOWER * regime.step, walkers=WALKERS, seed=seed, gait=one)
+    return Estimate.of_strides(found)
+
+
+def foot(quantity: str, friction: float, reference: float | None = None) -> Measure:
+    """A height of the foot above the ground, over the leg's length."""
+    return over_length(lambda regime: runner_on(regime, friction, reference), quantity)
+
+
+ROUGH_CHECKS = {
+    "steps-as-they-come": Check(strides(SLIPS, LOW), strides(STICKS, LOW), lambda rows: rows.above(*rows)),
+    "clearance": Check(
+        foot("foot_clearance", SLIPS), foot("foot_clearance", STICKS), lambda rows: rows.above(*rows)
+    ),
+    "steps-matched": Check(
+        strides(SLIPS, LOW),
+        strides(STICKS, LOW, SLIPS),
+        lambda rows: (
+            rows.above("default")
+            and rows["default"].ratio > 5.0
+            and rows.above("heavy")
+            and not rows.above("clamp")
+        ),
+    ),
+    "steps-matched-0.6": Check(
+        strides(0.6, LOW), strides(STICKS, LOW, 0.6), lambda rows: rows.above("default", "heavy")
+    ),
+    "steps-matched-to-sticking": Check(
+        strides(SLIPS, LOW, STICKS),
+        strides(STICKS, LOW),
+        lambda rows: rows.above("default", "heavy") and not rows.above("clamp"),
+    ),
+    "steps-foot-height": Check(
+        foot("greatest_foot_height", SLIPS),
+        foot("greatest_foot_height", STICKS, SLIPS),
+        lambda rows: rows.below("default", "heavy"),
+    ),
+    "steps-that-trip": Check(
+        strides(SLIPS, LOW, trips=True),
+        strides(STICKS, LOW, SLIPS, trips=True),
+        lambda rows: rows["default"].ratio < 2.0 and rows["heavy"].ratio < 2.0,
+    ),
+    "steps-rare": Check(
+        rarely,
+        strides(STICKS, LOWER, SLIPS),
+        lambda rows: rows.above("default") and rows["default"].ratio > 10.0,
+    ),
+    "steps-correlated": Check(
+        strides(SLIPS, LOW, correlation=CORRELATION),
+        strides(STICKS, LOW, SLIPS, correlation=CORRELATION),
+        lambda rows: rows.above("default", "heavy") and not rows.above("clamp"),
+    ),
+    "segments": Check(
+        strides(SLIPS, LOW, segment=SEGMENT),
+        strides(STICKS, LOW, SLIPS, segment=SEGMENT),
+        lambda rows: rows.above("default", "heavy"),
+    ),
+}
+
+
+# A slippery patch, on level ground and downhill: the share of runners that fall
+
+SLOPE = -4.0
+"""Degrees."""
+ON_PATCH, LENGTH, BEGIN = 0.02, 300.0, 100.0
+"""Friction of the patch, its length and where it begins, l0."""
+GRIPPY_GROUND, SLIPPERY_GROUND = STICKS, 0.6
+"""Frictions of the ground around it."""
+PATCH_RUNNERS, STRIDES_AFTER = 256, 60
+"""Runners, each at a random phase of its stride, and the strides that they make beyond the patch."""
+
+
+def on_slope(regime: Regime, friction: float, degrees: float) -> Gait:
+    """The gait of the ground around the patch."""
+    return gait(regime, friction, ground__slope=math.radians(degrees))
+
+
+def as_fast(regime: Regime) -> Gait:
+    """The runner downhill on grippy ground with speed and apex height of the one on slippery ground."""
+    one, reference = (on_slope(regime, friction, SLOPE) for friction in (GRIPPY_GROUND, SLIPPERY_GROUND))
+    target = {name: float(reference.stride[name]) for name in ("speed", "apex_height")}
+    try:
+        return find_gait(one.runner, target=target, vary=(TORQUE, ANGLE), guess=one.apex)
+    except RunError as error:
+        raise RunError("no matched runner") from error
+
+
+def share_that_falls(of: Callable[[Regime], Gait]) -> Measure:
+    """Share of runners that fall on the patch or within so many strides beyond it."""
+
+    @cache
+    def measure(regime: Regime, seed: int) -> Estimate:
+        one = of(regime)
+        length = one.runner["leg.free_length"]
+        begin, end = BEGIN * length, (BEGIN + LENGTH) * length
+        runner = one.runner.replace(patch_begin=begin, patch_end=end, patch_friction=ON_PATCH)
+        strides = int(LENGTH * length / one.stride["length"]) + STRIDES_AFTER
+        found = strides_to_fall(runner, 0.0, PATCH_RUNNERS, seed, strides, gait=one, foot_x="random")
+        interval = binomtest(found.falls, PATCH_RUNNERS).proportion_ci()
+        return Estimate(found.falls / PATCH_RUNNERS, interval.low, interval.high)
+
+    return measure
+
+
+grippy_downhill = share_that_falls(lambda regime: on_slope(regime, GRIPPY_GROUND, SLOPE))
+slippery_downhill = share_that_falls(lambda regime: on_slope(regime, SLIPPERY_GROUND, SLOPE))
+
+PATCHES_CHECKS = {
+    "patch-level": Check(
+        share_that_falls(lambda regime: on_slope(regime, GRIPPY_GROUND, 0.0)),
+        grippy_downhill,
+        lambda rows: rows.below(*TABLE_1) and all(rows[name].number == 1.0 for name in ("heavy", "human")),
+    ),
+    "patch-downhill": Check(grippy_downhill, slippery_downhill, lambda rows: rows.above(*TABLE_1)),
+    "patch-matched": Check(share_that_falls(as_fast), slippery_downhill, lambda rows: rows.above(*TABLE_1)),
+}
+
+
+# Retraction of the leg before touchdown: eigenvalue of height, and strides on rough ground
+
+RATE = "hip.retraction_rate"
+RETRACTS, STEPS = 0.008, 4
+"""Rate of retraction over sqrt(k/m), and the number of steps along the branch to this rate."""
+RETRACTING_RUNNERS, RETRACTING_STRIDES = 400, 400
+FLAT = "45 deg"
+"""Touchdown angle that lays the leg flatter than the 40 degrees of Table 1."""
+
+
+def plain(regime: Regime, friction: float, angle: str | None) -> Gait:
+    """The gait with the regime's own rate of retraction."""
+    return gait(regime, friction, hip__touchdown_angle=angle)
+
+
+def faster(runner: Runner) -> float:
+    """The runner's own rate of retraction with `RETRACTS` added."""
+    values = runner
+    return values[RATE] + RETRACTS * math.sqrt(values["leg.stiffness"] / values["body.mass"])
+
+
+@remembered
+def retracting(regime: Regime, friction: float, angle: str | None = None) -> Gait:
+    """The gait with `RETRACTS` added to the regime's own rate of retraction."""
+    one = plain(regime, friction, angle)
+    return changed_to(one, RATE, faster(one.runner), STEPS)
+
+
+@remembered
+def equal(regime: Regime, friction: float, angle: str | None = None) -> Gait:
+    """The retracting gait with speed, apex height and leg angle of the plain gait."""
+    return equal_to(plain(regime, friction, angle), retracting(regime, friction, angle))
+
+
+Which = Callable[[Regime, float, str | None], Gait]
+
+
+def height(which: Which, friction: float, angle: str | None = None) -> Measure:
+    """Real part of the eigenvalue that belongs to height: the lesser of the two of largest size."""
+    return solved(lambda regime: float(min(which(regime, friction, angle).eigenvalues[:2].real)))
+
+
+def slip(which: Which) -> Measure:
+    """Slip distance in a stride, over the leg's length."""
+    return over_length(lambda regime: which(regime, SLIPS, None), "slip_distance")
+
+
+def strides_of(which: Which) -> Measure:
+    """Mean number of strides until the fall on steps."""
+
+    @cache
+    def measure(regime: Regime, seed: int) -> Estimate:
+        one = which(regime, SLIPS, None)
+        ground = RoughGround(LOW * regime.step, 2 * seed + (which is not plain))
+        found = strides_to_fall(
+            one.runner, ground, RETRACTING_RUNNERS, max_strides=RETRACTING_STRIDES, gait=one
+        )
+        return Estimate.of_strides(found)
+
+    return measure
+
+
+RETRACTION_CHECKS = {
+    "retraction-height": Check(
+        height(retracting, STICKS),
+        height(plain, STICKS),
+        lambda rows: rows.above("default") and rows.below("clamp"),
+    ),
+    "retraction-height-slips": Check(
+        height(retracting, SLIPS), height(plain, SLIPS), lambda rows: rows.below("default", "clamp")
+    ),
+    "retraction-height-flat": Check(
+        height(retracting, STICKS, FLAT),
+        height(plain, STICKS, FLAT),
+        lambda rows: rows.below("default", "clamp"),
+    ),
+    "retraction-height-matched": Check(
+        height(equal, STICKS), height(plain, STICKS), lambda rows: rows.below("default", "clamp")
+    ),
+    "retraction-height-matched-0.6": Check(
+        height(equal, 0.6), height(plain, 0.6), lambda rows: rows.below("default", "clamp")
+    ),
+    "retraction-height-matched-0.2": Check(
+        height(equal, SLIPS), height(plain, SLIPS), lambda rows: rows.below("default", "clamp")
+    ),
+    "retraction-steps": Check(
+        strides_of(retracting), strides_of(plain), lambda rows: rows.below("default", "clamp")
+    ),
+    "retraction-steps-matched": Check(
+        strides_of(equal),
+        strides_of(plain),
+        lambda rows: rows.below("default", "clamp") and not rows.below("heavy"),
+    ),
+    "retraction-slip-matched": Check(
+        slip(equal), slip(plain), lambda rows: all(rows[name].ratio < 1.0 for name in ALL_BUT_HUMAN)
+    ),
+}
+
+CHECKS = {"rough": ROUGH_CHECKS, "patches": PATCHES_CHECKS, "retraction": RETRACTION_CHECKS}
