@@ -7,6 +7,9 @@
 /* A step of the height, m, by the number of the stride that it begins. */
 double tdmf_drawn_step(const tdmf_ensemble_rules *rules, uint64_t runner, uint32_t number);
 
+/* The height of a segment of terrain that is drawn, m, over the inputs' height. */
+double tdmf_segment_height(const tdmf_ensemble_rules *rules, uint64_t runner, int64_t segment);
+
 /* A friction about another, within its range. */
 double tdmf_drawn_friction(const tdmf_ensemble_rules *rules, double about, uint64_t runner, uint32_t number);
 

@@ -22,14 +22,6 @@ bool tdmf_has_instructions(tdmf_instructions instructions) {
     return number >= 0 && number < TDMF_INSTRUCTIONS_COUNT && tdmf_batch_has_width(&model, widths[number]);
 }
 
-tdmf_instructions tdmf_best_instructions(void) {
-    int best = TDMF_INSTRUCTIONS_COUNT - 1;
-    while (!tdmf_has_instructions((tdmf_instructions)best)) {
-        --best;
-    }
-    return (tdmf_instructions)best;
-}
-
 const char *tdmf_instructions_name(tdmf_instructions instructions) {
     static const char *const names[TDMF_INSTRUCTIONS_COUNT] = {"best", "one by one", "two lanes", "avx2",
                                                                "avx512"};

@@ -2,6 +2,7 @@
 #include "member.h"
 
 #include "drawn_ground.h"
+#include "mapped_stride.h"
 #include "page_fields.h"
 #include "page_run.h"
 #include "settings.h"

@@ -23,6 +23,11 @@ typedef struct {
     tdmf_page_solver solver;
 } tdmf_mapped_stride;
 
+/* The state at an apex as of tdmf_section_state, with the foot at x = foot_x, as high above the ground there.
+ */
+void tdmf_section_state_at(tdmf_system system, double foot_x, const double section[TDMF_SECTION_COUNT],
+                           double state[TDMF_STATE_COUNT]);
+
 /* Begins a stride, whose run goes on to the event `apex`. False if there is none: `result` says why. */
 bool tdmf_begin_mapped_stride(tdmf_mapped_stride *s, tdmf_solver *solver, const tdmf_stride_request *request,
                               tdmf_return *result);

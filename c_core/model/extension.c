@@ -11,10 +11,6 @@ tdmf_leg_sample tdmf_leg_sample_of(double time, const double state[TDMF_STATE_CO
     return sample;
 }
 
-bool tdmf_rest_length_is_accounted_for(tdmf_system system, const tdmf_mode *mode) {
-    return mode->rest_length == tdmf_rest_length(system.model, system.inputs, mode);
-}
-
 double tdmf_account_for_extension(tdmf_system system, const tdmf_leg_sample *before,
                                   const tdmf_leg_sample *after, tdmf_mode *mode) {
     const double from = mode->rest_length;

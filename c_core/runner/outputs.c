@@ -207,39 +207,6 @@ void tdmf_state_scales(const tdmf_model *model, double scales[TDMF_STATE_COUNT])
     }
 }
 
-/* Above the layer in which friction falls, a step may reach into it by a little. */
-static double longest_step_to_layer(const tdmf_motion_instant *instant) {
-    const tdmf_mode_kind *mode = instant->at.mode;
-    double longest = INFINITY;
-    for (int i = 0; i < mode->guard_count; ++i) {
-        double value, rate;
-        if (mode->guards[i].event == EVENT_enters_layer) {
-            tdmf_page_guard(&instant->at, i, &value, &rate);
-            longest = fmax(value, most_time_scales) / fabs(rate);
-        }
-    }
-    return longest;
-}
-
-double tdmf_longest_step(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
-    tdmf_motion_instant instant;
-    if (!friction_falls(system.model) || mode->fallen || tdmf_sign_of_slip(mode) == 0.0) {
-        return INFINITY;
-    }
-    tdmf_begin_instant(&instant, system, mode, state);
-    const double longest = instant.point.mode == MODE_slip_constant
-                               ? longest_step_to_layer(&instant)
-                               : tdmf_longest_step_of_law(instant.at.mode, instant.at.p, instant.at.x);
-    return fmin(system.model->scales.time, longest);
-}
-
-double tdmf_ground_force_rate(tdmf_system system, const tdmf_mode *mode,
-                              const double state[TDMF_STATE_COUNT]) {
-    tdmf_motion_instant instant;
-    tdmf_begin_instant(&instant, system, mode, state);
-    return tdmf_normal_force_at(&instant).rate;
-}
-
 /* ---- variations ---------------------------------------------------------------------------------------- */
 
 tdmf_output_variation tdmf_vary_outputs(tdmf_system system, const tdmf_mode *mode,

@@ -95,22 +95,3 @@ static void integrals_follow_their_definitions(const runner *runner) {
 TEST(work_and_losses_are_integrals_of_power) {
     check_in_every_mode(integrals_follow_their_definitions);
 }
-
-/* ---- rate of the vertical ground force -------------------------------------------------------------- */
-
-static double vertical_force(const runner *runner) {
-    return tdmf_contact_force(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).normal;
-}
-
-static void rate_agrees(const runner *runner) {
-    const double rate = tdmf_ground_force_rate(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
-    const double turning = fabs(runner->motion.state[TDMF_LEG_ANGLE_RATE]);
-    const double per_time = 1.0 / runner->model.scales.time + turning;
-    assert_close(rate_of(runner, vertical_force), rate, per_time * scene_force_tolerance(runner));
-}
-
-TEST(ground_force_rate_is_the_forces_derivative) {
-    check_in_mode(TDMF_CONTACT_STICK, rate_agrees);
-    check_in_mode(TDMF_CONTACT_SLIP_POSITIVE, rate_agrees);
-    check_in_mode(TDMF_CONTACT_SLIP_NEGATIVE, rate_agrees);
-}

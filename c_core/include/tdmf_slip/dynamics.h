@@ -20,16 +20,6 @@ TDMF_API void tdmf_derivatives(tdmf_system system, const tdmf_mode *mode,
  * velocity is v_s where friction falls within less than that of other speeds. */
 TDMF_API void tdmf_state_scales(const tdmf_model *model, double scales[TDMF_STATE_COUNT]);
 
-/* How long a step may be that a solver makes from here, s: the friction of a foot that slips may fall within
- * a speed so small that no error estimate tells of it before the foot is there. Infinite where it does not.
- */
-TDMF_API double tdmf_longest_step(tdmf_system system, const tdmf_mode *mode,
-                                  const double state[TDMF_STATE_COUNT]);
-
-/* Rate of the ground force across the ground, N/s, with the inputs held, for a foot that is loaded. */
-TDMF_API double tdmf_ground_force_rate(tdmf_system system, const tdmf_mode *mode,
-                                       const double state[TDMF_STATE_COUNT]);
-
 #ifdef __cplusplus
 }
 #endif

@@ -258,9 +258,6 @@ TDMF_API bool tdmf_run_strides(const tdmf_solver *solver, const tdmf_stride_batc
  * Normal with mean 0 and standard deviation 1, and the same bits on every machine. */
 TDMF_API double tdmf_ground_step(uint64_t seed, uint64_t runner, uint32_t stride);
 
-/* The height of a segment of terrain that is drawn, m, over the inputs' height. */
-TDMF_API double tdmf_segment_height(const tdmf_ensemble_rules *rules, uint64_t runner, int64_t segment);
-
 /* The logarithm of a stride's friction over what it is drawn about, over its spread: as the step, drawn by
  * itself. */
 TDMF_API double tdmf_friction_deviate(uint64_t seed, uint64_t runner, uint32_t stride);
@@ -271,9 +268,6 @@ TDMF_API double tdmf_sensor_noise(uint64_t seed, uint64_t runner, uint32_t strid
 
 /* Whether this processor and this build have them. */
 TDMF_API bool tdmf_has_instructions(tdmf_instructions instructions);
-
-/* Which TDMF_BEST_INSTRUCTIONS stands for. */
-TDMF_API tdmf_instructions tdmf_best_instructions(void);
 
 /* Gives the name of the instructions, as "avx512". */
 TDMF_API const char *tdmf_instructions_name(tdmf_instructions instructions);

@@ -21,9 +21,6 @@ typedef struct {
 /* Takes the leg of a state at `time`, s. */
 TDMF_API tdmf_leg_sample tdmf_leg_sample_of(double time, const double state[TDMF_STATE_COUNT]);
 
-/* Whether the rest length in force is the one up to which leg.work is accounted for. */
-TDMF_API bool tdmf_rest_length_is_accounted_for(tdmf_system system, const tdmf_mode *mode);
-
 /* The leg's work, J, while its rest length went from that of mode->rest_length, at `before`, to the one in
  * force, at `after`, without an event between; sets mode->rest_length. The result is of fourth order in
  * the time between where the rest length changed linearly, of second order elsewhere, and exact where no time

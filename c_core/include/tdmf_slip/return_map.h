@@ -28,10 +28,6 @@ enum {
 TDMF_API void tdmf_section_state(tdmf_system system, const double section[TDMF_SECTION_COUNT],
                                  double state[TDMF_STATE_COUNT]);
 
-/* The same with the foot at x = foot_x, as high above the ground there. */
-TDMF_API void tdmf_section_state_at(tdmf_system system, double foot_x,
-                                    const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]);
-
 /* What is measured along a stride besides what its record holds; also the change of each of these. */
 typedef struct {
     double positive_hip_work;      /* J, done at positive power: the record's positive_work */
