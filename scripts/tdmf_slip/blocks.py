@@ -100,7 +100,7 @@ def _as_they_come(
         raise
     except BaseException:
         _cancel(flag, pending)
-        yield from _complete(done, pending)
+        yield from _ready(done, pending, is_failing=True)
         raise
 
 
@@ -110,25 +110,15 @@ def _run(flag: Flag, work: Callable[[Block], Result], block: Block) -> Result:
 
 
 def _ready(
-    done: "SimpleQueue[Future[Result]]", pending: "dict[Future[Result], int]"
+    done: "SimpleQueue[Future[Result]]", pending: "dict[Future[Result], int]", *, is_failing: bool = False
 ) -> Iterator[tuple[int, Result]]:
-    """Results that need not be waited for."""
-    with contextlib.suppress(Empty):
-        while True:
-            future = done.get_nowait()
-            yield pending.pop(future), _result_of(future)
-
-
-def _complete(
-    done: "SimpleQueue[Future[Result]]", pending: "dict[Future[Result], int]"
-) -> Iterator[tuple[int, Result]]:
-    """Results that are there although another block failed."""
+    """Results that need not be waited for; after a failure, without blocks that failed or were cancelled."""
     with contextlib.suppress(Empty):
         while True:
             future = done.get_nowait()
             number = pending.pop(future)
-            if not future.cancelled() and future.exception() is None:
-                yield number, future.result()
+            if not (is_failing and (future.cancelled() or future.exception() is not None)):
+                yield number, _result_of(future)
 
 
 def _next_done(done: "SimpleQueue[Future[Result]]") -> "Future[Result]":

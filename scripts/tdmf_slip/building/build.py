@@ -11,7 +11,6 @@ import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -33,16 +32,6 @@ LANES = "batch_lanes.c"
 """The file that is compiled once for each number of lanes, beside the motions."""
 _one_at_a_time = threading.Lock()
 """The generator keeps expressions of one page."""
-
-
-@dataclass(frozen=True)
-class Source:
-    """A file to compile, and its flags."""
-
-    path: Path
-    """The C file."""
-    flags: tuple[str, ...]
-    """Flags of the compiler, beside those that all files have."""
 
 
 def build(
@@ -185,23 +174,25 @@ const char *const tdmf_build_identity = "{table["id"]}";
 """
 
 
-def _sources(table: Mapping[str, Any], folder: Path, compiler: Compiler) -> Iterator[Source]:
-    """All files to compile, those that take longest first."""
+def _sources(
+    table: Mapping[str, Any], folder: Path, compiler: Compiler
+) -> Iterator[tuple[Path, Sequence[str]]]:
+    """All files to compile, each with its flags, those that take longest first."""
     name, lanes = table["c_name"], compiler.lanes
     motions = folder / f"{name}_motions.c"
     has = *(f"-D{macro}" for macro, _ in lanes.values()), "-DTDMF_HAS_SEED_LANES"
     for width, (_, flags) in sorted(lanes.items(), reverse=True):
         wide = ("-O2", f"-DTDMF_LANES={width}", *flags)
-        yield Source(motions, wide)
-        yield Source(KERNEL[0] / LANES, wide)
+        yield motions, wide
+        yield KERNEL[0] / LANES, wide
     scalar = ("-O2", "-fno-tree-vectorize", *has)
-    yield Source(motions, scalar)
-    yield Source(folder / f"{name}_seeds.c", scalar)
-    yield Source(folder / f"{name}.c", ("-O1", *has))
-    yield Source(folder / f"{name}_list.c", has)
+    yield motions, scalar
+    yield folder / f"{name}_seeds.c", scalar
+    yield folder / f"{name}.c", ("-O1", *has)
+    yield folder / f"{name}_list.c", has
     for file in sorted(file for of in (*KERNEL, MAPS) for file in of.glob("*.c")):
         if file.name != LANES:
-            yield Source(file, scalar)
+            yield file, scalar
 
 
 def _library_name(table: Mapping[str, Any], compiler: Compiler) -> str:
@@ -222,10 +213,8 @@ def _compile(table: Mapping[str, Any], files: Mapping[str, str], compiler: Compi
         objects = [folder / f"{number}.o" for number in range(len(sources))]
 
         def compiled(number: int) -> None:
-            source = sources[number]
-            compiler.run(
-                [*FLAGS, *LIBRARY_FLAGS, *source.flags, *includes, "-c", source.path, "-o", objects[number]]
-            )
+            path, flags = sources[number]
+            compiler.run([*FLAGS, *LIBRARY_FLAGS, *flags, *includes, "-c", path, "-o", objects[number]])
 
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             list(pool.map(compiled, range(len(sources))))

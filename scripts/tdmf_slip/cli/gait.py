@@ -11,7 +11,7 @@ import click
 from ..analysis.targeted import TargetNotMetError, find_gait
 from ..errors import InputError
 from ..library.gait import REPORTED, Gait
-from ..library.quantities import MEASURES, quantities_of, quantity_of, unit_of
+from ..library.quantities import MEASURES, quantities_of, unit_of
 from ..terminal.text import columns, quantity
 from ..variables.display_units import DisplayUnits
 from ..variables.variable import Given
@@ -96,7 +96,7 @@ def _text(gait: Gait, given: Mapping[str, Given], target: Sequence[str], vary: S
 
     basic = [name for name in target if name in gait.stride and name not in MEASURES]
     measured = {
-        name: quantity(quantity_of(name, gait.stride), units.label(unit_of(name)), 12)
+        name: quantity(gait.reported[name], units.label(unit_of(name)), 12)
         for name in (*MEASURES, "frequency")
         if name in target
     }

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, Literal, TypeGuard
+from typing import Any, TypeGuard
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -155,19 +155,11 @@ def _on_grid(
     grid: NDArray[np.float64], times: NDArray[np.float64], values: NDArray[np.float64]
 ) -> NDArray[np.float64]:
     """Values on the grid; at a time that it has twice, the limits from the left and from the right."""
-    right = np.array([_limit(t, times, values, "right") for t in grid])
-    first = np.append(np.diff(grid) == 0, False)
-    right[first] = [_limit(t, times, values, "left") for t in grid[first]]
-    return right
-
-
-def _limit(
-    t: float, times: NDArray[np.float64], values: NDArray[np.float64], side: Literal["left", "right"]
-) -> float:
-    after = int(np.searchsorted(times, t, side=side))
-    if after == 0:
-        return float(values[0])
-    if after == len(times):
-        return float(values[-1])
-    share = (t - times[after - 1]) / (times[after] - times[after - 1])
-    return float(values[after - 1] + share * (values[after] - values[after - 1]))
+    limits: dict[str, NDArray[np.float64]] = {}
+    for side in ("left", "right"):
+        after = np.searchsorted(times, grid, side=side)
+        low, high = np.clip([after - 1, after], 0, len(times) - 1)
+        span = times[high] - times[low]
+        share = np.divide(grid - times[low], span, out=np.zeros(len(grid)), where=span > 0.0)
+        limits[side] = values[low] + share * (values[high] - values[low])
+    return np.where(np.append(np.diff(grid) == 0.0, False), limits["left"], limits["right"])

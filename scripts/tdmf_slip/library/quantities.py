@@ -13,7 +13,7 @@ from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
 from ..variables import units
 from ..variables.table import MODELS, Model
-from .section import REDUCED, Apex
+from .section import REDUCED
 
 if TYPE_CHECKING:
     from .gait import Gait
@@ -100,12 +100,6 @@ def reported_quantities(reduced: bool) -> tuple[str, ...]:
     return tuple(dict.fromkeys(names))
 
 
-def apex_quantities(runner: Runner, apex: Apex) -> dict[str, float]:
-    """Height and speed at the apex where a stride begins, by the names of quantities."""
-    at = dict(zip(runner.coordinates, map(float, apex), strict=True))
-    return {name: at[of] for name, of in APEX_QUANTITIES.items() if of in at}
-
-
 def weight_of(values: Mapping[str, Any]) -> Any:
     """Weight of body and foot, N, for parameters by name."""
     return (values["body.mass"] + values["foot.mass"]) * values["gravity"]
@@ -144,8 +138,7 @@ def quantity_given(name: str, given: object, where: str, model: Model = MODELS["
 def quantities_of(gait: Gait, names: Sequence[str]) -> dict[str, float]:
     """Values of a gait's quantities, by names of possible targets."""
     check_quantities(gait.runner, names)
-    apex = apex_quantities(gait.runner, gait.apex)
-    return {name: quantity_of(name, {**gait.stride, **apex}) for name in names}
+    return {name: gait.reported[name] for name in names}
 
 
 def known_quantities(runner: Runner) -> tuple[str, ...]:
@@ -180,11 +173,6 @@ def check_quantities(runner: Runner, names: Sequence[str]) -> None:
                 else "reduced map, where the leg in flight is placed as if by itself"
             )
             raise InputError(f"quantity {name} of the {whose}; allowed: {', '.join(known)}")
-
-
-def quantity_of(name: str, reported: Mapping[str, float]) -> float:
-    """A quantity of a stride."""
-    return float(1.0 / reported["period"] if name == "frequency" else reported[name])
 
 
 def scales_of(runner: Runner, parameters: Sequence[str]) -> NDArray[np.float64]:

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from itertools import count, dropwhile, pairwise
 from typing import Any, TypeVar
 
@@ -471,25 +470,17 @@ def walk(
     that does not reach the end in `MAX_STEPS` steps raises RunError, too.
     """
     at, step = begin, end - begin if first is None else first
+
+    def attempt(step: float) -> tuple[float, Known]:
+        to = end if abs(end - at - step) < shortest else at + step
+        return to, advance(known, at, to)
+
     for number in count():
         if at == end:
             return
         if number == MAX_STEPS:
             raise RunError(f"{MAX_STEPS} steps from {begin:g} towards {end:g} lead no farther than to {at:g}")
         step = max(-abs(end - at), min(step, abs(end - at)))
-        attempt = partial(_advanced, advance, known, at, end, shortest)
         (at, known), step = halved(attempt, step, shortest, (RunError,))
         yield at, known
         step *= 2.0
-
-
-def _advanced(
-    advance: Callable[[Known, float, float], Known],
-    known: Known,
-    at: float,
-    end: float,
-    shortest: float,
-    step: float,
-) -> tuple[float, Known]:
-    to = end if abs(end - at - step) < shortest else at + step
-    return to, advance(known, at, to)
