@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import xarray
 from conftest import CLAMPED, reference_gaits
 from tdmf_slip import Batch, InputError, RunError, Runner, find_gait
 from tdmf_slip.analysis.branch_problem import gaits_over
@@ -380,34 +379,6 @@ def test_a_gait_tells_where_its_energy_comes_from_and_goes_to(command, model):
     assert gait["leg_work"] > 0.0 and gait["external_work"] > 0.0
     if model == "full":  # what is left in the leg at lift-off is no loss of these
         assert gained - lost == pytest.approx(1.1 * 0.01 * gait["rise"], abs=1e-9)
-
-
-def test_a_sweep_from_where_there_is_no_gait_finds_the_others(command):
-    """At human scale, where the runner falls at 0.35: the same gaits from either end."""
-    answers = []
-    for span in ("0.35:0.8:4", "0.8:0.35:4"):
-        options = ("--parameters", str(FAST_HUMAN), "--json", "--output", f"from_{span[:3]}.nc")
-        status, out, said = command("sweep", "--friction", span, *options)
-        found = json.loads(out)
-        assert status == 1 and "no gait at friction 0.3" in said and "3 of 4 gaits were found" in said
-        assert found["missing"] == pytest.approx([0.35])
-        answers.append({round(gait["friction"], 9): gait for gait in found["gaits"]})
-        on_file = xarray.load_dataset(options[-1])
-        assert on_file[FRICTION].size == 4 and int(on_file["period"].isnull().sum()) == 1
-        assert on_file["period"].sel({FRICTION: 0.35}, method="nearest").isnull()
-    assert len(answers[0]) == 3 and list(answers[0]) == list(answers[1])[::-1]
-    for friction, gait in answers[0].items():
-        assert gait["period"] == pytest.approx(answers[1][friction]["period"], rel=1e-10)
-
-
-def test_a_sweep_goes_on_beyond_a_gap():
-    """At human scale; between gaits of different words, but of no common branch, there is no border."""
-    runner = Runner(read_parameters(FAST_HUMAN))
-    found = sweep_row(runner, FRICTION, [0.6, 0.3, 0.405])
-    assert [gait and gait.word for gait in found.by_value] == ["+0+", None, "+0-0+"]
-    assert "friction 0.3" in found.problem
-    assert found.borders == ()
-    assert [gait["friction"] for gait in found.as_json()["gaits"]] == [0.6, 0.405]
 
 
 def test_no_gait_is_stable_with_an_eigenvalue_outside_the_unit_circle(runner):

@@ -12,7 +12,6 @@ from tdmf_slip import (
     Runner,
     basin,
     continue_branch,
-    continue_curves,
     find_gait,
     gait_at,
     lqr,
@@ -106,15 +105,6 @@ def test_a_target_and_a_branch_of_the_ball_are_those_of_the_closed_form(ball):
     values = branch["restitution"].values
     assert branch["apex_height"].values == pytest.approx((1 / (1 - values)) ** 2 / 2 / 9.81, rel=1e-9)
     assert branch["lambda_max"].values == pytest.approx(values, abs=1e-9)
-
-
-def test_curves_of_special_points_are_those_of_the_built_in_runner(paper_s):
-    over = {"ground.friction": (0.6, 0.4), "leg.damping": (0.19, 0.21)}
-    mine, own = (continue_curves(runner, over, max_points=2) for runner in (paper_s, {}))
-    assert mine.sizes == own.sizes and mine.sizes["point"] > 1
-    assert list(mine["kind"].values) == list(own["kind"].values)
-    for name in over:
-        assert mine[name].values == pytest.approx(own[name].values, abs=1e-7), name
 
 
 def test_a_fit_finds_the_runner_of_the_built_in_one(paper_s):

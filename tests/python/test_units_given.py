@@ -98,7 +98,7 @@ def test_pictures_are_marked_in_the_unit_that_was_given():
     found = continue_branch({FRICTION: 0.6}, {ANGLE: ends}, switch=False)
     figure = branch_diagram.figure_of(found, display=display)
     check_degrees(figure.axes[1].xaxis, figure.axes[1].get_xlabel())
-    assert f"{ANGLE} from 40:" in figure.axes[0].get_title("left")
+    assert f"{ANGLE} from 40:" in figure.axes[0].get_title()
     (line, *_) = figure.axes[0].lines
     assert np.min(line.get_xdata()) < 1.0  # what is drawn stays in the variable's unit
     swept = sweep({FRICTION: 0.6}, {ANGLE: np.linspace(*ends, 3)})
