@@ -51,7 +51,7 @@ class Function:
         lambda gait, law: strides_to_fall(
             gait, RoughGround(0.3, 2, trips=True, step_weights=(0.8, 0.6)), 60, max_strides=40, law=law
         ),
-        lambda gait, law: rare_falls(gait, 0.5, walkers=8, strides=8, gait=gait, law=law).found,
+        lambda gait, law: rare_falls(gait, 0.5, walkers=8, strides=8, gait=gait, law=law),
         lambda gait, law: volume(gait, 200, law=law, ball="none"),
     ],
     ids=["strides to fall", "on ground that trips", "rare falls", "volume"],

@@ -126,7 +126,8 @@ def test_every_text_file_is_written_and_read_in_utf_8():
                 _is_of_the_system(node) or _is_of_bytes(node)
             ):
                 looked_at += 1
-                assert "encoding" in {word.arg for word in node.keywords}, f"{path}:{node.lineno}"
+                given = {word.arg for word in node.keywords} | {getattr(of, "value", "") for of in node.args}
+                assert given & {"encoding", "utf-8"}, f"{path}:{node.lineno}"
     assert looked_at > 8
 
 
