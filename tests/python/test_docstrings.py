@@ -22,8 +22,8 @@ def modules():
 
 
 def is_own(function):
-    """Whether the package defines it: Matplotlib adds a method `set` to each class of artists."""
-    return function.__module__.startswith(tdmf_slip.__name__)
+    """Whether the package defines it, outside of pages: Matplotlib adds a method `set` to all artists."""
+    return re.match(r"tdmf_slip(?!\.pages\.)", function.__module__)
 
 
 def functions():
