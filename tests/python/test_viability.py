@@ -3,6 +3,7 @@
 import json
 import math
 from concurrent.futures import ThreadPoolExecutor
+from itertools import product
 
 import numpy as np
 import pytest
@@ -44,86 +45,46 @@ def runner_of(found):
 
 
 def image_of(runner, apex, settings):
-    """The next apex by the library's reduced map, one stride at a time, or None."""
-    for name, value in settings.items():
-        runner = runner.replace({name: value})
+    """The next apex by the library's reduced map, one stride at a time, NaN where there is none."""
     try:
-        return stride_from(runner, apex, ANGLE)[0]
+        return stride_from(runner.replace(settings), apex, ANGLE)[0]
     except tdmf_slip.RunError:
-        return None
+        return np.full(2, np.nan)
 
 
-class BruteForce:
-    """The definitions once more, cell by cell in plain Python, with the one-by-one map."""
-
-    def __init__(self, found):
-        self.grid, self.factor, runner = grid_in(found), found.factor, runner_of(found)
-        self.heights, self.speeds = (edges.tolist() for edges in self.grid.edges.values())
-        self.rows, self.columns = self.grid.cells
-        self.slack = [
-            ACCURACY * scale + 2.0**-22 * max(map(abs, edges))
-            for scale, edges in zip(runner.scales, (self.heights, self.speeds), strict=True)
-        ]
-        actions = self.grid.all_actions()
-        names, self.actions = list(actions), list(zip(*actions.values(), strict=True))
-        self.images = [
-            {
-                (i, j): image_of(runner, [h, v], dict(zip(names, action, strict=True)))
-                for i, h in enumerate(self.heights)
-                for j, v in enumerate(self.speeds)
-            }
-            for action in self.actions
-        ]
-
-    def steepest(self, images, corners, axis, coordinate):
-        """The largest difference of neighbours along an axis of which one is a corner of the cell."""
-        differences = []
-        for i, j in corners:
-            for step in (-1, 1):
-                other = (i + step, j) if axis == 0 else (i, j + step)
-                if images.get(other) is not None and images[(i, j)] is not None:
-                    differences.append(abs(images[other][coordinate] - images[(i, j)][coordinate]))
-        return max(differences, default=math.nan)
-
-    def box(self, images, row, column, inner):
-        """The box of cells of a pair, as a set, or None where the pair fails."""
-        corners = [(row + a, column + b) for a in (0, 1) for b in (0, 1)]
-        known = [corner for corner in corners if images[corner] is not None]
-        if len(known) < (4 if inner else 1):
-            return None
-        ranges = []
-        for coordinate, edges in enumerate((self.heights, self.speeds)):
-            middle = sum(images[corner][coordinate] for corner in known) / len(known)
-            half = self.slack[coordinate]
-            for axis in (0, 1):
-                upper = sum(corner[axis] == (row, column)[axis] + 1 for corner in known) / len(known)
-                steepest = self.steepest(images, corners, axis, coordinate)
-                half += self.factor * max(upper, 1 - upper) * steepest
-            side = edges[1] - edges[0]
-            if math.isnan(half):
-                ranges.append(range(len(edges) - 1))
+def brute_force(found, images, inner):
+    """The definitions once more, cell by cell: the pairs that count, by row, column and action."""
+    edges, scales, boxes = list(grid_in(found).edges.values()), runner_of(found).scales, {}
+    slack = ACCURACY * scales + 2.0**-22 * np.array([np.abs(of).max() for of in edges])
+    for row, column, number in np.ndindex(*grid_in(found).cells, len(images)):
+        corners = images[number, row : row + 2, column : column + 2]
+        known = np.isfinite(corners[..., 0])
+        if known.sum() < (4 if inner else 1):
+            continue
+        half, ranges = slack.copy(), []
+        for axis, upper in enumerate((known[1].sum() / known.sum(), known[:, 1].sum() / known.sum())):
+            rows, columns = (
+                slice(max(at - wide, 0), at + 2 + wide)
+                for at, wide in zip((row, column), (axis == 0, axis == 1), strict=True)
+            )
+            differences = np.abs(np.diff(images[number, rows, columns], axis=axis)).reshape(-1, 2)
+            half += found.factor * max(upper, 1 - upper) * np.fmax.reduce(differences)
+        for middle, reach, of in zip(corners[known].mean(axis=0), half, edges, strict=True):
+            count, side = len(of) - 1, of[1] - of[0]
+            if math.isnan(reach):
+                ranges.append(range(count))
                 continue
-            first, last = (math.floor((end - edges[0]) / side) for end in (middle - half, middle + half))
-            inside = range(max(first, 0), min(last, len(edges) - 2) + 1)
-            if (inner and len(inside) < last - first + 1) or not len(inside):
-                return None
-            ranges.append(inside)
-        return {(i, j) for i in ranges[0] for j in ranges[1]}
-
-    def pairs(self, inner):
-        pairs = {
-            (row, column, number): self.box(images, row, column, inner)
-            for number, images in enumerate(self.images)
-            for row in range(self.rows)
-            for column in range(self.columns)
-        }
-        pairs = {pair: box for pair, box in pairs.items() if box is not None}
-        while True:
-            states = {pair[:2] for pair in pairs}
-            kept = {pair: box for pair, box in pairs.items() if (box <= states if inner else box & states)}
-            if len(kept) == len(pairs):
-                return set(kept)
-            pairs = kept
+            first, last = (math.floor((end - of[0]) / side) for end in (middle - reach, middle + reach))
+            beyond = inner and (first < 0 or last >= count)
+            ranges.append(range(0) if beyond else range(max(first, 0), min(last, count - 1) + 1))
+        if all(map(len, ranges)):
+            boxes[row, column, number] = set(product(*ranges))
+    while True:
+        states = {pair[:2] for pair in boxes}
+        kept = {pair: box for pair, box in boxes.items() if (box <= states if inner else box & states)}
+        if len(kept) == len(boxes):
+            return set(kept)
+        boxes = kept
 
 
 @pytest.mark.parametrize(
@@ -133,9 +94,13 @@ class BruteForce:
 def test_brute_force_finds_the_same_pairs(friction, vary):
     axes = {"com_height": (0.5, 3.0), "com_speed": (0.2, 2.5)}
     found = tdmf_slip.viability({"ground.friction": friction}, axes=axes, vary=vary, n=(15, 14), factor=1.1)
-    brute = BruteForce(found)
+    actions = grid_in(found).all_actions()
+    chosen = [dict(zip(actions, map(float, one), strict=True)) for one in zip(*actions.values(), strict=True)]
+    heights, speeds = grid_in(found).edges.values()
+    runner = runner_of(found)
+    images = np.array([[[image_of(runner, [h, v], one) for v in speeds] for h in heights] for one in chosen])
     for name, pairs in (("outer", pairs_of(found, 1)), ("inner", pairs_of(found))):
-        expected = brute.pairs(inner=name == "inner")
+        expected = brute_force(found, images, inner=name == "inner")
         assert set(zip(*map(np.ndarray.tolist, np.nonzero(pairs)), strict=True)) == expected, name
     assert 0 < pairs_of(found).sum() < pairs_of(found, 1).sum() < pairs_of(found, 1).size
 
