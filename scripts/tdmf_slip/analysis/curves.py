@@ -303,7 +303,10 @@ def continue_curves(
     {'word border'}
     """
     runner = Runner(runner, model=model)
-    names, spans = _checked_ranges(vary, runner.model)
+    allowed = "two parameters or inputs, each with the two ends of its range"
+    ranges = ranges_varied(vary, {2}, allowed, runner.model)
+    (first, second), spans = ranges, np.array(list(ranges.values()))
+    names = first, second
     return _dataset(runner, names, spans, _curves(runner, names, spans, max_points, progress))
 
 
@@ -371,14 +374,6 @@ def _curves(
             if special.kind == WORD_BORDER or special.words is None:  # else on a border, whose curve has it
                 found.append(curve_of(runner, names, special, at, limits, bar.update))
     return found
-
-
-def _checked_ranges(vary: object, model: Model) -> tuple[tuple[str, str], NDArray[np.float64]]:
-    """Names of the two parameters, and the ends of their ranges, shape (2, 2)."""
-    allowed = "two parameters or inputs, each with the two ends of its range"
-    ranges = ranges_varied(vary, {2}, allowed, model)
-    first, second = ranges
-    return (first, second), np.array(list(ranges.values()))
 
 
 def _is_on(found: Sequence[Curve], special: Special, at: Vector, limits: Limits) -> bool:

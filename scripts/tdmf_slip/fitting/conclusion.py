@@ -252,7 +252,8 @@ class Conclusion:
             if problem.is_spent:
                 linear += [problem.parameters[other].label for other in wanted if other >= k]
                 break
-            found[k] = self._in_units(k, ends)
+            low, high = (float(problem.begin[k] + problem.steps[k] * at) for at, _ in ends)
+            found[k] = low, high, ", ".join(dict.fromkeys(why for _, why in ends if why))
             if any(why == "gaits" for _, why in ends):
                 recorded.append(
                     f"the interval of {problem.parameters[k].label} ends where no gaits are found"
@@ -262,11 +263,6 @@ class Conclusion:
                 f"the profile likelihood was not followed: linear intervals of {', '.join(linear)}"
             )
         return found, recorded
-
-    def _in_units(self, number: int, ends: tuple[End, End]) -> tuple[float, float, str]:
-        step, begin = self.problem.steps[number], self.problem.begin[number]
-        low, high = (float(begin + step * at) for at, _ in ends)
-        return low, high, ", ".join(dict.fromkeys(why for _, why in ends if why))
 
     def _notes(self) -> Iterator[str]:
         """Notes on the search and on how to read the fit."""

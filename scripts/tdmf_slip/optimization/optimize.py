@@ -10,10 +10,8 @@ import numpy as np
 from ..analysis.search import periodic_gait
 from ..analysis.targeted import TargetNotMetError
 from ..checks import checked_whole
-from ..errors import InputError
 from ..given import row_of
 from ..library.gait import gaits_dataset
-from ..library.quantities import checked_quantity
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..record import in_dataset
@@ -26,7 +24,7 @@ from .optimum import Optimum, reported
 from .problem import (
     Goal,
     check_action,
-    checked_objective,
+    checked_objectives,
     checked_radius,
     checked_space,
     checked_values,
@@ -107,7 +105,8 @@ def optimize(
     {'hip.touchdown_angle': 'upper'}
     """
     of = model_of(runner, model)
-    objective, sign = checked_objective(minimize, maximize, of)
+    asked = [[] if name is None else [name] for name in (minimize, maximize)]
+    ((objective, sign),) = checked_objectives(asked[0], asked[1], 1, of).items()
     space = checked_space(vary, of)
     prescribed = checked_values(target, (objective,), space, of)
     goal = Goal(objective, sign, prescribed, radius=checked_radius(stable))
@@ -194,7 +193,9 @@ def pareto_front(
     [0.15, 0.25]
     """
     runner = Runner(runner, model=model)
-    signs = _checked_objectives(minimize, maximize, runner.model)
+    allowed = "names of quantities in a list, two in all"
+    least, largest = row_of(minimize, "minimize", allowed), row_of(maximize, "maximize", allowed)
+    signs = checked_objectives(least, largest, 2, runner.model)
     (first, second), space = tuple(signs), checked_space(vary, runner.model)
     prescribed = checked_values(target, (first, second), space, runner.model)
     radius = checked_radius(stable)
@@ -226,17 +227,3 @@ def _between(
             continue
         begin = found.start
         yield optimizer.optimum(goal, found)
-
-
-def _checked_objectives(minimize: Sequence[str], maximize: Sequence[str], model: Model) -> dict[str, float]:
-    """Two quantities with their signs."""
-    allowed = "names of quantities in a list, two in all"
-    least, largest = row_of(minimize, "minimize", allowed), row_of(maximize, "maximize", allowed)
-    signs = {checked_quantity(name, "minimize", model): 1.0 for name in least}
-    both = [*least, *largest]
-    signs |= {checked_quantity(name, "maximize", model): -1.0 for name in largest}
-    if len(both) != 2 or len(signs) != 2:
-        raise InputError(
-            f"minimize, maximize: {', '.join(map(str, both))}; allowed: two quantities that differ"
-        )
-    return signs

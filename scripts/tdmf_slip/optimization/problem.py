@@ -11,7 +11,7 @@ was found, with a smaller box or on the other region.
 """
 
 import contextlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -33,14 +33,20 @@ LARGEST_RADIUS = 0.99
 """Largest spectral radius of a gait that is to be stable, where no other is given."""
 
 
-def checked_objective(minimize: str | None, maximize: str | None, model: Model) -> tuple[str, float]:
-    """The quantity of an objective, and its sign: 1 to minimize, -1 to maximize."""
-    if (minimize is None) == (maximize is None):
-        given, known = "neither" if minimize is None else "both", ", ".join(allowed_quantities(model))
-        raise InputError(f"minimize, maximize: {given} given; allowed: one of them, {known}")
-    if minimize is not None:
-        return checked_quantity(minimize, "minimize", model), 1.0
-    return checked_quantity(maximize, "maximize", model), -1.0
+def checked_objectives(
+    minimize: Sequence[str], maximize: Sequence[str], count: int, model: Model
+) -> dict[str, float]:
+    """So many quantities with their signs: 1 to minimize, -1 to maximize."""
+    signs = {checked_quantity(name, "minimize", model): 1.0 for name in minimize}
+    signs |= {checked_quantity(name, "maximize", model): -1.0 for name in maximize}
+    given = [*minimize, *maximize]
+    if len(given) != count or len(signs) != count:
+        allowed = "one of them" if count == 1 else "two quantities that differ"
+        raise InputError(
+            f"minimize, maximize: {', '.join(map(str, given)) or 'neither'} given; allowed: {allowed}, of "
+            f"{', '.join(allowed_quantities(model))}"
+        )
+    return signs
 
 
 def checked_space(vary: object, model: Model) -> Space:
@@ -308,7 +314,7 @@ def minimize(
             "jac": lambda coordinates, rows=rows: rows(at(coordinates))[1],
         }
         for kind, rows in (("eq", problem.equations), ("ineq", problem.margins))
-        if _count(rows, begin)
+        if len(rows(begin)[0])
     ]
     with contextlib.suppress(_LeftError):
         by_scipy(
@@ -321,7 +327,3 @@ def minimize(
             options={"maxiter": ITERATIONS, "ftol": ACCURACY},
         )
     return Ended(min(seen, key=problem.merit), **ended)
-
-
-def _count(rows: Callable[[Candidate], Rows], gait: Candidate) -> int:
-    return len(rows(gait)[0])
