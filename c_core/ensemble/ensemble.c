@@ -184,7 +184,7 @@ bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, t
         return false;
     }
     for (int64_t i = 0; i < count; ++i) {
-        is_plain[i] = ensemble->map == TDMF_RETURN_MAP && tdmf_member_is_plain(ensemble, i);
+        is_plain[i] = tdmf_member_is_plain(ensemble, i);
         ++of_page[is_plain[i]];
     }
     page_job jobs[2] = {{ensemble, ends, is_plain, false, 0, NULL, {0}},

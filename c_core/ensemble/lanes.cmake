@@ -20,7 +20,8 @@ function(tdmf_slip_add_lanes name count)
         return()
     endif()
     add_library(tdmf_slip_lanes_${name} OBJECT hybrid/kernel/batch_lanes.c derived/pages/plain_runner_motions.c
-                derived/pages/reduced_runner_motions.c derived/pages/runner_motions.c)
+                derived/pages/plain_reduced_runner_motions.c derived/pages/reduced_runner_motions.c
+                derived/pages/runner_motions.c)
     target_include_directories(tdmf_slip_lanes_${name} PRIVATE ${ensemble_folders})
     target_compile_definitions(tdmf_slip_lanes_${name} PRIVATE TDMF_LANES=${count})
     tdmf_slip_compile(tdmf_slip_lanes_${name})

@@ -209,8 +209,7 @@ static bool slips_by_stride(const tdmf_member *member) {
 }
 
 bool tdmf_member_changes(const tdmf_member *member) {
-    return is_set(member) || steps_by_stride(member) || slips_by_stride(member) ||
-           member->ensemble->map == TDMF_REDUCED_MAP;
+    return is_set(member) || steps_by_stride(member) || slips_by_stride(member);
 }
 
 /* Draws the ground of the stride that begins. */
@@ -255,7 +254,8 @@ static bool begin_stride(tdmf_member *member) {
     return !trips(member) || give_up(member, TDMF_FATE_FELL);
 }
 
-/* A run of the reduced map starts anew at each apex, where its leg is placed as it is set. */
+/* A run of the reduced map starts anew at an apex where something may change: its leg is placed as it is set.
+ */
 static void start_anew(tdmf_member *member) {
     tdmf_page_run *run = member->run;
     run->mode = run->chain = 0;
@@ -286,7 +286,8 @@ static bool begin_next_stride(tdmf_member *member) {
     if (is_set(member)) {
         set(member);
     }
-    if (!is_reduced) {
+    const bool has_ended = member->page->model->modes[member->run->mode].ends; /* there is no start */
+    if (!is_reduced || !(has_ended || tdmf_member_changes(member))) {
         return begin_stride(member);
     }
     if (is_set(member)) {

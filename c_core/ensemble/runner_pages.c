@@ -5,7 +5,8 @@
 
 tdmf_motions_of_width tdmf_plain_runner_motions_of_2, tdmf_plain_runner_motions_of_4,
     tdmf_plain_runner_motions_of_8, tdmf_reduced_runner_motions_of_2, tdmf_reduced_runner_motions_of_4,
-    tdmf_reduced_runner_motions_of_8;
+    tdmf_reduced_runner_motions_of_8, tdmf_plain_reduced_runner_motions_of_2,
+    tdmf_plain_reduced_runner_motions_of_4, tdmf_plain_reduced_runner_motions_of_8;
 
 /* NULL: this build has no motions of that width. */
 #define LANES_OF(page)                                                                                       \
@@ -21,12 +22,14 @@ static const struct {
     {&tdmf_whole_page, LANES_OF(tdmf_runner)},
     {&tdmf_plain_runner_part, LANES_OF(tdmf_plain_runner)},
     {&tdmf_reduced_runner_part, LANES_OF(tdmf_reduced_runner)},
+    {&tdmf_plain_reduced_runner_part, LANES_OF(tdmf_plain_reduced_runner)},
 };
 
 const tdmf_page_part *tdmf_page_for(tdmf_ensemble_map map, bool is_plain) {
-    return map == TDMF_REDUCED_MAP ? &tdmf_reduced_runner_part
-           : is_plain              ? &tdmf_plain_runner_part
-                                   : &tdmf_whole_page;
+    if (map == TDMF_REDUCED_MAP) {
+        return is_plain ? &tdmf_plain_reduced_runner_part : &tdmf_reduced_runner_part;
+    }
+    return is_plain ? &tdmf_plain_runner_part : &tdmf_whole_page;
 }
 
 tdmf_model_kind tdmf_model_in_lanes(const tdmf_page_part *page) {
