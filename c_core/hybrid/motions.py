@@ -241,18 +241,22 @@ class Motion:
         about, body = "First variation of the series.", expansion_in_c(varied, first)
         yield self.function_of(f"vary_{self.name}", f"{given}int order, real *varied", body, about)
         for name, quantity in observed.items():
-            found = Expansion({}, {"dg": varies.of(quantity)}, "own_{}", self.known)
+            found = self.expansion("dg", varies.of(quantity))
             arguments, about = (
                 f"{given}const real *d_series, int order, real *dg",
                 f"First variation of {name}.",
             )
             yield self.function_of(f"d_observed_{self.name}_{name}", arguments, expansion_in_c(found), about)
 
+    def expansion(self, array, quantity):
+        """The expansion of a quantity into an array, by the series of the motion."""
+        return Expansion({}, {array: quantity}, "own_{}", self.known, of_states=self.rates)
+
     def c_of_guards(self):
         """Guards and observed quantities as polynomials in time."""
         given = "const real *constants, const real *series, int order, real *g"
         for name, guard in zip([*self.watched, *self.observed], self.guards, strict=True):
-            body = expansion_in_c(Expansion({}, {"g": guard}, "own_{}", self.known))
+            body = expansion_in_c(self.expansion("g", guard))
             about = self.page.events.get(name) or self.page.observed[name]
             yield self.function_of(f"guard_{self.name}_{name}", given, body, f"{name}: {about.__doc__ or ''}")
 

@@ -59,10 +59,12 @@ class Expansion:
 
     `rates` are those of the states, by symbol. `wanted` has further quantities, by the arrays that they go
     to. `known` are existing series. `by_pairs` says that inner sums come from the loops of a motion.
+    `of_states` has the rates of all states, if others are expanded here.
     """
 
-    def __init__(self, rates, wanted, into, known=(), by_pairs=False):
+    def __init__(self, rates, wanted, into, known=(), by_pairs=False, of_states=None):
         self.rates, self.wanted, self.known, self.by_pairs = rates, wanted, dict(known), by_pairs
+        self.of_states = rates if of_states is None else of_states
         roots = [*rates.values(), *wanted.values(), *rates]
         turns = [n for n in ordered(roots, self.known) if kind_of(n) in ("sin", "cos")]
         angles = dict.fromkeys(turn.operands[0] for turn in turns)
@@ -113,6 +115,9 @@ class Expansion:
         _, *texts = RECURSIONS[kind_of(node)]
         text, parts = texts[0] if self.by_pairs else texts[-1], self.parts(node)
         given = {letter: self.arrays.get(part) for letter, part in parts.items()}
+        rate = self.arrays.get(self.of_states.get(parts["a"])) if "s" in parts else None
+        if rate is not None:
+            return f"sine_and_cosine_by_rate({k}, {given['a']}, {rate}, {given['s']}, {given['c']})"
         given["inner"] = f"part_of(sum->{node.name}, odd)"
         given["inverse"] = f"inverse_{name_of(self.series_in(node)[-1])}"
         if "{slope}" in text:

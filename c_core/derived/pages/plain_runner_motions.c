@@ -1064,7 +1064,7 @@ static void d_observed_flight_calm_height_of_foot(const real *constants, const r
     for (int k = 0; k < order; ++k) {
         own_product_plus_product[k] = d->body_mass_over_body_mass_plus_foot_mass * s->length[k]
             + c->body_mass_over_body_mass_plus_foot_mass * t->length[k];
-        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
+        sine_and_cosine_by_rate(k, s->angle, s->rate, own_sin_of_angle, own_cos_of_angle);
         own_product_plus_product_times_cos_of_angle[k] = product(own_product_plus_product, own_cos_of_angle,
             k);
         own_product_2[k] = c->body_mass_over_body_mass_plus_foot_mass * s->length[k];
@@ -1108,7 +1108,7 @@ static void guard_flight_calm_falls(const real *constants, const real *series, i
         own_sum_2_times_length[TERMS];
     for (int k = 0; k < order; ++k) {
         own_sum_2_times_length[k] = c->sum_2 * s->length[k];
-        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
+        sine_and_cosine_by_rate(k, s->angle, s->rate, own_sin_of_angle, own_cos_of_angle);
         own_sum_2_times_length_times_cos_of_angle[k] = product(own_sum_2_times_length, own_cos_of_angle, k);
         g[k] = s->com_y[k] + own_sum_2_times_length_times_cos_of_angle[k];
     }
@@ -1140,7 +1140,7 @@ static void guard_flight_calm_touchdown(const real *constants, const real *serie
         own_product_2[TERMS];
     for (int k = 0; k < order; ++k) {
         own_product_2[k] = c->body_mass_over_body_mass_plus_foot_mass * s->length[k];
-        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
+        sine_and_cosine_by_rate(k, s->angle, s->rate, own_sin_of_angle, own_cos_of_angle);
         own_product_2_times_cos_of_angle[k] = product(own_product_2, own_cos_of_angle, k);
         g[k] = s->com_y[k] - own_product_2_times_cos_of_angle[k];
     }
@@ -1183,7 +1183,7 @@ static void guard_flight_calm_height_of_foot(const real *constants, const real *
         own_product_2[TERMS];
     for (int k = 0; k < order; ++k) {
         own_product_2[k] = c->body_mass_over_body_mass_plus_foot_mass * s->length[k];
-        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
+        sine_and_cosine_by_rate(k, s->angle, s->rate, own_sin_of_angle, own_cos_of_angle);
         own_product_2_times_cos_of_angle[k] = product(own_product_2, own_cos_of_angle, k);
         g[k] = s->com_y[k] - own_product_2_times_cos_of_angle[k];
     }

@@ -1609,7 +1609,7 @@ static void guard_flight_calm_passes_end(const real *constants, const real *seri
     const flight_calm_series *s = (const void *)series;
     real own_sine[TERMS], own_length_times_sine[TERMS], own_cosine[TERMS];
     for (int k = 0; k < order; ++k) {
-        sine_and_cosine_of(k, s->angle, own_sine, own_cosine);
+        sine_and_cosine_by_rate(k, s->angle, s->rate, own_sine, own_cosine);
         own_length_times_sine[k] = product(s->length, own_sine, k);
         g[k] = with_constant(k, -s->com_x[k]
             - c->body_mass_over_body_mass_plus_foot_mass * own_length_times_sine[k], c->segment_end);
@@ -1622,7 +1622,7 @@ static void guard_flight_calm_passes_begin(const real *constants, const real *se
     const flight_calm_series *s = (const void *)series;
     real own_sine[TERMS], own_length_times_sine[TERMS], own_cosine[TERMS];
     for (int k = 0; k < order; ++k) {
-        sine_and_cosine_of(k, s->angle, own_sine, own_cosine);
+        sine_and_cosine_by_rate(k, s->angle, s->rate, own_sine, own_cosine);
         own_length_times_sine[k] = product(s->length, own_sine, k);
         g[k] = with_constant(k, s->com_x[k]
             + c->body_mass_over_body_mass_plus_foot_mass * own_length_times_sine[k], -c->segment_begin);
@@ -3256,7 +3256,7 @@ KERNEL void step_flight_pushed(const flight_pushed_constants *c, const flight_pu
     /* length_times_rate_times_rate = length * rate_times_rate */
     s->length_times_rate_times_rate[k] = product_of(k, part_of(sum->length_times_rate_times_rate, odd),
         s->length, s->rate_times_rate);
-    sine_and_cosine_of(k, s->angle, s->sine, s->cosine);
+    sine_and_cosine_by_rate(k, s->angle, s->rate, s->sine, s->cosine);
     /* external_fy_times_cosine = external_fy * cosine */
     s->external_fy_times_cosine[k] = drift_times(k, s->external_fy[0], s->external_fy[1], s->cosine);
     /* external_fx_times_sine = external_fx * sine */

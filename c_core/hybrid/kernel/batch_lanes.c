@@ -128,12 +128,15 @@ static void go_on(lane_pool *w, int index, tdmf_run_outcome outcome) {
 static void load_runner(lane_pool *w, lane_batch *b, int lane, const run_state *state, double until) {
     const tdmf_page_run *r = state->r;
     const tdmf_motion_kind *m = b->step.motion;
-    const int count = changing_count(&b->step);
+    const int count = changing_count(&b->step), constant_count = m->constant_count;
     load_mode(&b->step, lane, &w->at, state->scales);
-    for (int i = 0; i < m->constant_count; ++i) {
+    for (int i = 0; i < constant_count; ++i) {
         set_lane(&b->step.c[i], lane, w->at.c[i]);
     }
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < m->moving_count; ++i) {
+        set_lane(&b->x[i], lane, r->x[m->moving[i]]);
+    }
+    for (int i = m->moving_count; i < count; ++i) {
         set_lane(&b->x[i], lane, r->x[changing_state(&b->step, i)]);
     }
     for (int seed = 0; seed < w->seed_count; ++seed) {
@@ -179,8 +182,14 @@ static void fill_lanes(lane_pool *w, lane_batch *b) {
 
 /* Copies the changing states of a lane, or their variations along a seed, to those of its runner. */
 static void unload_states(const lane_batch *b, int lane, const real *changing, double *x) {
-    for (int i = 0; i < changing_count(&b->step); ++i) {
-        x[changing_state(&b->step, i)] = lane_of(&changing[changing_place(&b->step, i)], lane);
+    const page_step *step = &b->step;
+    const int moving_count = step->motion->moving_count;
+    for (int i = 0; i < moving_count; ++i) {
+        x[step->motion->moving[i]] = lane_of(&changing[i], lane);
+    }
+    for (int i = 0; i < step->observed_count; ++i) {
+        const real *state = &changing[changing_place(step, moving_count + i)];
+        x[step->watches[i].into] = lane_of(state, lane);
     }
 }
 
@@ -287,8 +296,8 @@ static void count_limited(const lane_pool *w, const lane_batch *b, mask lanes) {
 
 /* Moves variations from the guard of the last event back to a fixed time. */
 static void shift_back(const lane_pool *w, lane_batch *b, mask lanes) {
-    const int count = changing_count(&b->step);
-    for (int i = 0; i < count && w->seed_count > 0 && any(lanes); ++i) {
+    const int count = w->seed_count > 0 && any(lanes) ? changing_count(&b->step) : 0;
+    for (int i = 0; i < count; ++i) {
         const real rate = rate_after_event(&b->step, i, lanes);
         for (int seed = 0; seed < w->seed_count; ++seed) {
             real *dx = &b->dx[seed * count + changing_place(&b->step, i)];
@@ -477,8 +486,12 @@ static void advance(const lane_pool *w, lane_batch *b, real left, mask goes, mas
     for (int i = 0; i < moving_count; ++i) {
         b->x[i] = select(goes, value_at_end(step, i), b->x[i]);
     }
-    memcpy(b->x + moving_count, w->after + moving_count, (size_t)step->observed_count * sizeof *b->x);
-    memcpy(b->dx, w->d_after, (size_t)(w->seed_count * count) * sizeof *b->dx);
+    for (int i = moving_count; i < count; ++i) {
+        b->x[i] = w->after[i];
+    }
+    if (w->seed_count > 0) {
+        memcpy(b->dx, w->d_after, (size_t)(w->seed_count * count) * sizeof *b->dx);
+    }
     pass_time(b, elapsed, left, goes);
     step->begins &= mask_not(goes);
 }
@@ -625,19 +638,31 @@ static void end_in_lane(lane_pool *w, lane_batch *b, int lane, const lane_ends *
     }
 }
 
-static void step_lanes(lane_pool *w, int number) {
-    lane_batch *b = &w->batches[number];
-    fill_lanes(w, b);
+/* Makes a step in the lanes of a mode. */
+static void step_once(lane_pool *w, lane_batch *b, int number) {
     w->work->lane_steps += LANES;
     expand_lanes(w, b, number);
     const lane_ends ends = make_step(w, b, &w->model->modes[number]);
     const unsigned leaving = movemask(ends.overflows | ends.fails | ends.takes | ends.arrives | ends.is_late);
-    end_lanes();
+    if (leaving != 0) {
+        end_lanes();
+    }
     for (int lane = 0; leaving >> lane != 0; ++lane) {
         if (leaving >> lane & 1) {
             end_in_lane(w, b, lane, &ends);
         }
     }
+}
+
+/* Makes steps in the lanes of a mode until a runner leaves its lane: so long the mode has the most runners.
+ */
+static void step_lanes(lane_pool *w, int number) {
+    lane_batch *b = &w->batches[number];
+    fill_lanes(w, b);
+    const int count = b->count;
+    do {
+        step_once(w, b, number);
+    } while (b->count == count && !tdmf_is_raised(w->share->batch->cancel));
 }
 
 /* ---- all ----------------------------------------------------------------------------------------------- */

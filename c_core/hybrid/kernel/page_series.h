@@ -89,6 +89,28 @@ static inline void sine_and_cosine_of(int k, const real *a, real *sine, real *co
     cosine[k] = -with_sine * series_reciprocal[k];
 }
 
+/* Those of an angle whose rate has a series. Two sums for each: one would wait for each of its terms. */
+static inline void sine_and_cosine_by_rate(int k, const real *a, const real *rate, real *sine, real *cosine) {
+    real of_cosine[2] = {broadcast(0.0), broadcast(0.0)}, of_sine[2] = {broadcast(0.0), broadcast(0.0)};
+    int i = 0;
+    if (k == 0) {
+        portable_sine_and_cosine(a[0], &sine[0], &cosine[0]);
+        return;
+    }
+    for (; i + 1 < k; i += 2) {
+        of_cosine[0] += rate[i] * cosine[k - 1 - i];
+        of_sine[0] += rate[i] * sine[k - 1 - i];
+        of_cosine[1] += rate[i + 1] * cosine[k - 2 - i];
+        of_sine[1] += rate[i + 1] * sine[k - 2 - i];
+    }
+    if (i < k) {
+        of_cosine[0] += rate[i] * cosine[0];
+        of_sine[0] += rate[i] * sine[0];
+    }
+    sine[k] = (of_cosine[0] + of_cosine[1]) * series_reciprocal[k];
+    cosine[k] = -(of_sine[0] + of_sine[1]) * series_reciprocal[k];
+}
+
 /* ---- intervals: bounds of guards and observed quantities in a step, found before they are expanded ------
  */
 

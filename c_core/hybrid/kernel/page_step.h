@@ -18,6 +18,9 @@ static const double divisor_change = 0.75;      /* of a divisor within a step, r
 static const double guard_tolerance = 10.0;     /* of a guard's series, relative to that of a step */
 static const double variation_tolerance = 10.0; /* of a variation's, relative to that of a step */
 
+/* Corrections, as shares of a step, with which the search for an only zero ends: Newton's, whose error is the
+ * square of that, and any. */
+static const double last_newton = 1e-9, last_halving = 4e-16;
 static const double short_line = 1e-10; /* share of a step in which a guard is a straight line */
 
 enum { NO_EVENT = -1, NEWTON_LIMIT = 8 };
@@ -67,6 +70,7 @@ typedef struct {
     guard_watch guards[TDMF_GUARD_LIMIT];
     mask begins;      /* no time has passed in the mode */
     bool looks;       /* some guard may be near */
+    bool rises;       /* some guard does, from zero */
     uint64_t watched; /* a bit for each guard that a lane watches, then for each observed quantity */
     /* Written by each step. */
     int order;         /* of the series */
@@ -82,32 +86,28 @@ typedef struct {
 
 /* ---- lanes --------------------------------------------------------------------------------------------- */
 
-/* Lanes are read and written in memory: compilers would move whole registers for one of them. */
-static inline double lane_of(const real *x, int lane) {
-    double number;
-    memcpy(&number, (const char *)x + (size_t)lane * sizeof number, sizeof number);
-    return number;
-}
-
-static inline void set_lane(real *x, int lane, double number) {
-    memcpy((char *)x + (size_t)lane * sizeof number, &number, sizeof number);
-}
-
 #ifdef TDMF_LANES
 typedef int64_t lane_mask;
 #else
 typedef mask lane_mask;
 #endif
 
+/* Lanes are read and written in memory, as elements of their vector: compilers would move whole registers for
+ * one of them. */
+static inline double lane_of(const real *x, int lane) {
+    return ((const double *)x)[lane];
+}
+
+static inline void set_lane(real *x, int lane, double number) {
+    ((double *)x)[lane] = number;
+}
+
 static inline bool has_lane(const mask *lanes, int lane) {
-    lane_mask selected;
-    memcpy(&selected, (const char *)lanes + (size_t)lane * sizeof selected, sizeof selected);
-    return selected != 0;
+    return ((const lane_mask *)lanes)[lane] != 0;
 }
 
 static inline void set_mask(mask *lanes, int lane, bool selects) {
-    const lane_mask selected = selects ? -1 : 0;
-    memcpy((char *)lanes + (size_t)lane * sizeof selected, &selected, sizeof selected);
+    ((lane_mask *)lanes)[lane] = -(lane_mask)selects;
 }
 
 /* States that change in a step: those that move, then those of observed quantities. */
@@ -131,24 +131,29 @@ static inline int changing_place(const page_step *step, int i) {
 
 /* Loads a mode, but for its constants, into a lane. */
 static inline void load_mode(page_step *step, int lane, const mode_start *at, const double *scales) {
+    const int guard_count = step->guard_count, moving_count = step->motion->moving_count;
     set_mask(&step->begins, lane, at->begins);
-    step->looks = true;
-    step->watched |= (((uint64_t)1 << step->observed_count) - 1) << step->guard_count;
-    for (int i = 0; i < step->guard_count; ++i) {
+    step->looks = step->rises = true;
+    step->watched |= (((uint64_t)1 << step->observed_count) - 1) << guard_count;
+    for (int i = 0; i < guard_count; ++i) {
         guard_watch *watch = &step->guards[i];
-        step->watched |= at->guards[i].is_watched ? (uint64_t)1 << i : 0;
-        set_mask(&watch->is_watched, lane, at->guards[i].is_watched);
-        set_mask(&watch->is_crossing, lane, at->guards[i].is_crossing);
-        set_mask(&watch->was_taken, lane, at->guards[i].was_taken);
-        set_lane(&watch->scale, lane, at->guards[i].scale);
-        set_lane(&watch->late_scale, lane, at->guards[i].late_scale);
-        set_mask(&watch->was_above, lane, at->guards[i].was_above);
-        set_mask(&watch->is_late, lane, at->guards[i].is_late);
-        set_mask(&watch->is_near, lane, at->guards[i].is_near);
+        const guard_start *guard = &at->guards[i];
+        step->watched |= (uint64_t)guard->is_watched << i;
+        set_mask(&watch->is_watched, lane, guard->is_watched);
+        set_mask(&watch->is_crossing, lane, guard->is_crossing);
+        set_mask(&watch->was_taken, lane, guard->was_taken);
+        set_mask(&watch->was_above, lane, guard->was_above);
+        set_mask(&watch->is_late, lane, guard->is_late);
+        set_mask(&watch->is_near, lane, guard->is_near);
         set_mask(&watch->rises, lane, false);
+        set_lane(&watch->scale, lane, guard->scale);
+        set_lane(&watch->late_scale, lane, guard->late_scale);
     }
-    for (int i = 0; i < changing_count(step); ++i) {
-        set_lane(&step->units[i], lane, scales[changing_state(step, i)]);
+    for (int i = 0; i < moving_count; ++i) {
+        set_lane(&step->units[i], lane, scales[step->motion->moving[i]]);
+    }
+    for (int i = 0; i < step->observed_count; ++i) {
+        set_lane(&step->units[moving_count + i], lane, scales[step->watches[i].into]);
     }
 }
 
@@ -323,6 +328,34 @@ static inline real refined_zero(const real *g, int degree, const root *found, ma
     return select(lanes, zero, found->zero);
 }
 
+/* Ends the step where a guard that falls from above zero throughout the step has its only zero, by Newton's
+ * method within bounds. Returns the lanes with such a guard. */
+static inline mask end_at_only_zero(page_step *step, int guard, const real *g, real to, mask lanes) {
+    real most = g[1];
+    for (int k = 2; k < step->order; ++k) {
+        most += first_derivative[k] * real_abs(g[k]);
+    }
+    lanes &= (most < 0.0) & (g[0] > 0.0);
+    const real at_end = expansion_at(g, step->order - 1, to).value;
+    const mask reaches = lanes & mask_not(at_end > 0.0);
+    real from = broadcast(0.0), until = to, zero = to * (g[0] / (g[0] - at_end));
+    mask searching = reaches;
+    for (int i = 0; i < ROOT_ITERATION_LIMIT && any(searching); ++i) {
+        const expansion at = expansion_at(g, step->order - 1, zero);
+        const mask is_before = at.value > 0.0;
+        from = select(searching & is_before, zero, from);
+        until = select(searching & mask_not(is_before), zero, until);
+        const real newton = zero - at.value / at.slope;
+        const mask is_within = (newton >= from) & (newton <= until);
+        const real next = select(is_within, newton, 0.5 * (from + until));
+        const real correction = real_abs(next - zero);
+        zero = select(searching, next, zero);
+        searching &= mask_not((correction <= last_halving) | (is_within & (correction <= last_newton)));
+    }
+    end_at_event(step, guard, zero, reaches, reaches);
+    return lanes;
+}
+
 /* Ends the step at the first root of a guard, whose polynomial is g. */
 static inline void search_guard(page_step *step, int guard, real *g, real floor, mask lanes) {
     lanes &= mask_not(g[0] > largest_change(g, step->power, step->order - 1));
@@ -334,6 +367,10 @@ static inline void search_guard(page_step *step, int guard, real *g, real floor,
     }
     scale_to_step(step, 1.0, g, g);
     const real to = real_min(broadcast(1.0), step->end);
+    lanes &= mask_not(end_at_only_zero(step, guard, g, to, lanes));
+    if (!any(lanes)) {
+        return;
+    }
     root found = first_root(g, step->order - 1, floor, broadcast(0.0), to, lanes);
     const mask passes = lanes & (found.time > to);
     if (any(passes)) { /* it may be below zero at the end, and not at the floor */
@@ -450,12 +487,24 @@ static inline mask begin_below(page_step *step, int guard, real *g, real *floor,
     const mask rises = is_zero & mask_not(level | falls | turns);
     watch->was_above &= mask_not(below);
     watch->rises |= rises;
+    step->rises |= any(rises);
     *searched = (*searched & mask_not(lanes)) | rises;
     *floor = select(rises, *floor, -0.5 * band);
     for (int k = 0; k < step->order; ++k) {
         g[k] = select(rises, divided[k], g[k]);
     }
     return due;
+}
+
+/* Guards that have risen from zero are above it from now on. */
+static inline void note_risen(page_step *step, mask searching) {
+    step->rises = false;
+    for (int i = 0; i < step->guard_count; ++i) {
+        guard_watch *watch = &step->guards[i];
+        watch->was_above |= searching & watch->rises & mask_not(step->begins);
+        watch->rises &= mask_not(searching);
+        step->rises |= any(watch->rises);
+    }
 }
 
 /* Searches the step for the first event, or one that is due at once. */
@@ -470,13 +519,12 @@ static inline void search_events(page_step *step, mask searching) {
     if (bounds) {
         step->motion->bounds(step->c, step->s[0], step->power, step->order, step->watched, step->bounds);
     }
-    for (int i = 0; i < step->guard_count && any(searching); ++i) {
+    if (step->rises) {
+        note_risen(step, searching);
+    }
+    for (int i = 0; i < step->guard_count; ++i) {
         guard_watch *watch = &step->guards[i];
         mask lanes = searching & watch->is_watched;
-        if (any(watch->rises)) {
-            watch->was_above |= searching & watch->rises & mask_not(step->begins);
-            watch->rises &= mask_not(searching);
-        }
         if (bounds) { /* most guards are known to be, and to stay, above zero */
             lanes &= mask_not((bounds[i].low > 0.0) & watch->was_above);
         }
@@ -564,6 +612,11 @@ static inline real change_of(const real *c, const real *power, int order) {
 }
 
 static inline real sum_of(const real *c, const real *power, int order) {
+    if (order < 3) { /* as change_of adds its terms */
+        return c[0] + (order == 2   ? c[1] * power[1] + c[2] * power[2]
+                       : order == 1 ? c[1] * power[1]
+                                    : broadcast(0.0));
+    }
     return c[0] + change_of(c, power, order);
 }
 
