@@ -99,13 +99,18 @@ def page(driver, address):
 @pytest.fixture
 def used_page(driver, address):
     """The page at its defaults, not loaded again, for tests that change only values; the runner stands."""
-    if not driver.execute_script("return globalThis.isUsed === true"):
+    if not js(driver, "globalThis.isUsed === true"):
         open_defaults(driver, address)
         driver.execute_script("globalThis.isUsed = true")
     driver.execute_script("tdmfSlip.choose({ name: 'defaults', values: {} })")
     play(driver, False)
     yield driver
     check_console(driver)
+
+
+def js(driver, expression, *arguments):
+    """The value of an expression in JavaScript."""
+    return driver.execute_script(f"return {expression}", *arguments)
 
 
 def show(driver):
@@ -169,7 +174,7 @@ def sentence(driver):
 
 def pointer(driver):
     """Actions of a mouse at a desk, of a finger on a phone."""
-    touches = driver.execute_script("return navigator.maxTouchPoints > 0")
+    touches = js(driver, "navigator.maxTouchPoints > 0")
     finger = PointerInput(POINTER_TOUCH, "finger")
     return ActionChains(driver, duration=50, devices=[finger] if touches else None)
 
@@ -206,7 +211,7 @@ def drag_friction(driver, begin, end):
     canvas = find(driver, "friction")
     center(driver, canvas)
     where = "tdmfSlip.gaits.frictionPlot.axes.x(arguments[0]) - tdmfSlip.gaits.frictionPlot.surface.width / 2"
-    begin, end = (round(driver.execute_script(f"return {where}", friction)) for friction in (begin, end))
+    begin, end = (round(js(driver, f"{where}", friction)) for friction in (begin, end))
     drag = pointer(driver).move_to_element_with_offset(canvas, begin, 0).click_and_hold()
     for step in range(1, 5):
         drag.move_to_element_with_offset(canvas, begin + round((end - begin) * step / 4), 0)

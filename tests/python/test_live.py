@@ -17,6 +17,7 @@ from live_pages import (
     eigenvalues,
     find,
     find_gait,
+    js,
     open_page,
     paint,
     play,
@@ -51,7 +52,7 @@ MAX_BYTES = 1_000_000
 
 def test_the_page_and_all_that_it_loads_is_small_and_its_own(page, built, address):
     assert size_of(built) < MAX_BYTES
-    loaded = page.execute_script("return performance.getEntriesByType('resource').map((entry) => entry.name)")
+    loaded = js(page, "performance.getEntriesByType('resource').map((entry) => entry.name)")
     assert f"{address}/live/live_core.wasm" in loaded and len(loaded) > 15
     for name in loaded:
         assert name.startswith(f"{address}/live/") and (built / name.removeprefix(f"{address}/")).is_file()
@@ -60,11 +61,12 @@ def test_the_page_and_all_that_it_loads_is_small_and_its_own(page, built, addres
 @pytest.mark.on_phone
 def test_there_is_a_control_for_every_parameter_input_and_start_value(used_page, fmu):
     wanted = [*names_of(PARAMETERS), *names_of(INPUTS), *STATES]
-    rows = used_page.execute_script(
-        "return [...document.querySelectorAll('.control')].map((row) => ["
+    rows = js(
+        used_page,
+        "[...document.querySelectorAll('.control')].map((row) => ["
         "row.querySelector('label').htmlFor.replace('value-', ''),"
         "row.querySelector('.set span')?.textContent,"
-        "row.querySelector('p').textContent])"
+        "row.querySelector('p').textContent])",
     )
     assert sorted(name for name, _, _ in rows) == sorted(wanted)
     for name, shown, note in rows:
@@ -128,7 +130,7 @@ def test_every_other_preset_has_the_gait_that_the_library_finds(page):
     for name in names:
         Select(find(page, "preset")).select_by_visible_text(name)
         find_gait(page)
-        gait = tdmf_slip.find_gait(page.execute_script("return tdmfSlip.state.values"))
+        gait = tdmf_slip.find_gait(js(page, "tdmfSlip.state.values"))
         assert value_shown(page, "gait", "word") == gait.word
         assert close(value_shown(page, "gait", "stride.period"), gait.period)
         assert np.abs(eigenvalues(page) - gait.eigenvalues).max() < EQUAL
@@ -159,7 +161,7 @@ def closes(ledger):
 
 def test_the_ledger_of_a_stride_closes_also_where_inputs_and_settings_jump_in_it(used_page):
     used_page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(60))")
-    assert closes(used_page.execute_script("return tdmfSlip.run.lastLedger"))
+    assert closes(js(used_page, "tdmfSlip.run.lastLedger"))
     used_page.execute_script(
         "tdmfSlip.player.advanceBy(() => { do { tdmfSlip.run.advanceToEvent(1000); }"
         "while (tdmfSlip.run.outputs['contact.mode'] !== 2); tdmfSlip.run.advance(0.05); })"
@@ -169,7 +171,7 @@ def test_the_ledger_of_a_stride_closes_also_where_inputs_and_settings_jump_in_it
     strides = int(value_shown(used_page, "numbers", "stride.count"))
     used_page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(20))")
     assert int(value_shown(used_page, "numbers", "stride.count")) == strides + 1
-    ledger = used_page.execute_script("return tdmfSlip.run.lastLedger")
+    ledger = js(used_page, "tdmfSlip.run.lastLedger")
     assert closes(ledger) and ledger["leg.work"] > 1e-3
 
 
@@ -180,7 +182,7 @@ def test_a_stride_in_which_a_mass_was_changed_has_no_ledger(used_page):
     used_page.execute_script(
         "tdmfSlip.set('body.mass', 1.01); tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(24))"
     )
-    assert used_page.execute_script("return tdmfSlip.run.lastLedger") is None
+    assert js(used_page, "tdmfSlip.run.lastLedger") is None
 
 
 @pytest.mark.on_phone
@@ -190,7 +192,7 @@ def test_dragging_the_friction_across_a_border_changes_the_word(page):
     assert value_shown(page, "gait", "word") == "+0-0+"
     drag_friction(page, 0.6, 0.43)
     wait(page, "tdmfSlip.gaits.search.gait.word === '+0-'", "the other word")
-    friction = page.execute_script("return tdmfSlip.state.values['ground.friction']")
+    friction = js(page, "tdmfSlip.state.values['ground.friction']")
     assert friction == pytest.approx(0.43, rel=0.02)
     wait(page, f"location.hash === '#ground.friction={friction}'", "the address")
     wait(page, f"tdmfSlip.gaits.search.friction === {friction}", "the gait at the last friction")
@@ -205,7 +207,7 @@ def test_the_curve_over_the_friction_is_the_librarys(page):
     show(page)
     points = "tdmfSlip.gaits.frictionPlot.points"
     wait(page, f"{points}.at(0)?.friction < 0.0501 && {points}.at(-1).friction > 9.99", "the curve")
-    points = page.execute_script("return tdmfSlip.gaits.frictionPlot.points")
+    points = js(page, "tdmfSlip.gaits.frictionPlot.points")
     assert {point["gait"]["word"] for point in points} == {"0+", "+0+", "+0-0+", "+0-", "+-"}
     for point in points[::20]:
         gait = tdmf_slip.find_gait({"ground.friction": point["friction"]})
@@ -216,7 +218,7 @@ def test_the_curve_over_the_friction_is_the_librarys(page):
 
 def test_every_cell_of_a_painted_region_is_the_librarys(page):
     paint(page)
-    region = page.execute_script("return tdmfSlip.gaits.region.read")
+    region = js(page, "tdmfSlip.gaits.region.read")
     gait = tdmf_slip.find_gait()
     rows, columns = np.array(region["rows"]), np.array(region["columns"])
     starts = np.tile(gait.apex, (32, 32, 1))
@@ -233,7 +235,7 @@ def test_a_region_around_the_gait_is_that_of_the_command(page):
     Select(find(page, "region-width")).select_by_value("1")
     Select(find(page, "region-points")).select_by_visible_text("32")
     paint(page)
-    region = page.execute_script("return tdmfSlip.gaits.region.read")
+    region = js(page, "tdmfSlip.gaits.region.read")
     for axis, values in zip(region["axes"], (region["rows"], region["columns"]), strict=True):
         assert [values[0], values[-1]] == pytest.approx(range_around(tdmf_slip.find_gait(), axis), rel=1e-5)
 
@@ -244,7 +246,7 @@ def test_a_click_into_the_region_starts_the_runner_there(page):
     canvas = find(page, "region")
     page.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvas)
     pointer(page).move_to_element_with_offset(canvas, 30, -40).click().perform()
-    apex = page.execute_script("return tdmfSlip.core.apexOf(tdmfSlip.state.values)")
+    apex = js(page, "tdmfSlip.core.apexOf(tdmfSlip.state.values)")
     gait = tdmf_slip.find_gait().apex
     assert apex[0] > 1.2 * gait[0] and apex[1] > 1.1 * gait[1]
     assert apex[2:] == pytest.approx(gait[2:], abs=1e-10)
@@ -264,11 +266,11 @@ def test_a_click_into_the_region_starts_the_runner_there(page):
 )
 def test_a_bad_value_gets_a_sentence_and_the_runner_runs_on(used_page, name, text, says):
     play(used_page, True)
-    before = used_page.execute_script("return [tdmfSlip.state.values, tdmfSlip.run.time]")
+    before = js(used_page, "[tdmfSlip.state.values, tdmfSlip.run.time]")
     type_value(used_page, name, text)
     assert sentence(used_page) == says
     assert find(used_page, f"value-{name}").get_attribute("aria-invalid") == "true"
-    assert used_page.execute_script("return tdmfSlip.state.values") == before[0]
+    assert js(used_page, "tdmfSlip.state.values") == before[0]
     wait(used_page, f"tdmfSlip.run.time > {before[1]} + 1", "the run")
     type_value(used_page, name, "0.5")
     assert (
@@ -278,7 +280,7 @@ def test_a_bad_value_gets_a_sentence_and_the_runner_runs_on(used_page, name, tex
 
 def test_an_address_shows_the_same_runner(driver, address):
     open_page(driver, address, "#friction=0.3&hip.touchdown_angle=0.7&leg.angle=1.1")
-    values = driver.execute_script("return tdmfSlip.state.values")
+    values = js(driver, "tdmfSlip.state.values")
     assert (values["ground.friction"], values["hip.touchdown_angle"], values["leg.angle"]) == (0.3, 0.7, 1.1)
     assert float(find(driver, "value-hip.touchdown_angle").get_attribute("value")) == pytest.approx(
         math.degrees(0.7)
@@ -288,7 +290,7 @@ def test_an_address_shows_the_same_runner(driver, address):
     type_value(driver, "body.mass", "1.25")
     wait(driver, "location.hash.includes('body.mass')", "the address")
     assert driver.execute_script(unit) == "N/m"
-    said = urllib.parse.parse_qs(driver.execute_script("return location.hash.slice(1)"))
+    said = urllib.parse.parse_qs(js(driver, "location.hash.slice(1)"))
     angles = {name: said.pop(name)[0] for name in ("hip.touchdown_angle", "leg.angle")}
     assert said == {"body.mass": ["1.25"], "ground.friction": ["0.3"]}
     assert angles["leg.angle"].endswith("deg")
@@ -302,14 +304,14 @@ def test_the_clamp_of_the_swing_is_a_checkbox(page, address):
     assert box.get_attribute("type") == "checkbox"
     for clamp in (False, True):
         set_clamp(page, clamp)
-        assert page.execute_script(f"return tdmfSlip.state.values['{CLAMP}']") == clamp
+        assert js(page, f"tdmfSlip.state.values['{CLAMP}']") == clamp
         find_gait(page)
         gait = tdmf_slip.find_gait({CLAMP: clamp})
         assert close(value_shown(page, "gait", "stride.speed"), gait.speed)
         assert np.abs(eigenvalues(page) - gait.eigenvalues).max() < EQUAL
     for text, clamp in (("false", 0), ("0", 0), ("true", 1)):
         open_page(page, address, f"#{CLAMP}={text}")
-        assert page.execute_script(f"return tdmfSlip.state.values['{CLAMP}']") == clamp
+        assert js(page, f"tdmfSlip.state.values['{CLAMP}']") == clamp
         assert find(page, f"value-{CLAMP}").is_selected() == bool(clamp)
     page.execute_script("arguments[0].click()", find(page, f"value-{CLAMP}"))
     wait(page, "location.hash === ''", "the address")
@@ -323,7 +325,7 @@ def test_a_bad_address_gets_a_sentence(driver, address):
     open_page(driver, address, "#ground.friction=ice&colour=red")
     assert "colour in the address is no parameter" in sentence(driver)
     assert "ground.friction is no number" in sentence(driver)
-    assert driver.execute_script("return tdmfSlip.state.values['ground.friction']") == 0.6
+    assert js(driver, "tdmfSlip.state.values['ground.friction']") == 0.6
 
 
 def test_a_fall_and_a_runner_too_stiff_are_told(driver, address):
@@ -345,7 +347,7 @@ def test_a_fragment_of_the_page_is_no_runner(driver, address):
     driver.execute_script("location.hash = '#gait-title'")
     wait(driver, "location.hash === '#gait-title'", "the address")
     assert sentence(driver) == ""
-    assert driver.execute_script("return tdmfSlip.state.values['ground.friction']") == 0.3
+    assert js(driver, "tdmfSlip.state.values['ground.friction']") == 0.3
 
 
 def test_no_gait_is_told(driver, address):
@@ -358,7 +360,7 @@ def changes_within(page, body, events):
     """Whether contact or phase change within so many events: some, as the clamp's, change neither."""
     for _ in range(events):
         body.send_keys("e")
-        if page.execute_script("return tdmfSlip.run.outputs['event.last_time'] === tdmfSlip.run.time"):
+        if js(page, "tdmfSlip.run.outputs['event.last_time'] === tdmfSlip.run.time"):
             return True
     return False
 
@@ -368,27 +370,27 @@ def test_keys_and_taps_run_pause_and_step(page):
     play(page, True)
     body = page.find_element(By.TAG_NAME, "body")
     body.send_keys(" ")
-    assert not page.execute_script("return tdmfSlip.player.running")
-    time = page.execute_script("return tdmfSlip.run.time")
+    assert not js(page, "tdmfSlip.player.running")
+    time = js(page, "tdmfSlip.run.time")
     body.send_keys(".")
-    assert page.execute_script("return tdmfSlip.run.time") == pytest.approx(time + 0.01)
+    assert js(page, "tdmfSlip.run.time") == pytest.approx(time + 0.01)
     assert changes_within(page, body, 4)
     assert "centre of mass" in find(page, "scene").get_attribute("aria-label")
     body.send_keys("]")
-    assert page.execute_script("return tdmfSlip.state.values['ground.friction']") == 0.63
+    assert js(page, "tdmfSlip.state.values['ground.friction']") == 0.63
     press(page, "scene")
-    assert page.execute_script("return tdmfSlip.player.running")
+    assert js(page, "tdmfSlip.player.running")
 
 
 @pytest.mark.both_screens
 def test_nothing_is_wider_than_the_screen_and_the_colours_are_those_asked_for(page):
-    width, dark = page.execute_script(
-        "return [document.documentElement.clientWidth, matchMedia('(prefers-color-scheme: dark)').matches]"
+    width, dark = js(
+        page, "[document.documentElement.clientWidth, matchMedia('(prefers-color-scheme: dark)').matches]"
     )  # a phone's innerWidth grows with what is too wide
     page.execute_script("document.querySelectorAll('details').forEach((group) => { group.open = true; })")
-    assert page.execute_script("return document.documentElement.scrollWidth") <= width
-    shade = page.execute_script("return getComputedStyle(document.body).backgroundColor")
+    assert js(page, "document.documentElement.scrollWidth") <= width
+    shade = js(page, "getComputedStyle(document.body).backgroundColor")
     assert (max(map(int, re.findall(r"\d+", shade))) < 64) == dark
     press(page, "theme")
-    other = page.execute_script("return getComputedStyle(document.body).backgroundColor")
+    other = js(page, "getComputedStyle(document.body).backgroundColor")
     assert (max(map(int, re.findall(r"\d+", other))) < 64) != dark

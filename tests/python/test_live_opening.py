@@ -10,6 +10,7 @@ from live_pages import (
     drag_friction,
     find,
     hint,
+    js,
     open_page,
     pointer,
     press,
@@ -38,18 +39,18 @@ def test_the_first_pictures_stand_without_a_click(driver, address):
     open_page(driver, address, "?seen")
     wait(driver, f"{PAINTED}.includes(64)", "the region")
     wait(driver, "tdmfSlip.gaits.frictionPlot.points.length > 60", "figure 9")
-    assert driver.execute_script(f"return {PAINTED}") == [16, 32, 64]
+    assert js(driver, f"{PAINTED}") == [16, 32, 64]
     gait = tdmf_slip.find_gait()
-    assert driver.execute_script("return tdmfSlip.gaits.search.gait.word") == gait.word
-    region = driver.execute_script("return tdmfSlip.gaits.region.read")
+    assert js(driver, "tdmfSlip.gaits.search.gait.word") == gait.word
+    region = js(driver, "tdmfSlip.gaits.region.read")
     assert region["axes"] == ["com_height", "com_speed"] and "" not in region["fates"]
-    found = driver.execute_script("return performance.getEntriesByName('gait found')[0].startTime")
-    assert found < driver.execute_script("return performance.getEntriesByName('region painted')[0].startTime")
-    if driver.execute_script("return innerWidth > 900"):
+    found = js(driver, "performance.getEntriesByName('gait found')[0].startTime")
+    assert found < js(driver, "performance.getEntriesByName('region painted')[0].startTime")
+    if js(driver, "innerWidth > 900"):
         for ident in ("scene", "gait", "friction", "region"):
             box = find(driver, ident).rect
             assert box["y"] >= 0 and box["y"] + 100 < 900, ident
-    assert driver.execute_script("return document.querySelectorAll('#controls details[open]').length") == 0
+    assert js(driver, "document.querySelectorAll('#controls details[open]').length") == 0
     check_console(driver)
 
 
@@ -58,11 +59,11 @@ def test_no_picture_is_computed_while_the_page_is_hidden(page):
     wait(page, f"{hint('region-hint')}.includes('Painting')", "the begin")
     page.execute_script("tdmfSlip.choose({ name: 'a third', values: { 'hip.kp': 0.12 } })")
     wait(page, f"{hint('region-hint')}.includes('Painting')", "the begin")
-    assert len(page.execute_script("return tdmfSlip.gaits.frictionPlot.points")) == 1
-    assert set(page.execute_script("return tdmfSlip.gaits.region.read.fates")) == {""}
+    assert len(js(page, "tdmfSlip.gaits.frictionPlot.points")) == 1
+    assert set(js(page, "tdmfSlip.gaits.region.read.fates")) == {""}
     show_curve(page)
     wait(page, f"{hint('region-hint')}.includes('settle on the gait')", "the region")
-    region = page.execute_script("return tdmfSlip.gaits.region.read")
+    region = js(page, "tdmfSlip.gaits.region.read")
     assert "" not in region["fates"] and len(region["rows"]) == 32
 
 
@@ -91,7 +92,7 @@ def test_the_large_slider_sets_the_friction_and_follows_it(used_page):
     slider = find(used_page, "friction-slider")
     center(used_page, slider)
     slider.send_keys(Keys.HOME)
-    assert used_page.execute_script("return tdmfSlip.state.values['ground.friction']") == 0.05
+    assert js(used_page, "tdmfSlip.state.values['ground.friction']") == 0.05
     assert find(used_page, "friction-text").text == slider.get_attribute("aria-valuetext") == "0.05"
     used_page.execute_script("tdmfSlip.set('ground.friction', 10)")
     assert slider.get_attribute("value") == "1000" and find(used_page, "friction-text").text == "10"
@@ -122,7 +123,7 @@ def test_terms_are_explained_on_hover_and_tap(page):
         note = find(page, "term-note")
         assert note.is_displayed() and len(note.text) > 40, term
         box = note.rect
-        width = page.execute_script("return document.documentElement.clientWidth")
+        width = js(page, "document.documentElement.clientWidth")
         assert box["x"] >= 0 and box["x"] + box["width"] <= width, term
         ActionChains(page).send_keys(Keys.ESCAPE).perform()
         assert not note.is_displayed(), term
@@ -137,22 +138,21 @@ def test_the_runner_stays_in_sight_while_figure_9_is_dragged_and_the_region_clic
             "const box = document.getElementById('scene').getBoundingClientRect();"
             "return [box.top, box.bottom]"
         )
-        assert top >= 0 and bottom <= page.execute_script("return innerHeight"), ident
+        assert top >= 0 and bottom <= js(page, "innerHeight"), ident
     drag_friction(page, 0.6, 0.8)
-    assert page.execute_script("return tdmfSlip.state.values['ground.friction']") == pytest.approx(
-        0.8, rel=0.03
-    )
-    assert page.execute_script("return document.getElementById('scene').getBoundingClientRect().top >= 0")
+    assert js(page, "tdmfSlip.state.values['ground.friction']") == pytest.approx(0.8, rel=0.03)
+    assert js(page, "document.getElementById('scene').getBoundingClientRect().top >= 0")
 
 
 @pytest.mark.on_phone
 def test_a_phone_shows_the_runner_then_friction_then_figure_9(driver, address):
     open_page(driver, address)
-    tops = driver.execute_script(
-        "return ['scene', 'friction-slider', 'friction', 'gait', 'region'].map((ident) =>"
-        "document.getElementById(ident).getBoundingClientRect().top)"
+    tops = js(
+        driver,
+        "['scene', 'friction-slider', 'friction', 'gait', 'region'].map((ident) =>"
+        "document.getElementById(ident).getBoundingClientRect().top)",
     )
-    if driver.execute_script("return innerWidth < 900"):
+    if js(driver, "innerWidth < 900"):
         assert tops == sorted(tops)
 
 
@@ -163,7 +163,7 @@ def test_a_video_of_three_strides_is_saved(page):
     press(page, "video")
     assert not find(page, "video").is_enabled()
     wait(page, "tdmfSlip.video.saved", "the video")
-    saved = page.execute_script("return tdmfSlip.video.saved")
+    saved = js(page, "tdmfSlip.video.saved")
     assert saved["type"] in ("webm", "mp4") and saved["size"] > 5000
-    assert page.execute_script("return tdmfSlip.run.outputs['stride.count']") >= begun + 3
+    assert js(page, "tdmfSlip.run.outputs['stride.count']") >= begun + 3
     assert find(page, "video").is_enabled() and find(page, "video").text == "Save a video"

@@ -1,7 +1,5 @@
 """The driver of pages: runs in many calls, guards that begin at zero, observed quantities."""
 
-import ctypes
-
 import numpy as np
 import pytest
 from page_runs import BEHIND, COMPILER, KERNEL, CompiledPage, StuckError, run_batch, widths_of
@@ -46,18 +44,6 @@ class Turns(Model):
         return s.replace(falls=s.falls + 1)
 
 
-def saved(run):
-    """What a run is, for `restore`."""
-    return bytes(run.run), run.p.copy(), run.x.copy(), run.dx.copy(), run.shift.copy()
-
-
-def restore(run, memory):
-    """Put a run back to what it was."""
-    ctypes.memmove(ctypes.addressof(run.run), memory[0], len(memory[0]))
-    for array, values in zip((run.p, run.x, run.dx, run.shift), memory[1:], strict=True):
-        array[:] = values
-
-
 def test_a_guard_that_would_have_risen_has_not_crossed_zero():
     """An importer reverses the rate at the instant at which the sine is zero and rises."""
     run = CompiledPage(Turns).start(angle=0.0).to(0.0)
@@ -84,36 +70,6 @@ def test_a_run_in_many_calls_is_the_run_in_one(push):
             assert mine == pytest.approx(theirs, abs=1e-12), name
         assert run.x == pytest.approx(whole.x, abs=1e-12)
         assert run.dx == pytest.approx(whole.dx, abs=1e-9)
-
-
-def test_a_saved_run_goes_on_as_it_would_have():
-    for stop, depth in ((True, 1e-11), (False, 0)):
-        run = CompiledPage(Hopper).start(depth=depth, seeds=["speed", "depth"])
-        run.to(stop="hop") if stop else run.to(1.7)
-        memory = saved(run)
-        first = [run.to(4.5).time, *run.x, *run.dx.ravel(), run.run.events]
-        restore(run, memory)
-        assert [run.to(4.5).time, *run.x, *run.dx.ravel(), run.run.events] == first
-
-
-def test_variations_pass_a_stop_and_a_seed_may_be_added_there():
-    page, seeds = CompiledPage(Hopper), ["height", "speed"]
-    whole = page.start(seeds=seeds).to(4.5)
-    run = page.start(seeds=seeds).to(stop="hop").to(stop="hop").to(4.5)
-    assert run.dx == pytest.approx(whole.dx, abs=1e-12)
-    run = page.start(seeds=seeds)
-    run.run.seed_count = 1
-    run.dx[1] = 0
-    run.to(stop="hop")
-    run.run.seed_count, run.dx[1, page.states.index("speed")] = 2, 1
-    run.to(4.5)
-    ends = []
-    for sign in (1, -1):
-        other = page.start().to(stop="hop")
-        other.x[page.states.index("speed")] += sign * 1e-6
-        ends.append(other.to(4.5).x)
-    assert run.dx[0] == pytest.approx(whole.dx[0], abs=1e-12)
-    assert run.dx[1] == pytest.approx((ends[0] - ends[1]) / 2e-6, abs=1e-8)
 
 
 class Bounces(Model):
