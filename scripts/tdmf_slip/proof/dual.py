@@ -50,6 +50,10 @@ class UndecidedError(Exception):
         super().__init__(guard)
         self.guard, self.time = guard, time
 
+    def as_json(self) -> dict[str, object]:
+        """Where a proof ended."""
+        return {"guard": self.guard, "time": self.time}
+
 
 Number = Any
 """A ball, a tube, a float or a dual of one."""

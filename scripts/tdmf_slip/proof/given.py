@@ -143,9 +143,14 @@ def gait_of(gait: RunnerLike) -> tuple[Gait, dict[str, Exact]]:
         raise InputError(
             f"a gait of {found.strides} strides is not proved; allowed: one that repeats each stride"
         )
-    own = {name: found.runner[name] for name in MOVING}
+    return found, exact_runner(found.runner, given)
+
+
+def exact_runner(runner: Runner, given: Mapping[str, object]) -> dict[str, Exact]:
+    """All values of a runner exactly, of which some are as they were given."""
+    own = {name: runner[name] for name in MOVING}
     check_laws(own)
-    return found, exact_values(own, {name: value for name, value in given.items() if name in own})
+    return exact_values(own, {name: value for name, value in given.items() if name in own})
 
 
 def check_laws(values: Mapping[str, float]) -> None:

@@ -119,6 +119,8 @@ def _real_if_alone(disc: acb, k: int, discs: list[acb]) -> acb:
 COARSE_BITS = 64
 """Bits of the working precision where few digits are asked for."""
 MAX_STEPS = 12
+FIRST_ERROR = 1e-3
+"""Error before the first step, by which the share that a step leaves is guessed."""
 SHARPENINGS = 12
 ROOM = 1.3
 """Width of a box that is tried next, over that which the operator would just map into itself."""
@@ -138,13 +140,13 @@ def refined(
     found = list(apex)
     with ctx.workprec(fineness.bits):
         points = point_inverse(jacobian)
-        last = float("inf")
+        last = FIRST_ERROR
         for _ in range(MAX_STEPS):
             left = residual(Traveller(parameters, found, fineness, forced).stride(), found)[:unknowns]
             step = points * arb_mat(unknowns, 1, left)
             found[:unknowns] = [(x - dx).mid() for x, dx in zip(found, step.entries(), strict=False)]
             size = float(max(abs(dx).upper() for dx in step.entries()))
-            if not size < 0.5 * last or size < nearness:
+            if not size < 0.5 * last or size * size / last < nearness:
                 break
             last = size
     return found

@@ -181,40 +181,36 @@ class _Prover:
         self.gait, self.values, self.digits, self.given = gait, values, digits, given
         self.parameters = Parameters(values)
         self.scales = [float(scale) for scale in gait.runner.scales]
-        self.start = [arb(float(x)) for x in gait.apex]
 
-    def proof(self, box: Fraction | None) -> Proof:
+    def proof(self, asked: Fraction | None) -> Proof:
         """With a box, or the largest that is proved."""
-        smallest = 0 if box is None else math.ceil(-math.log10(box))
-        self._work_to(max(self.digits + BEYOND, MIN_DECIMALS, smallest + 3))
-        tried = self._box(self.start, BOXES[0] if box is None else box)
+        smallest = 0 if asked is None else math.ceil(-math.log10(asked))
+        start = [arb(float(x)) for x in self.gait.apex]
+        radii = BOXES if asked is None else (asked,)
+        narrow = max(self.digits + BEYOND, MIN_DECIMALS, smallest + 3)
+        tried = self._box(start, radii[0])
         try:
-            near = self._near(self.start)
-            tried = self._unique(self.start if self.given else near, box)
-            return self._reported(tried, near)
+            near = self._near(start, narrow)
+            tried = unique_box(self.parameters, radii, lambda radius: self._box(near, radius), GUARD_BITS)
+            return self._reported(tried, near, narrow)
         except UndecidedError as problem:
-            undecided = {"guard": problem.guard, "time": problem.time}
-            return Proof(False, self.values, tried, self.digits, undecided=undecided)
+            return Proof(False, self.values, tried, self.digits, undecided=problem.as_json())
 
-    def _work_to(self, decimals: int) -> None:
-        """Decimal places of the box that enclosures are from, and the precision for them."""
-        self.narrow, self.fine = decimals, Fineness(bits_for(decimals))
+    def _near(self, start: Sequence[arb], narrow: int) -> list[arb]:
+        """A point near the gait, to more decimal places than those of a narrow box."""
+        jacobian, fine = self.gait.jacobian - np.eye(6), Fineness(bits_for(narrow))
+        return refined(self.parameters, start, jacobian, fine, 10.0 ** -(narrow + 1))
 
-    def _near(self, start: Sequence[arb]) -> list[arb]:
-        """A point near the gait."""
-        jacobian, nearness = self.gait.jacobian - np.eye(6), 10.0 ** -(self.narrow + 1)
-        return refined(self.parameters, start, jacobian, self.fine, nearness)
-
-    def _reported(self, box: Box, near: Sequence[arb]) -> Proof:
+    def _reported(self, box: Box, near: Sequence[arb], narrow: int) -> Proof:
         """With the digits that are asked for: from a smaller box where the map takes too many of them."""
-        found = self._enclosed(box, near)
+        found = self._enclosed(box, near, narrow)
         for _ in range(REFINEMENTS):
             missing = self.digits - known_digits([*found.apex, *found.eigenvalues])
             if missing <= 0:
                 break
-            self._work_to(self.narrow + missing + 2)
+            narrow += missing + 2
             try:
-                found = self._enclosed(box, self._near(near))
+                found = self._enclosed(box, self._near(near, narrow), narrow)
             except UndecidedError:
                 break
         return found
@@ -225,20 +221,14 @@ class _Prover:
             return Box(decimals, [radius * Fraction(scale) for scale in self.scales])
         return Box.around(centre, radius, self.scales)
 
-    def _unique(self, centre: Sequence[arb], asked: Fraction | None) -> Box:
-        """A box in which exactly one gait is."""
-        tried = BOXES if asked is None else (asked,)
-        return unique_box(self.parameters, tried, lambda radius: self._box(centre, radius), GUARD_BITS)
-
-    def _enclosed(self, box: Box, near: Sequence[arb]) -> Proof:
-        """All that is reported of the gait, from a box as small as the digits require."""
-        with ctx.workprec(self.fine.bits):
-            small = Starts.around(near, arb(10) ** -self.narrow, self.scales)
-        inside = Inclusion(self.parameters, small, self.fine)
-        stride = inside.stride
-        with ctx.workprec(self.fine.bits):
+    def _enclosed(self, box: Box, near: Sequence[arb], narrow: int) -> Proof:
+        """All that is reported of the gait, from a box of so many decimal places."""
+        fine = Fineness(bits_for(narrow))
+        with ctx.workprec(fine.bits):
+            inside = Inclusion(self.parameters, Starts.around(near, arb(10) ** -narrow, self.scales), fine)
             if not box.holds(inside.solution):
                 raise UndecidedError("whether the gait lies in the box")
+            stride = inside.stride
             discs, stable = eigenvalues(stride.derivative, stride.rank), stability(stride.derivative)
         return Proof(
             proved=True,

@@ -7,12 +7,13 @@ value theorem).
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
 import numpy as np
-from flint import acb_mat, arb, ctx
+from flint import arb, ctx
 
 from ..analysis.ball import Ball, cube_in
 from ..errors import InputError, RunError
@@ -20,7 +21,7 @@ from ..library.batch_given import MIN_TOLERANCE
 from ..library.gait import Gait
 from ..library.shared_steps import shares_steps
 from ..version import __version__
-from .dual import UndecidedError
+from .dual import UndecidedError, absolute, greatest, row_sums
 from .given import Exact, RunnerLike, ball_of, gait_of
 from .krawczyk import Inclusion, contraction
 from .parameters import Parameters
@@ -115,50 +116,36 @@ def prove_attraction(gait: RunnerLike = None) -> Attraction:
         return Attraction(
             False, values, undecided="whether the stride contracts: the gait is found to be unstable"
         )
-    parameters, fine = Parameters(values), Fineness(BITS)
-    scales = [float(scale) for scale in found.runner.scales]
-    centre = [arb(float(x)) for x in found.apex]
-    problem = "whether the stride contracts"
+    problem = ""
     for radius in BOXES:
-        with ctx.workprec(BITS):
-            size = ball_of(radius)
-            starts = Starts(centre, [(size * scale).lower().mid() for scale in scales])
         try:
-            inside = Inclusion(parameters, starts, fine)
+            with ctx.workprec(BITS):
+                return _within(radius, found, values)
         except UndecidedError as undecided:
             problem = str(undecided)
-            continue
-        with ctx.workprec(BITS):
-            rate, basis, weights = contraction(inside.stride.derivative)
-            if not rate < 1:
-                problem = "whether the stride contracts"
-                continue
-            largest, cube = _balls(starts, inside.image, basis, weights, scales)
-        if largest > 0.0:
-            rows = [[complex(x) for x in row] for row in basis.tolist()]
-            return Attraction(True, values, cube, _above(rate), radius, largest, rows, weights)
     return Attraction(False, values, undecided=problem)
 
 
-def _balls(
-    starts: Starts, away: Sequence[float], basis: acb_mat, weights: Sequence[float], scales: Sequence[float]
-) -> tuple[float, float]:
-    """The largest ball of the norm around the gait in the box, and the largest box of one shape in that."""
-    size = len(weights)
+def _within(radius: Fraction, gait: Gait, values: Mapping[str, Exact]) -> Attraction:
+    """The ball of a norm around the gait in a box, and the largest box of one shape in that."""
+    scales = [arb(float(scale)) for scale in gait.runner.scales]
+    centre = [arb(float(x)) for x in gait.apex]
+    starts = Starts(centre, [(ball_of(radius) * scale).lower().mid() for scale in scales])
+    inside = Inclusion(Parameters(values), starts, Fineness(BITS))
+    rate, basis, weights = contraction(inside.stride.derivative)
     exact = [arb(w) for w in weights]
-    rooms = []
-    for i in range(size):
-        reach = sum((abs(basis[i, j]) * exact[j] for j in range(size)), arb(0))
-        rooms.append(((starts.radii[i] - arb(away[i]) * arb("1.0001")) / reach).lower())
-    largest = rooms[0]
-    for room in rooms:
-        largest = largest.min(room)
-    inverse = basis.inv()
-    worst = arb(0)
-    for i in range(size):
-        total = sum((abs(inverse[i, j]) * arb(scales[j]) for j in range(size)), arb(0)) / exact[i]
-        worst = worst.max(total)
-    return _below(largest), _below(largest / worst)
+    reaches = [row * w for row, w in zip(row_sums(absolute(basis), exact), exact, strict=True)]
+    rows = zip(starts.radii, inside.image, reaches, strict=True)
+    rooms = [(room - arb(away) * arb("1.0001")) / reach for room, away, reach in rows]
+    largest = functools.reduce(arb.min, rooms).lower()
+    if not (rate < 1 and largest > 0):
+        raise UndecidedError("whether the stride contracts")
+    spans = [[x * scale for x, scale in zip(row, scales, strict=True)] for row in absolute(basis.inv())]
+    worst = greatest([sum(row, arb(0)) / w for row, w in zip(spans, exact, strict=True)])
+    found = [[complex(x) for x in row] for row in basis.tolist()]
+    return Attraction(
+        True, values, _below(largest / worst), _above(rate), radius, _below(largest), found, weights
+    )
 
 
 def _below(value: arb) -> float:

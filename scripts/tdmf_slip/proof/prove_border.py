@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from flint import arb, ctx
@@ -13,13 +13,13 @@ from ..analysis.search import periodic_gait
 from ..analysis.special_points import Border
 from ..checks import checked_flag, checked_whole, number_of, refusal
 from ..library.gait import Gait
-from ..library.members import MOVING, check_varied
+from ..library.members import check_varied
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..variables.table import FRICTION, full_name
 from ..version import __version__
 from .dual import UndecidedError
-from .given import MAX_DIGITS, Exact, RunnerLike, check_laws, exact_values, runner_of
+from .given import MAX_DIGITS, Exact, RunnerLike, exact_runner, runner_of
 from .krawczyk import COARSE_BITS, Inclusion, middle_of, refined, slopes_of, unique_box
 from .parameters import Forced, Parameters
 from .proof import Box, Proof, Proved, decimal, exactly, reported, short, text_of
@@ -149,7 +149,7 @@ def prove_border(
     --------
     >>> import tdmf_slip
     >>> gaits, borders = tdmf_slip.sweep({}, {"ground.friction": [0.3, 0.25]})
-    >>> tdmf_slip.prove_border(borders["ground.friction"][0]).proved
+    >>> tdmf_slip.prove_border(borders["ground.friction"][0], digits=5, sides=False).proved
     True
     """
     vary = full_name(vary)
@@ -158,77 +158,60 @@ def prove_border(
     value = border.value if isinstance(border, Border) else number_of(border)
     if value is None:
         raise refusal("border", border, "one of a sweep's borders, or its value")
-    sides = checked_flag("sides", sides)
-    return _BorderProver(runner, vary, value, digits, sides).proof()
+    with_sides = checked_flag("sides", sides)
+    found, given = runner_of(runner)
+    values = exact_runner(found, {name: number for name, number in given.items() if name != vary})
+    try:
+        proof = _proved(found, values, vary, value, digits)
+    except UndecidedError as problem:
+        return BorderProof(False, vary, values, digits, undecided=problem.as_json())
+    return replace(proof, sides=_sides(proof, found, _step(value))) if with_sides else proof
 
 
-class _BorderProver:
-    """One border."""
+def _step(value: float) -> float:
+    """Distance from a border of the gaits that decide its kind."""
+    return BESIDE * max(abs(value), BESIDE)
 
-    def __init__(self, runner: RunnerLike, name: str, value: float, digits: int, sides: bool) -> None:
-        self.runner, self.given = runner_of(runner)
-        self.name, self.value, self.digits = name, value, digits
-        self.with_sides = sides
-        own = {of: self.runner[of] for of in MOVING}
-        check_laws(own)
-        reported_exactly = {of: value for of, value in self.given.items() if of in own and of != name}
-        self.values = exact_values(own, reported_exactly)
-        self.parameters = Parameters(self.values, name)
-        self.narrow = digits + BEYOND
-        self.fine = Fineness(bits_for(self.narrow))
 
-    def proof(self) -> BorderProof:
-        try:
-            return self._proof()
-        except UndecidedError as problem:
-            undecided = {"guard": problem.guard, "time": problem.time}
-            return BorderProof(False, self.name, self.values, self.digits, undecided=undecided)
+def _proved(runner: Runner, values: Mapping[str, Exact], name: str, value: float, digits: int) -> BorderProof:
+    """A border without its sides."""
+    parameters, narrow, rough = Parameters(values, name), digits + BEYOND, Fineness(COARSE_BITS)
+    fine, seen = Fineness(bits_for(narrow)), []
+    for by in (-_step(value), _step(value)):
+        gait = periodic_gait(runner.replace({name: value + by}))
+        apex = [arb(float(x)) for x in (*gait.apex, gait.runner[name])]
+        seen.append((gait, Traveller(parameters, apex, rough).stride()))
+    forced, gait = _distinguished(*seen)
+    scales = [*(float(scale) for scale in gait.runner.scales), max(abs(value), 1.0)]
+    start = [arb(float(x)) for x in (*gait.apex, value)]
+    stride = SetTraveller(parameters, Starts.around(start, arb(ROUGH), scales), rough, forced).stride()
+    jacobian = middle_of(slopes_of(stride))
+    near = refined(parameters, start, jacobian, fine, 10.0 ** -(narrow + 1), forced)
+    box = unique_box(parameters, BOXES, lambda radius: Box.around(near, radius, scales), COARSE_BITS, forced)
+    with ctx.workprec(fine.bits):
+        inside = Inclusion(parameters, Starts.around(near, arb(10) ** -narrow, scales), fine, forced)
+        if not box.holds(inside.solution):
+            raise UndecidedError("whether the border lies in the box")
+    return BorderProof(
+        proved=True,
+        name=name,
+        values=values,
+        digits=digits,
+        kind=forced.kind,
+        word_continued=inside.stride.word,
+        value=inside.solution[6],
+        apex=inside.solution[:6],
+        box=box,
+    )
 
-    def _proof(self) -> BorderProof:
-        step = BESIDE * max(abs(self.value), BESIDE)
-        sides = [periodic_gait(self.runner.replace({self.name: self.value + by})) for by in (-step, step)]
-        forced, gait = _distinguished(*(self._seen(side) for side in sides))
-        scales = [*(float(scale) for scale in gait.runner.scales), max(abs(self.value), 1.0)]
-        start = [*(arb(float(x)) for x in gait.apex), arb(self.value)]
-        rough = Fineness(COARSE_BITS)
-        stride = SetTraveller(
-            self.parameters, Starts.around(start, arb(ROUGH), scales), rough, forced
-        ).stride()
-        jacobian = middle_of(slopes_of(stride))
-        near = refined(self.parameters, start, jacobian, self.fine, 10.0 ** -(self.narrow + 1), forced)
-        box = unique_box(
-            self.parameters, BOXES, lambda radius: Box.around(near, radius, scales), COARSE_BITS, forced
-        )
-        with ctx.workprec(self.fine.bits):
-            small = Starts.around(near, arb(10) ** -self.narrow, scales)
-        inside = Inclusion(self.parameters, small, self.fine, forced)
-        with ctx.workprec(self.fine.bits):
-            if not box.holds(inside.solution):
-                raise UndecidedError("whether the border lies in the box")
-        return BorderProof(
-            proved=True,
-            name=self.name,
-            values=self.values,
-            digits=self.digits,
-            kind=forced.kind,
-            word_continued=inside.stride.word,
-            value=inside.solution[6],
-            apex=inside.solution[:6],
-            box=box,
-            sides=self._sides(inside.solution[6]) if self.with_sides else (),
-        )
 
-    def _seen(self, gait: Gait) -> tuple[Gait, Stride]:
-        value = arb(gait.runner[self.name])
-        apex = [*(arb(float(x)) for x in gait.apex), value]
-        return gait, Traveller(self.parameters, apex, Fineness(COARSE_BITS)).stride()
-
-    def _sides(self, value: arb) -> tuple[Proof, ...]:
-        """Gaits at decimals below and above."""
-        decimals = 1 - math.floor(math.log10(BESIDE * max(abs(self.value), BESIDE)))
-        middle = Fraction(round(exactly(value) * 10**decimals), 10**decimals)
-        step = Fraction(20, 10**decimals)
-        return tuple(prove_at(self.values, self.name, middle + by, self.runner) for by in (-step, step))
+def _sides(proof: BorderProof, runner: Runner, step: float) -> tuple[Proof, ...]:
+    """Gaits at decimals below and above a border."""
+    assert proof.value is not None
+    decimals = 1 - math.floor(math.log10(step))
+    middle = round(exactly(proof.value) * 10**decimals)
+    values = [Fraction(middle + by, 10**decimals) for by in (-20, 20)]
+    return tuple(prove_at(proof.values, proof.name, value, runner) for value in values)
 
 
 def prove_at(values: Mapping[str, Exact], name: str, value: Fraction, runner: Runner) -> Proof:

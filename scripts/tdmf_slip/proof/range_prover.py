@@ -52,7 +52,7 @@ TRIES = 4
 WIDEST_BOX = 1.5
 """Widest box of xi, over the subinterval's width: a wider one bends the stride more than the parameter."""
 SPLITS = 3
-"""How often a subinterval whose gaits are proved, but not their stability, is cut in two for its sake."""
+"""How often a subinterval whose gaits are proved, but not their stability, is halved for its sake."""
 
 
 class RangeProver:
@@ -62,47 +62,29 @@ class RangeProver:
         """Exact values of the runner, and the name of the varied parameter."""
         self.runner, self.name = runner, name
         self.parameters = Parameters(values, name)
-        self.fine = Fineness(BITS)
         self.bend: list[float] = [1.0] * 6
         self.growth = 1.0
 
     def subintervals(self, begin: Fraction, end: Fraction) -> Iterator[Subinterval]:
         """Pieces from one end to the other."""
-        width, gait, shrinkage = end - begin, None, FIRST
+        width, gait, shrinkage, splits = end - begin, None, FIRST, SPLITS
         maximum = width
         while begin < end:
             until = min(begin + short_decimal(min(width, maximum)), end)
             try:
                 gait = self._gait((begin + until) / 2, gait)
                 subinterval = self._subinterval(begin, until, gait)
+                if subinterval.stable is None and splits:
+                    width, splits = (until - begin) / 2, splits - 1
+                    continue
             except (UndecidedError, RunError) as problem:
                 if until - begin > NARROWEST:
                     width, maximum = (until - begin) * shrinkage, (until - begin) * SHRINKAGE
                     continue
                 subinterval = Subinterval(begin, until, undecided=str(problem))
-            yield from self._judged(subinterval, gait, SPLITS)
+            yield subinterval
             width, maximum = (until - begin) * Fraction(self.growth), short_decimal(maximum * RECOVERY, 5)
-            begin, shrinkage = until, SHRINKAGE
-
-    def _judged(self, subinterval: Subinterval, gait: Gait | None, splits: int) -> Iterator[Subinterval]:
-        """The subinterval, or its halves where these decide whether the gaits are stable."""
-        if not subinterval.proved or subinterval.stable is not None or not splits or gait is None:
-            yield subinterval
-            return
-        middle = (subinterval.begin + subinterval.end) / 2
-        try:
-            halves = [
-                self._half(*ends, gait) for ends in ((subinterval.begin, middle), (middle, subinterval.end))
-            ]
-        except (UndecidedError, RunError):
-            yield subinterval
-            return
-        for half, own in halves:
-            yield from self._judged(half, own, splits - 1)
-
-    def _half(self, begin: Fraction, end: Fraction, gait: Gait) -> tuple[Subinterval, Gait]:
-        own = self._gait((begin + end) / 2, gait)
-        return self._subinterval(begin, end, own), own
+            begin, shrinkage, splits = until, SHRINKAGE, SPLITS
 
     def _gait(self, value: Fraction, last: Gait | None) -> Gait:
         runner = self.runner.replace({self.name: float(value)})

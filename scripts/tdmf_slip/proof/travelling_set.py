@@ -140,21 +140,19 @@ class VariedFlow(Flow):
             name: Dual(tubes[name], {name: one}) for name in moving_names(self.runner, self.mode)
         }
         numbers |= {name: Dual(value, {name: one}) for name, value in self.kept.items()}
-        turn = {"angle": one} | slopes_of_slope(self.dual_runner)
+        slope = slope_of(self.dual_runner.slope, PARAMETER)
+        turn = {"angle": one} if slope == 0 else {"angle": one, PARAMETER: -slope}
         numbers["sine"] = Dual(tubes["sine"], {name: tubes["cosine"] * by for name, by in turn.items()})
         numbers["cosine"] = Dual(tubes["cosine"], {name: -(tubes["sine"] * by) for name, by in turn.items()})
         if fades(self.runner, self.mode):
             numbers["decay"] = self._dual_decay()
         found = rates(self.dual_runner, self.mode, numbers)
-        size, zero = len(self.active), arb(0)
-        entries = [[slope_of(found.get(row, 0), column) for column in self.active] for row in self.active]
-        rows = [[coefficients_of(entry) for entry in row] for row in entries]
-        matrices = [
-            arb_mat(size, size, [c[k] if k < len(c) else zero for row in rows for c in row])
-            for k in range(self.degree + 1)
-        ]
-        rest = arb_mat(size, size, [abs(remainder_of(entry)) for row in entries for entry in row])
-        return matrices, norm(rest, self._weights())
+        entries = [slope_of(found.get(row, 0), column) for row in self.active for column in self.active]
+        shape = len(self.active), len(self.active)
+        series = [entry.polynomial if isinstance(entry, Tube) else arb_poly([entry]) for entry in entries]
+        rest = [abs(entry.remainder) if isinstance(entry, Tube) else arb(0) for entry in entries]
+        matrices = [arb_mat(*shape, [own[k] for own in series]) for k in range(self.degree + 1)]
+        return matrices, norm(arb_mat(*shape, rest), self._weights())
 
     def _dual_decay(self) -> Dual:
         """e^(-s v/v_s), by the foot's velocity and, where it is varied, by v_s."""
@@ -210,25 +208,6 @@ class VariedFlow(Flow):
                 whole[clearance, by] = of_off * time * time / 2
                 whole[along, by], whole[off, by] = of_along * time, of_off * time
         return whole
-
-
-def slopes_of_slope(runner: Any) -> dict[str, arb]:
-    """Change of the leg's angle from the ground's normal, by what is varied."""
-    slope = slope_of(runner.slope, PARAMETER)
-    return {} if slope == 0 else {PARAMETER: -slope}
-
-
-def coefficients_of(entry: Any) -> list[arb]:
-    """Coefficients of an entry of a matrix: a tube's, or a number alone."""
-    if isinstance(entry, Tube):
-        terms: list[arb] = entry.polynomial.coeffs()
-        return terms
-    return [arb(value_of(entry))]
-
-
-def remainder_of(entry: Any) -> arb:
-    """Remainder of an entry of a matrix: a tube's, or zero."""
-    return entry.remainder if isinstance(entry, Tube) else arb(0)
 
 
 SHARPENINGS = 2
