@@ -107,7 +107,7 @@ def test_rates_are_those_of_the_page(points):
 def test_guards_are_those_of_the_page(points):
     seen = set()
     for p in points:
-        for name in watched(p.balls, p.mode):
+        for name in watched(p.motion):
             event = "release" if name == "clamp" and p.mode.clamped else EVENTS[name]
             assert close(guard_of(name, p.motion), p.page.marked("is_event")[event].when(p.page)), name
             seen.add(name)

@@ -16,7 +16,6 @@ from flint import arb, arb_poly
 from ..pages.hip import REST
 from .dual import Number
 from .flow import Tube
-from .parameters import Mode
 
 FINEST = 2.0**-14
 """Shortest part of a step over which a guard is enclosed."""
@@ -128,29 +127,28 @@ EVENTS = {
 """Events of the page by their names in proofs."""
 
 
+def _event(name: str, motion: Any) -> Any:
+    """An event of the page by its name in proofs."""
+    found = EVENTS[name]
+    if name == "clamp" and motion.swing == REST:
+        found = "release"
+    elif name == "apex" and motion.mode == "graze":
+        found = "apex_in_graze"
+    return motion.marked("is_event")[found]
+
+
 def guard_of(name: str, motion: Any) -> Number:
     """A guard by its event's name: of a motion of tubes, balls or duals of them."""
-    event = "release" if name == "clamp" and motion.swing == REST else EVENTS[name]
-    found: Number = motion.marked("is_event")[event].when(motion)
+    found: Number = _event(name, motion).when(motion)
     return found
 
 
-def watched(runner: Any, mode: Mode) -> tuple[str, ...]:
-    """Names of the guards of a mode."""
-    names: list[str] = ["the body's height", "the leg's length"]
-    if mode.touches:
-        names.append("lift-off")
-        names += (
-            ["end of slip"] if mode.contact == "slip" else ["slip onset forwards", "slip onset backwards"]
-        )
-        if runner.has_thrust and not mode.thrusts:
-            names.append("greatest compression")
-    else:
-        names += ["touchdown"] if mode.contact == "flight" else ["load", "flight"]
-        if mode.rises:
-            names.append("apex")
-        if not mode.places and runner.has_clamp:
-            names.append("clamp")
-    if mode.drives and mode.contact != "flight":
-        names.append("mid-stance")
-    return tuple(names)
+def watched(motion: Any) -> list[str]:
+    """Names of the guards that may end the mode, without those that are zero for ever."""
+    idle = {"greatest compression": not motion.has_thrust, "clamp": not motion.has_servo}
+    events = {name: _event(name, motion) for name in EVENTS if not idle.get(name)}
+    return [
+        name
+        for name, event in events.items()
+        if motion.mode in event.modes and (event.only is None or event.only(motion))
+    ]

@@ -124,7 +124,9 @@ class Parameters:
         if self.varied is not None:
             value = numbers[self.varied] if parameter is None else parameter
             numbers[self.varied] = Dual(value, {PARAMETER: arb(1)}) if dual else value
-        runner = Motion.at("flight", **{NAMES_ON_PAGE[name]: number for name, number in numbers.items()})
+        runner = Motion.at(
+            "flight", wind="calm", **{NAMES_ON_PAGE[name]: number for name, number in numbers.items()}
+        )
         vars(runner).update(self._derived(runner))
         return runner
 
@@ -166,6 +168,6 @@ def at(runner: Any, mode: Mode, values: Mapping[str, Number]) -> Any:
     found: Any = object.__new__(Motion)
     swing = PLACE if mode.places else REST if mode.clamped else RETRACT
     vars(found).update(vars(runner), mode=mode.contact, way=mode.sign, swing=swing, **values)
-    vars(found).update(driving=int(mode.drives), thrusting=int(mode.thrusts))
+    vars(found).update(driving=int(mode.drives), thrusting=int(mode.thrusts), rises_again=int(mode.rises))
     vars(found).update(law="falling" if runner.falls_with_speed else "constant")
     return found

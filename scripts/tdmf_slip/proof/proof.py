@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from decimal import Decimal, localcontext
 from fractions import Fraction
 
 import flint
@@ -78,14 +79,10 @@ def exactly(point: arb) -> Fraction:
 
 def decimal(value: Fraction, digits: int = 60) -> str:
     """A decimal as it is, or a fraction."""
-    for decimals in range(digits):
-        if (value * 10**decimals).denominator == 1:
-            shown = int(value * 10**decimals)
-            if not decimals:
-                return str(shown)
-            text = f"{abs(shown):0{decimals + 1}d}"
-            return f"{'-' if shown < 0 else ''}{text[:-decimals]}.{text[-decimals:]}"
-    return str(value)
+    with localcontext(prec=10 * digits):
+        found = Decimal(value.numerator) / Decimal(value.denominator)
+        is_decimal = Fraction(found) == value and value.denominator < 10**digits
+        return f"{found.normalize():f}" if is_decimal else str(value)
 
 
 class Proved:

@@ -207,10 +207,8 @@ class Traveller:
 
     def _guards(self, flow: Flow) -> list[Guard]:
         motion = flow.motion(self.wide)
-        return [
-            Guard(name, guard_of(name, motion), self.zeros.get(name, 0))
-            for name in watched(self.wide, self.mode)
-        ]
+        names = watched(motion)
+        return [Guard(name, guard_of(name, motion), self.zeros.get(name, 0)) for name in names]
 
     def _first(self, guards: list[Guard], flow: Flow, end: arb) -> tuple[Guard | None, arb | None]:
         """The guard that is first to fall through zero, and when; else up to where to go in this step.
