@@ -19,14 +19,13 @@ PACKAGE = "tdmf_slip"
 WITHOUT_PAGE = (
     "cli",
     "__main__",
-    "equations",
     "hybrid",
     "library.c_structs",
     "library.structs",
     "pages",
 )
 """Modules without a generated page. The command line, the C structs and the language of pages have pages of
-their own, and the guides document the laws."""
+their own."""
 
 
 def modules(folder: Path) -> dict[str, Path]:

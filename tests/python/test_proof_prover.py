@@ -95,21 +95,6 @@ def test_the_orbit_of_van_der_pol_is_proved_with_its_known_size_and_period(monke
         assert abs(slope) < 1  # and it attracts
 
 
-def enclosures(proof):
-    return [*proof.apex, *(value.real for value in proof.eigenvalues), *proof.quantities.values()]
-
-
-def proved(friction, digits=12):
-    proof = tdmf_slip.prove({"ground.friction": friction, **CLAMPED}, digits=digits)
-    assert proof.proved
-    return proof
-
-
-@pytest.fixture(scope="module")
-def proof():
-    return proved(SHORT)
-
-
 def test_steps_of_other_lengths_enclose_the_same(monkeypatch):
     """Both tubes hold the ends of all starts within 1e-8, so they overlap."""
     longest = flow_module.longest
@@ -125,20 +110,8 @@ def test_steps_of_other_lengths_enclose_the_same(monkeypatch):
         assert abs(middle - other[-1].middle[name]) <= radius < 1e-5, name
 
 
-def agrees_with_known(proof, friction):
-    printed, known = proof.as_json(), KNOWN[friction]
-    with ctx.workprec(200):
-        pairs = [(printed[name], known[name]) for name in ("period", "length", "speed")]
-        pairs += zip(printed["apex"], known["apex"], strict=True)
-        return all(arb(one).overlaps(arb(other)) for one, other in pairs)
-
-
 LAWS = {"spring": SHORT, "servo": SHORT, "slip_friction": LONG, "speed_left": LONG, "grazing_across": LONG}
 """Laws, with the friction of a gait in which each matters."""
-
-
-def test_laws_as_they_are_agree_with_the_known_gait(proof):
-    assert agrees_with_known(proof, SHORT)
 
 
 @pytest.mark.parametrize(("law", "friction"), some_of(LAWS.items(), 1))
@@ -148,17 +121,10 @@ def test_a_law_that_is_wrong_by_a_part_in_1e12_is_noticed(monkeypatch, law, fric
     with ctx.workprec(400):
         factor = 1 + arb(10) ** -12
     monkeypatch.setattr(Motion, law, lambda *given: right(*given) * factor)
-    assert not agrees_with_known(proved(friction), friction)
-
-
-def test_a_proof_is_pickled_with_its_balls_as_they_are(proof):
-    again = pickle.loads(pickle.dumps(proof))
-    assert again.sentence == proof.sentence
-    pairs = list(zip(enclosures(proof), enclosures(again), strict=True))
-    assert len(pairs) > 12
-    for one, other in pairs:
-        assert one.mid().man_exp() == other.mid().man_exp()
-        assert one.rad().man_exp() == other.rad().man_exp()
+    proof = tdmf_slip.prove({"ground.friction": friction, **CLAMPED}, digits=12)
+    assert proof.proved
+    with ctx.workprec(200):
+        assert not arb(proof.as_json()["period"]).overlaps(arb(KNOWN[friction]["period"]))
 
 
 @pytest.mark.parametrize("ball", [arb(0), arb(0, 1e-5), arb(3), -arb.pi(), arb(0, 1)])
