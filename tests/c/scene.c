@@ -293,3 +293,45 @@ double scene_force_tolerance(const runner *runner) {
                           p->body.mass * length * turning * turning;
     return 1e-11 * forces * (1.0 + runner->inputs.ground.friction) * p->body.mass / p->foot.mass;
 }
+
+double time_factor(const factors *by) {
+    return sqrt(by->mass / by->stiffness);
+}
+
+double energy_factor(const factors *by) {
+    return by->stiffness * by->length * by->length;
+}
+
+tdmf_parameters scaled_parameters(tdmf_parameters p, const factors *by) {
+    p.body.mass *= by->mass;
+    p.foot.mass *= by->mass;
+    p.leg.stiffness *= by->stiffness;
+    p.leg.damping *= sqrt(by->mass * by->stiffness);
+    p.leg.free_length *= by->length;
+    p.leg.min_length *= by->length;
+    p.gravity *= by->stiffness * by->length / by->mass;
+    p.hip.stance_torque *= energy_factor(by);
+    p.hip.kp *= energy_factor(by);
+    p.hip.kd *= energy_factor(by) * time_factor(by);
+    p.hip.retraction_rate /= time_factor(by);
+    p.leg.thrust *= by->length;
+    return p;
+}
+
+double factor_of_element(const factors *by, int element) {
+    const double speed = by->length / time_factor(by);
+    const double mechanical[TDMF_MECHANICAL_COUNT] = {
+        by->length, by->length, by->length, 1.0, speed, speed, speed, 1.0 / time_factor(by)};
+    const double other = element == TDMF_HIP_PLACE_TIME ? time_factor(by) : energy_factor(by);
+    return element < TDMF_MECHANICAL_COUNT ? mechanical[element] : other;
+}
+
+tdmf_inputs scaled_inputs(tdmf_inputs inputs, const factors *by) {
+    inputs.leg.extension *= by->length;
+    inputs.ground.height *= by->length;
+    inputs.body.external_fx *= by->stiffness * by->length;
+    inputs.body.external_fy *= by->stiffness * by->length;
+    inputs.control.stance_torque *= energy_factor(by);
+    inputs.hip.external_torque *= energy_factor(by);
+    return inputs;
+}

@@ -69,4 +69,16 @@ runner scene_random(random_source *source, tdmf_contact_mode contact);
 double scene_short_time(const runner *runner);
 double scene_force_tolerance(const runner *runner);
 
+/* A runner in other units, m by `mass`, k by `stiffness`, l0 by `length`, with the dimensionless groups
+ * fixed. Elements of the state that are neither clocks nor mechanical are energies. */
+typedef struct {
+    double mass, stiffness, length;
+} factors;
+
+double time_factor(const factors *by);
+double energy_factor(const factors *by);
+double factor_of_element(const factors *by, int element);
+tdmf_parameters scaled_parameters(tdmf_parameters parameters, const factors *by);
+tdmf_inputs scaled_inputs(tdmf_inputs inputs, const factors *by);
+
 #endif

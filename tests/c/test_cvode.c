@@ -93,29 +93,15 @@ TEST(another_scale_is_the_same_work) {
     assert_int_equal(plain.motion.record.stride.count, 2);
     for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; ++i) {
         const double length = ldexp(1.0, exponents[i][0]), time = ldexp(1.0, exponents[i][1]);
-        const double mass = ldexp(1.0, exponents[i][2]), energy = mass * length * length / (time * time);
+        const double mass = ldexp(1.0, exponents[i][2]);
+        const factors by = {mass, mass / (time * time), length};
         run scaled = begin(&reference_gaits[DEFAULT_GAIT]);
         scaled.solver.relative_tolerance = finer;
-        tdmf_parameters p = scaled.runner.model.parameters;
-        p.body.mass *= mass;
-        p.foot.mass *= mass;
-        p.leg.stiffness *= mass / (time * time);
-        p.leg.damping *= mass / time;
-        p.leg.free_length *= length;
-        p.leg.min_length *= length;
-        p.gravity *= length / (time * time);
-        p.hip.stance_torque *= energy;
-        p.hip.kp *= energy;
-        p.hip.kd *= energy * time;
-        scaled.runner.model = accepted_model(&p);
-        double *const q = scaled.motion.state;
-        q[TDMF_FOOT_X] *= length;
-        q[TDMF_FOOT_Y] *= length;
-        q[TDMF_LEG_LENGTH] *= length;
-        q[TDMF_FOOT_VX] *= length / time;
-        q[TDMF_FOOT_VY] *= length / time;
-        q[TDMF_LEG_LENGTH_RATE] *= length / time;
-        q[TDMF_LEG_ANGLE_RATE] /= time;
+        const tdmf_parameters parameters = scaled_parameters(scaled.runner.model.parameters, &by);
+        scaled.runner.model = accepted_model(&parameters);
+        for (int j = 0; j < TDMF_MECHANICAL_COUNT; ++j) {
+            scaled.motion.state[j] *= factor_of_element(&by, j);
+        }
         assert_null(tdmf_start(SYSTEM_OF(&scaled.runner), &scaled.motion).variable);
         assert_int_equal(advance(&scaled, 60.0 * time), TDMF_ARRIVED);
         assert_relatively_close((double)scaled.solver.steps, (double)plain.solver.steps, 0.03);

@@ -7,59 +7,21 @@
 
 #include <math.h>
 
-typedef struct {
-    double mass, stiffness, length;
-} factors;
-
 static factors random_factors(random_source *source) {
     const factors factors = {random_magnitude(source, 1e-3, 1e3), random_magnitude(source, 1e-3, 1e4),
                              random_magnitude(source, 1e-2, 1e2)};
     return factors;
 }
 
-static double time_factor(const factors *by) {
-    return sqrt(by->mass / by->stiffness);
-}
-
-static double energy_factor(const factors *by) {
-    return by->stiffness * by->length * by->length;
-}
-
-static tdmf_parameters scaled_parameters(tdmf_parameters p, const factors *by) {
-    p.body.mass *= by->mass;
-    p.foot.mass *= by->mass;
-    p.leg.stiffness *= by->stiffness;
-    p.leg.damping *= sqrt(by->mass * by->stiffness);
-    p.leg.free_length *= by->length;
-    p.leg.min_length *= by->length;
-    p.gravity *= by->stiffness * by->length / by->mass;
-    p.hip.stance_torque *= energy_factor(by);
-    p.hip.kp *= energy_factor(by);
-    p.hip.kd *= energy_factor(by) * time_factor(by);
-    p.hip.retraction_rate /= time_factor(by);
-    return p;
-}
-
-/* All that is no clock and not mechanical is an energy. */
-static double factor_of_element(const factors *by, int i) {
-    const double speed = by->length / time_factor(by);
-    const double mechanical[TDMF_MECHANICAL_COUNT] = {
-        by->length, by->length, by->length, 1.0, speed, speed, speed, 1.0 / time_factor(by)};
-    const double other = i == TDMF_HIP_PLACE_TIME ? time_factor(by) : energy_factor(by);
-    return i < TDMF_MECHANICAL_COUNT ? mechanical[i] : other;
-}
-
 static runner scaled(const runner *original, const factors *by) {
     runner runner = *original;
     const tdmf_parameters parameters = scaled_parameters(runner.model.parameters, by);
     runner.model = accepted_model(&parameters);
-    runner.inputs.hip.external_torque *= energy_factor(by);
-    runner.inputs.ground.height *= by->length;
+    runner.inputs = scaled_inputs(runner.inputs, by);
     runner.motion.mode.ground.height *= by->length;
-    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+    for (int i = 0; i <= TDMF_HIP_PLACE_TIME; ++i) {
         runner.motion.state[i] *= factor_of_element(by, i);
     }
-    runner.motion.state[TDMF_HIP_PLACE_TIME] *= factor_of_element(by, TDMF_HIP_PLACE_TIME);
     return runner;
 }
 
