@@ -18,30 +18,58 @@ enum { EVENTS_OF_A_STRIDE = 9, MAX_EVENTS = 1000, STATES_COMPARED = 8 };
 static const char *const state_names[STATES_COMPARED] = {
     "foot.x", "foot.y", "leg.length", "leg.angle", "foot.vx", "foot.vy", "leg.length_rate", "leg.angle_rate"};
 
-static fmi3Instance stepper_in_step_mode(bool event_mode, bool early_return) {
-    fmi3Instance instance = new_stepper(event_mode, early_return);
-    initialize3(instance);
-    if (event_mode) {
-        update_answer answer;
-        assert_int_equal(update(instance, &answer), fmi3OK);
-        assert_false(answer.needs_update || answer.states_changed);
-        assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
-    }
+/* In step mode, at a time; without event mode at 0. */
+static fmi3Instance started(fmi3Instance instance, double time) {
+    update_answer answer;
+    initialize_unit_at(&fmi3, instance, time);
+    assert_int_equal(update(instance, &answer), fmi3OK);
+    assert_false(answer.needs_update || answer.states_changed);
+    assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
     return instance;
 }
 
-static bool has_fallen(fmi3Instance instance) {
-    const fmi3ValueReference reference = reference_of("status.fallen");
-    fmi3Boolean fallen = false;
-    assert_int_equal(fmi3GetBoolean(instance, &reference, 1, &fallen, 1), fmi3OK);
-    return fallen;
+static fmi3Instance eventful_stepper(void) {
+    return started(new_stepper(true, true), 0.0);
 }
 
-static void take_event(fmi3Instance instance, update_answer *answer) {
+static fmi3Instance plain_stepper(bool early_return) {
+    fmi3Instance instance = new_stepper(false, early_return);
+    initialize3(instance);
+    return instance;
+}
+
+static step_answer step_from(fmi3Instance instance, double time, double step) {
+    step_answer answer;
+    assert_int_equal(do_step(instance, time, step, &answer), fmi3OK);
+    return answer;
+}
+
+/* Updates under another friction, unless that is NAN, in event mode. */
+static update_answer update_with(fmi3Instance instance, double friction) {
+    update_answer answer;
     assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
-    assert_int_equal(update(instance, answer), fmi3OK);
-    assert_false(answer->needs_update || answer->terminate);
+    if (!isnan(friction)) {
+        assert_int_equal(set_float(instance, "ground.friction", friction), fmi3OK);
+    }
+    assert_int_equal(update(instance, &answer), fmi3OK);
+    assert_false(answer.needs_update || answer.terminate);
+    return answer;
+}
+
+static update_answer take_event(fmi3Instance instance, double friction) {
+    const update_answer answer = update_with(instance, friction);
     assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+    return answer;
+}
+
+/* The time at which the foot has come to rest. */
+static double run_until_it_sticks(fmi3Instance instance) {
+    double time = 0.0;
+    while (get_enumeration(instance, "contact.mode") != TDMF_CONTACT_STICK) {
+        time = step_from(instance, time, 20.0).time;
+        take_event(instance, (double)NAN);
+    }
+    return time;
 }
 
 /* In steps of a grid, stopping for every event; returns how many there were. */
@@ -49,17 +77,15 @@ static int run_by_events(fmi3Instance instance, double from, double to, double s
     int events = 0;
     double time = from;
     for (long i = 1; time < to; time = fmin(time, to)) {
-        step_answer answer;
-        update_answer after;
         const double grid = from + (double)i * step;
-        assert_int_equal(do_step(instance, time, grid - time, &answer), fmi3OK);
+        const step_answer answer = step_from(instance, time, grid - time);
         assert_true(answer.early == (answer.time < grid) && answer.event >= answer.early);
         time = answer.time;
         i += answer.early ? 0 : 1;
         events += answer.event ? 1 : 0;
         assert_true(events < MAX_EVENTS);
         if (answer.event) {
-            take_event(instance, &after);
+            take_event(instance, (double)NAN);
         }
     }
     return events;
@@ -69,16 +95,14 @@ static int run_by_events(fmi3Instance instance, double from, double to, double s
 
 TEST(without_event_mode_it_is_the_fmi2_unit) {
     fmi2Component old = new_slave();
-    fmi3Instance plain = stepper_in_step_mode(false, true), eventful = stepper_in_step_mode(true, false);
+    fmi3Instance plain = plain_stepper(true), eventful = started(new_stepper(true, false), 0.0);
     initialize(old);
     for (int i = 0; i < 26; ++i) {
         const double time = 10.0 * i;
-        step_answer answer;
         assert_int_equal(fmi2DoStep(old, time, 10.0, fmi2True), fmi2OK);
-        assert_int_equal(do_step(plain, time, 10.0, &answer), fmi3OK);
-        assert_true(!answer.event && !answer.early && !answer.terminate && answer.time == time + 10.0);
-        assert_int_equal(do_step(eventful, time, 10.0, &answer), fmi3OK);
-        assert_true(!answer.event && !answer.early && answer.time == time + 10.0);
+        const step_answer first = step_from(plain, time, 10.0), second = step_from(eventful, time, 10.0);
+        assert_true(!first.event && !first.early && !first.terminate && first.time == time + 10.0);
+        assert_true(!second.event && !second.early && second.time == time + 10.0);
     }
     for (int i = 0; i < STATES_COMPARED; ++i) {
         const double expected = get_real(old, state_names[i]);
@@ -95,11 +119,10 @@ TEST(without_event_mode_it_is_the_fmi2_unit) {
 TEST(stopping_at_every_event_changes_nothing) {
     static const double steps[] = {0.05, 1.0, 251.0};
     for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
-        fmi3Instance plain = stepper_in_step_mode(false, false), eventful = stepper_in_step_mode(true, true);
+        fmi3Instance plain = plain_stepper(false), eventful = eventful_stepper();
         const long count = lround(ten_strides / steps[i]);
         for (long j = 0; j < count; ++j) {
-            step_answer answer;
-            assert_int_equal(do_step(plain, (double)j * steps[i], steps[i], &answer), fmi3OK);
+            step_from(plain, (double)j * steps[i], steps[i]);
         }
         assert_int_equal(run_by_events(eventful, 0.0, ten_strides, steps[i]), get_int(plain, "event.count"));
         assert_int_equal(get_int(eventful, "event.count"), get_int(plain, "event.count"));
@@ -119,13 +142,7 @@ TEST(strides_stopped_at_events_do_not_depend_on_the_start_time) {
     static const char *const quantities[] = {"stride.period", "stride.length", "stride.stance_time",
                                              "stride.duty_factor", "stride.work"};
     for (size_t i = 0; i < sizeof starts / sizeof starts[0]; ++i) {
-        fmi3Instance at_zero = stepper_in_step_mode(true, true), later = new_stepper(true, true);
-        update_answer answer;
-        assert_int_equal(fmi3EnterInitializationMode(later, fmi3False, 0.0, starts[i], fmi3False, 0.0),
-                         fmi3OK);
-        assert_int_equal(fmi3ExitInitializationMode(later), fmi3OK);
-        assert_int_equal(update(later, &answer), fmi3OK);
-        assert_int_equal(fmi3EnterStepMode(later), fmi3OK);
+        fmi3Instance at_zero = eventful_stepper(), later = started(new_stepper(true, true), starts[i]);
         const int events = run_by_events(at_zero, 0.0, ten_strides, 0.5);
         assert_int_equal(run_by_events(later, starts[i], starts[i] + ten_strides, 0.5), events);
         assert_int_equal(get_int(later, "stride.word_code"), get_int(at_zero, "stride.word_code"));
@@ -141,42 +158,28 @@ TEST(strides_stopped_at_events_do_not_depend_on_the_start_time) {
 
 TEST(the_left_limit_is_as_near_by_a_coarse_clock) {
     const double start = 1.7e9;
-    step_answer step;
-    update_answer answer;
-    fmi3Instance instance = new_stepper(true, true);
-    assert_int_equal(fmi3EnterInitializationMode(instance, fmi3False, 0.0, start, fmi3False, 0.0), fmi3OK);
-    assert_int_equal(fmi3ExitInitializationMode(instance), fmi3OK);
-    assert_int_equal(update(instance, &answer), fmi3OK);
-    assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
-    assert_int_equal(do_step(instance, start, 20.0, &step), fmi3OK);
+    fmi3Instance instance = started(new_stepper(true, true), start);
+    const step_answer step = step_from(instance, start, 20.0);
     assert_true(step.event && step.early);
     assert_close(get_float(instance, "foot.y"), 0.0, 1e-11);
-    const double falling = get_float(instance, "foot.vy");
-    const fmi3ValueReference friction = reference_of("ground.friction");
-    const fmi3Float64 rough = 100.0;
-    assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
-    assert_int_equal(fmi3SetFloat64(instance, &friction, 1, &rough, 1), fmi3OK);
-    assert_int_equal(update(instance, &answer), fmi3OK);
-    assert_true(falling < -0.1 && get_float(instance, "foot.vy") == 0.0);
+    assert_true(get_float(instance, "foot.vy") < -0.1);
+    update_with(instance, 100.0);
+    assert_true(get_float(instance, "foot.vy") == 0.0);
     assert_close(get_float(instance, "foot.y"), 0.0, 1e-11);
     assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_STICK);
     fmi3FreeInstance(instance);
 }
 
 TEST(a_step_ends_at_the_event_and_before_it) {
-    step_answer step;
     update_answer after;
-    fmi3Instance instance = stepper_in_step_mode(true, true);
-    assert_int_equal(do_step(instance, 0.0, 20.0, &step), fmi3OK);
+    fmi3Instance instance = eventful_stepper();
+    const step_answer step = step_from(instance, 0.0, 20.0);
     assert_true(step.event && step.early);
     assert_close(step.time, touchdown, 0.01);
     assert_true(get_float(instance, "time") == step.time);
-    assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_FLIGHT);
     assert_int_equal(get_int(instance, "event.count"), 0);
     assert_close(get_float(instance, "foot.y"), 0.0, 1e-9);
-    const double falling = get_float(instance, "foot.vy");
-    assert_true(falling < -0.1);
-
+    assert_true(get_float(instance, "foot.vy") < -0.1);
     assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
     assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_FLIGHT);
     assert_int_equal(update(instance, &after), fmi3OK);
@@ -194,20 +197,18 @@ TEST(a_step_ends_at_the_event_and_before_it) {
 /* Continuous outputs are the same from both sides of an event that moves no state; an impact keeps the body.
  */
 TEST(states_before_an_event_are_its_left_limit) {
-    fmi3Instance instance = stepper_in_step_mode(true, true);
+    static const char *const names[4] = {"body.x", "body.y", "body.vx", "body.vy"};
+    fmi3Instance instance = eventful_stepper();
     double time = 0.0;
     for (int i = 0; i < EVENTS_OF_A_STRIDE; ++i) {
-        step_answer step;
-        update_answer after;
         double body[4];
-        static const char *const names[4] = {"body.x", "body.y", "body.vx", "body.vy"};
-        assert_int_equal(do_step(instance, time, 30.0, &step), fmi3OK);
+        const step_answer step = step_from(instance, time, 30.0);
         assert_true(step.event);
         time = step.time;
         for (int j = 0; j < 4; ++j) {
             body[j] = get_float(instance, names[j]);
         }
-        take_event(instance, &after);
+        take_event(instance, (double)NAN);
         for (int j = 0; j < 4; ++j) {
             assert_close(get_float(instance, names[j]), body[j], 1e-9);
         }
@@ -219,34 +220,22 @@ TEST(states_before_an_event_are_its_left_limit) {
 }
 
 TEST(an_event_left_unhandled_is_taken_by_the_next_step) {
-    step_answer step;
-    fmi3Instance instance = stepper_in_step_mode(true, true);
-    assert_int_equal(do_step(instance, 0.0, 20.0, &step), fmi3OK);
+    fmi3Instance instance = eventful_stepper();
+    const step_answer step = step_from(instance, 0.0, 20.0);
     assert_true(step.early);
-    assert_int_equal(do_step(instance, step.time, 0.01, &step), fmi3OK);
+    step_from(instance, step.time, 0.01);
     assert_int_equal(get_int(instance, "event.count"), 1);
     fmi3FreeInstance(instance);
 }
 
 /* The ground turns to ice in event mode, in mid-stance, while the foot sticks: it slips at once. */
 TEST(inputs_jump_in_event_mode) {
-    step_answer step;
-    update_answer after;
-    fmi3Instance instance = stepper_in_step_mode(true, true);
-    double time = 0.0;
-    while (get_enumeration(instance, "contact.mode") != TDMF_CONTACT_STICK) {
-        assert_int_equal(do_step(instance, time, 20.0, &step), fmi3OK);
-        time = step.time;
-        take_event(instance, &after);
-    }
-    assert_int_equal(do_step(instance, time, 1e-3, &step), fmi3OK);
+    fmi3Instance instance = eventful_stepper();
+    const step_answer step = step_from(instance, run_until_it_sticks(instance), 1e-3);
     assert_false(step.event);
-    assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
-    assert_int_equal(set_float(instance, "ground.friction", 0.01), fmi3OK);
-    assert_int_equal(update(instance, &after), fmi3OK);
+    take_event(instance, 0.01);
     assert_int_not_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_STICK);
-    assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
-    assert_int_equal(do_step(instance, step.time, 1e-3, &step), fmi3OK);
+    step_from(instance, step.time, 1e-3);
     fmi3FreeInstance(instance);
 }
 
@@ -255,26 +244,18 @@ TEST(inputs_jump_in_event_mode) {
 TEST(inputs_set_at_an_event_act_on_it) {
     static const double frictions[] = {0.0, 0.3, 0.6, 1.0, 10.0};
     for (size_t i = 0; i < sizeof frictions / sizeof frictions[0]; ++i) {
-        step_answer step;
-        update_answer after;
-        fmi3Instance instance = stepper_in_step_mode(true, true);
-        assert_int_equal(do_step(instance, 0.0, 20.0, &step), fmi3OK);
-        assert_close(step.time, touchdown, 0.01);
-        const double time = step.time;
+        fmi3Instance instance = eventful_stepper();
+        const double time = step_from(instance, 0.0, 20.0).time;
         const double vx = get_float(instance, "foot.vx"), vy = get_float(instance, "foot.vy");
-        assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
-        assert_int_equal(set_float(instance, "ground.friction", frictions[i]), fmi3OK);
-        assert_int_equal(update(instance, &after), fmi3OK);
         const double braked = fmax(0.0, vx - frictions[i] * fabs(vy));
-        assert_true(after.states_changed);
+        assert_true(take_event(instance, frictions[i]).states_changed);
         assert_close(get_float(instance, "foot.vx"), braked, 1e-9);
         assert_true(get_float(instance, "foot.vy") == 0.0);
         assert_int_equal(get_enumeration(instance, "contact.mode"),
                          braked > 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_STICK);
         assert_int_equal(get_int(instance, "event.count"), 1);
         assert_true(get_float(instance, "time") == time && get_float(instance, "event.last_time") == time);
-        assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
-        assert_int_equal(do_step(instance, time, 1e-3, &step), fmi3OK);
+        step_from(instance, time, 1e-3);
         fmi3FreeInstance(instance);
     }
 }
@@ -284,22 +265,13 @@ TEST(inputs_set_at_an_event_act_on_it) {
 TEST(an_apex_taken_anew_has_the_time_of_its_event) {
     static const double starts[] = {0.0, 1.0, 1e3};
     for (size_t i = 0; i < sizeof starts / sizeof starts[0]; ++i) {
-        step_answer step;
-        update_answer after;
         fmi3Instance instance = new_stepper(true, true);
         assert_int_equal(set_float(instance, "gravity", 10.0), fmi3OK);
         assert_int_equal(set_float(instance, "foot.vy", 5.0), fmi3OK);
-        assert_int_equal(fmi3EnterInitializationMode(instance, fmi3False, 0.0, starts[i], fmi3False, 0.0),
-                         fmi3OK);
-        assert_int_equal(fmi3ExitInitializationMode(instance), fmi3OK);
-        assert_int_equal(update(instance, &after), fmi3OK);
-        assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
-        assert_int_equal(do_step(instance, starts[i], 30.0, &step), fmi3OK);
+        const step_answer step = step_from(started(instance, starts[i]), starts[i], 30.0);
         assert_true(step.event && step.time > starts[i]);
         assert_int_equal(get_enumeration(instance, "hip.phase"), TDMF_PHASE_RETRACT);
-        assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
-        assert_int_equal(set_float(instance, "ground.friction", 0.7), fmi3OK);
-        assert_int_equal(update(instance, &after), fmi3OK);
+        update_with(instance, 0.7);
         assert_int_equal(get_enumeration(instance, "hip.phase"), TDMF_PHASE_PLACE);
         assert_true(get_float(instance, "apex.time") == step.time);
         assert_true(get_float(instance, "event.last_time") == step.time);
@@ -310,39 +282,24 @@ TEST(an_apex_taken_anew_has_the_time_of_its_event) {
 
 /* The foot would slip now, but the ground turns rough: it does not. */
 TEST(an_event_may_be_averted) {
-    step_answer step;
-    update_answer after;
-    fmi3Instance instance = stepper_in_step_mode(true, true);
-    double time = 0.0;
-    while (get_enumeration(instance, "contact.mode") != TDMF_CONTACT_STICK) {
-        assert_int_equal(do_step(instance, time, 20.0, &step), fmi3OK);
-        time = step.time;
-        take_event(instance, &after);
-    }
-    assert_int_equal(do_step(instance, time, 20.0, &step), fmi3OK);
+    fmi3Instance instance = eventful_stepper();
+    const step_answer step = step_from(instance, run_until_it_sticks(instance), 20.0);
     const int events = get_int(instance, "event.count");
+    assert_true(step.event);
     assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_STICK);
-    assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
-    assert_int_equal(set_float(instance, "ground.friction", 10.0), fmi3OK);
-    assert_int_equal(update(instance, &after), fmi3OK);
+    take_event(instance, 10.0);
     assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_STICK);
     assert_int_equal(get_int(instance, "event.count"), events);
-    assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
-    time = step.time;
-    assert_int_equal(do_step(instance, time, 0.05, &step), fmi3OK);
-    assert_false(step.event);
+    assert_false(step_from(instance, step.time, 0.05).event);
     fmi3FreeInstance(instance);
 }
 
 TEST(a_fall_is_an_event_and_then_there_are_none) {
-    step_answer step;
     fmi3Instance instance = new_stepper(true, true);
     assert_int_equal(set_float(instance, "foot.y", 100.0), fmi3OK);
-    initialize3(instance);
-    assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
-    run_by_events(instance, 0.0, 2000.0, 100.0);
-    assert_true(has_fallen(instance));
-    assert_int_equal(do_step(instance, 2000.0, 50.0, &step), fmi3OK);
+    run_by_events(started(instance, 0.0), 0.0, 2000.0, 100.0);
+    assert_true(truth_of(&fmi3, instance, "status.fallen"));
+    const step_answer step = step_from(instance, 2000.0, 50.0);
     assert_true(!step.event && !step.terminate && step.time == 2050.0);
     fmi3FreeInstance(instance);
 }
@@ -350,7 +307,6 @@ TEST(a_fall_is_an_event_and_then_there_are_none) {
 TEST(cvode_stops_at_events_too) {
     const fmi3ValueReference method = reference_of("solver.method");
     const fmi3Int64 cvode = SOLVER_CVODE;
-    step_answer step;
     fmi3Instance instance = new_stepper(true, true);
     assert_int_equal(fmi3SetInt64(instance, &method, 1, &cvode, 1), fmi3OK);
     if (fmi3EnterInitializationMode(instance, false, 0.0, 0.0, false, 0.0) != fmi3OK ||
@@ -362,40 +318,31 @@ TEST(cvode_stops_at_events_too) {
     assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
     assert_int_equal(run_by_events(instance, 0.0, period + 0.01, period + 0.01), EVENTS_OF_A_STRIDE);
     assert_close(get_float(instance, "stride.period"), period, 1e-6);
-    assert_int_equal(do_step(instance, period + 0.01, 1.0, &step), fmi3OK);
+    step_from(instance, period + 0.01, 1.0);
     fmi3FreeInstance(instance);
 }
 
 TEST(a_step_wants_room_for_its_answers) {
-    fmi3Instance instance = stepper_in_step_mode(false, false);
+    fmi3Instance instance = plain_stepper(false);
     assert_int_equal(fmi3DoStep(instance, 0.0, 1.0, true, NULL, NULL, NULL, NULL), fmi3Error);
     assert_non_null(strstr(last_message, "null pointer"));
     fmi3FreeInstance(instance);
 }
 
-/* ---- settings at an event that is not yet taken ----------------------------------------------------------
- */
+/* ---- settings at an event that is not yet taken ---------------------------------------------------- */
 
-/* A run with event mode that stands at its first lift-off, in event mode, the event not yet taken; NULL,
- * asserted, if it does not come. */
+/* A run with event mode that stands at its first lift-off, in event mode, the event not yet taken. */
 static fmi3Instance stand_at_lift_off(void) {
-    fmi3Instance instance = new_stepper(true, true);
-    update_answer updated;
-    initialize3(instance);
-    assert_int_equal(update(instance, &updated), fmi3OK);
+    fmi3Instance instance = eventful_stepper();
     double time = 0.0;
     for (int i = 0; i < MAX_EVENTS; ++i) {
-        step_answer answer;
-        assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
-        assert_int_equal(do_step(instance, time, 20.0 - time, &answer), fmi3OK);
-        assert_true(answer.event);
-        assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
-        time = answer.time;
-        if (get_int(instance, "hip.phase_index") == TDMF_PHASE_COAST &&
+        time = step_from(instance, time, 20.0 - time).time;
+        if (get_enumeration(instance, "hip.phase") == TDMF_PHASE_COAST &&
             get_float(instance, "contact.fy") < 1e-6) {
+            assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
             return instance;
         }
-        assert_int_equal(update(instance, &updated), fmi3OK);
+        take_event(instance, (double)NAN);
     }
     fail_msg("no lift-off");
     return NULL;
@@ -425,14 +372,11 @@ TEST(a_pending_event_is_that_of_the_settings_in_force) {
 TEST(a_saved_pending_event_knows_its_settings) {
     fmi3Instance one = stand_at_lift_off(), other = new_stepper(true, true);
     fmi3Byte bytes[SERIALIZED_BYTES];
-    fmi3FMUState saved = NULL;
     update_answer updated;
     assert_int_equal(set_float(one, "hip.kp", 0.0), fmi3OK);
     assert_int_equal(set_float(one, "hip.kd", 0.0), fmi3OK);
     const size_t size = save_bytes(&fmi3, one, bytes);
-    assert_int_equal(fmi3DeserializeFMUState(other, bytes, size, &saved), fmi3OK);
-    assert_int_equal(fmi3SetFMUState(other, saved), fmi3OK);
-    assert_int_equal(fmi3FreeFMUState(other, &saved), fmi3OK);
+    assert_int_equal(restore_bytes(&fmi3, other, bytes, size), FMI_OK);
     assert_true(get_float(other, "hip.kp") == 0.0);
     assert_int_equal(update(other, &updated), fmi3OK);
     assert_int_equal(get_int(other, "contact.mode_index"), TDMF_CONTACT_FLIGHT);

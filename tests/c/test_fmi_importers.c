@@ -13,68 +13,50 @@
 
 /* ---- reading before initialization, as PyFMI's load_fmu and get --------------------------------------- */
 
-TEST(start_values_are_read_before_initialization) {
-    int read = 0;
-    fmi2Component component = new_instance();
-    fmi3Instance instance = new_exchange();
+/* The rest is what it would be if the run began now: the same as after the start. */
+FMI_TEST(all_is_read_before_initialization) {
+    static double before[256];
+    int starts = 0;
+    void *instance = new_of_kind(fmi, EXCHANGE);
+    assert_true(fmu_variable_count <= 256);
     for (size_t i = 0; i < fmu_variable_count; ++i) {
         const fmu_variable *variable = &fmu_variables[i];
         if (variable->settable_before_start && variable->type == VARIABLE_REAL) {
-            assert_true(get_real(component, variable->name) == variable->start);
-            assert_true(get_float(instance, variable->name) == variable->start);
-            ++read;
+            assert_true(value_of(fmi, instance, variable->name) == variable->start);
+            ++starts;
         }
     }
-    assert_int_equal(read, START_VALUES);
-    assert_int_equal(get_integer(component, "solver.method"), SOLVER_NATIVE);
-    assert_int_equal(get_enumeration(instance, "solver.method"), SOLVER_NATIVE);
-    start_running(component);
-    initialize3(instance);
-    fmi2FreeInstance(component);
-    fmi3FreeInstance(instance);
-}
-
-/* The rest is what it would be if the run began now: the same as after the start. */
-TEST(what_follows_from_start_values_is_read_before_initialization) {
-    static double before[256];
-    int read = 0;
-    fmi2Component component = new_instance();
-    assert_true(fmu_variable_count <= 256);
-    assert_int_equal(set_real(component, "gravity", 0.02), fmi2OK);
-    assert_int_equal(set_real(component, "foot.vy", -0.1), fmi2OK);
+    assert_int_equal(starts, START_VALUES);
+    assert_int_equal(integer_of(fmi, instance, "solver.method"), SOLVER_NATIVE);
+    assert_int_equal(set_value(fmi, instance, "gravity", 0.02), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "foot.vy", -0.1), FMI_OK);
     for (int pass = 0; pass < 2; ++pass) {
         for (size_t i = 0; i < fmu_variable_count; ++i) {
             if (fmu_variables[i].type == VARIABLE_REAL) {
-                const double value = get_real(component, fmu_variables[i].name);
+                const double value = value_of(fmi, instance, fmu_variables[i].name);
                 before[i] = pass == 0 ? value : before[i];
                 assert_true(value == before[i]);
-                ++read;
             }
         }
         if (pass == 0) {
-            initialize(component);
+            initialize_unit(fmi, instance);
         }
     }
     assert_true(before[reference_of("gravity")] == 0.02);
-    assert_true(read > 2 * 60);
-    assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_FLIGHT);
-    fmi2FreeInstance(component);
+    assert_int_equal(integer_of(fmi, instance, "contact.mode"), TDMF_CONTACT_FLIGHT);
+    fmi->free(instance);
 }
 
 /* An enumeration never reads 0, which is none of its values, whatever was refused before. */
-TEST(enumerations_have_a_value_of_theirs_after_refusals) {
-    for (int i = 0; i < 2; ++i) {
-        fmi2Component component = i == 0 ? new_instance() : new_slave();
-        fmi3Instance instance = i == 0 ? new_exchange() : new_stepper(true, true);
-        assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2Error);
-        assert_int_equal(fmi2EnterEventMode(component), fmi2Error);
-        assert_int_equal(fmi3EnterEventMode(instance), fmi3Error);
-        assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_FLIGHT);
-        assert_int_equal(get_integer(component, "hip.phase"), TDMF_PHASE_PLACE);
-        assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_FLIGHT);
-        assert_int_equal(get_enumeration(instance, "hip.phase"), TDMF_PHASE_PLACE);
-        fmi2FreeInstance(component);
-        fmi3FreeInstance(instance);
+FMI_TEST(enumerations_have_a_value_of_theirs_after_refusals) {
+    for (int kind = EXCHANGE; kind < (int)fmi->kinds; ++kind) {
+        step_answer answer;
+        void *instance = new_of_kind(fmi, (fmi_kind)kind);
+        assert_int_equal(fmi->do_step(instance, 0.0, 1.0, &answer), FMI_ERROR);
+        assert_int_equal(fmi->enter_event_mode(instance), FMI_ERROR);
+        assert_int_equal(integer_of(fmi, instance, "contact.mode"), TDMF_CONTACT_FLIGHT);
+        assert_int_equal(integer_of(fmi, instance, "hip.phase"), TDMF_PHASE_PLACE);
+        fmi->free(instance);
     }
 }
 
@@ -100,97 +82,82 @@ TEST(contradicting_start_values_are_read_and_what_follows_is_not) {
 
 /* ---- states by their value references, as PyFMI's get_state_space_representation ---------------------- */
 
-/* A bent state of a stance, and the derivatives that it has when set as a whole. */
-static void set_as_a_whole(fmi2Component component, double states[], double derivatives[]) {
-    assert_int_equal(fmi2GetContinuousStates(component, states, TDMF_STATE_COUNT), fmi2OK);
-    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        states[i] += 0.01 * (i + 1);
-    }
-    assert_int_equal(fmi2SetContinuousStates(component, states, TDMF_STATE_COUNT), fmi2OK);
-    assert_int_equal(fmi2GetDerivatives(component, derivatives, TDMF_STATE_COUNT), fmi2OK);
-}
-
-TEST(states_set_one_by_one_are_states_set_as_a_whole) {
+/* In a bent state of a flight. */
+FMI_TEST(states_set_one_by_one_are_states_set_as_a_whole) {
     double states[TDMF_STATE_COUNT], expected[TDMF_STATE_COUNT], found[TDMF_STATE_COUNT];
-    const fmi2ValueReference first = reference_of("foot.x");
-    fmi2Component whole = new_instance(), single = new_instance();
-    fmi3Instance third = new_exchange();
-    start_running(whole);
-    start_running(single);
-    initialize3(third);
-    assert_int_equal(fmi3EnterContinuousTimeMode(third), fmi3OK);
-    set_as_a_whole(whole, states, expected);
-    for (fmi2ValueReference i = 0; i < TDMF_STATE_COUNT; ++i) {
-        const fmi2ValueReference reference = first + i;
-        const fmi3ValueReference reference3 = first + i;
-        assert_int_equal(fmi2SetReal(single, &reference, 1, &states[i]), fmi2OK);
-        assert_int_equal(fmi3SetFloat64(third, &reference3, 1, &states[i], 1), fmi3OK);
+    const uint32_t first = reference_of("foot.x");
+    void *whole = new_of_kind(fmi, EXCHANGE), *single = new_of_kind(fmi, EXCHANGE);
+    begin(fmi, whole, EXCHANGE);
+    begin(fmi, single, EXCHANGE);
+    assert_int_equal(fmi->get_states(whole, states, TDMF_STATE_COUNT), FMI_OK);
+    for (uint32_t i = 0; i < TDMF_STATE_COUNT; ++i) {
+        const uint32_t reference = first + i;
+        states[i] += 0.01 * (i + 1);
+        assert_int_equal(fmi->set_reals(single, &reference, 1, &states[i]), FMI_OK);
     }
-    assert_int_equal(fmi2GetDerivatives(single, found, TDMF_STATE_COUNT), fmi2OK);
+    assert_int_equal(fmi->set_states(whole, states, TDMF_STATE_COUNT), FMI_OK);
+    assert_int_equal(fmi->get_derivatives(whole, expected, TDMF_STATE_COUNT), FMI_OK);
+    assert_int_equal(fmi->get_derivatives(single, found, TDMF_STATE_COUNT), FMI_OK);
     assert_memory_equal(found, expected, sizeof found);
-    assert_int_equal(fmi3GetContinuousStateDerivatives(third, found, TDMF_STATE_COUNT), fmi3OK);
-    assert_memory_equal(found, expected, sizeof found);
-    assert_true(get_real(single, "body.y") == get_real(whole, "body.y"));
-    fmi2FreeInstance(whole);
-    fmi2FreeInstance(single);
-    fmi3FreeInstance(third);
+    assert_true(value_of(fmi, single, "body.y") == value_of(fmi, whole, "body.y"));
+    fmi->free(whole);
+    fmi->free(single);
 }
 
 /* The matrix A of a state space, by differences of states that are set one by one. */
-TEST(differences_of_states_set_one_by_one_are_the_directional_derivatives) {
-    static const double delta = 1e-6;
-    const fmi2ValueReference states = reference_of("foot.x"), slopes = reference_of("der(foot.x)");
+FMI_TEST(differences_of_states_set_one_by_one_are_the_directional_derivatives) {
+    static const double delta = 1e-6, one = 1.0;
+    const uint32_t states = reference_of("foot.x"), slopes = reference_of("der(foot.x)");
     int nonzero = 0;
-    fmi2Component component = new_instance();
-    start_running(component);
-    for (fmi2ValueReference j = 0; j < TDMF_STATE_COUNT; ++j) {
-        const fmi2ValueReference known = states + j;
-        const double one = 1.0;
-        double at, shifted, rates[2][TDMF_STATE_COUNT];
-        assert_int_equal(fmi2GetReal(component, &known, 1, &at), fmi2OK);
+    void *instance = new_of_kind(fmi, EXCHANGE);
+    begin(fmi, instance, EXCHANGE);
+    for (uint32_t j = 0; j < TDMF_STATE_COUNT; ++j) {
+        const uint32_t known = states + j;
+        double at, rates[2][TDMF_STATE_COUNT];
+        assert_int_equal(fmi->get_reals(instance, &known, 1, &at), FMI_OK);
         for (int step = 0; step < 2; ++step) {
-            shifted = at + (step == 0 ? -delta : delta);
-            assert_int_equal(fmi2SetReal(component, &known, 1, &shifted), fmi2OK);
-            assert_int_equal(fmi2GetDerivatives(component, rates[step], TDMF_STATE_COUNT), fmi2OK);
+            const double shifted = at + (step == 0 ? -delta : delta);
+            assert_int_equal(fmi->set_reals(instance, &known, 1, &shifted), FMI_OK);
+            assert_int_equal(fmi->get_derivatives(instance, rates[step], TDMF_STATE_COUNT), FMI_OK);
         }
-        assert_int_equal(fmi2SetReal(component, &known, 1, &at), fmi2OK);
-        for (fmi2ValueReference i = 0; i < TDMF_STATE_COUNT; ++i) {
-            const fmi2ValueReference unknown = slopes + i;
+        assert_int_equal(fmi->set_reals(instance, &known, 1, &at), FMI_OK);
+        for (uint32_t i = 0; i < TDMF_STATE_COUNT; ++i) {
+            const uint32_t unknown = slopes + i;
             double value;
-            assert_int_equal(fmi2GetDirectionalDerivative(component, &unknown, 1, &known, 1, &one, &value),
-                             fmi2OK);
+            assert_int_equal(fmi->directional_derivative(instance, &unknown, 1, &known, 1, &one, &value),
+                             FMI_OK);
             assert_close((rates[1][i] - rates[0][i]) / (2.0 * delta), value, 1e-7);
             nonzero += value != 0.0 ? 1 : 0;
         }
     }
     assert_true(nonzero >= 20);
-    fmi2FreeInstance(component);
+    fmi->free(instance);
 }
 
 /* A solver's trial may lie beyond any start: below the ground, or nowhere. */
-TEST(trial_states_go_beyond_the_range_of_starts) {
+FMI_TEST(trial_states_go_beyond_the_range_of_starts) {
     static const double trials[] = {-1e-9, -5.0, 1e300, INFINITY, -INFINITY};
-    const fmi2ValueReference pair[] = {reference_of("foot.x"), reference_of("leg.length")};
+    const uint32_t pair[] = {reference_of("foot.x"), reference_of("leg.length")};
     const double half_bad[] = {123.0, NAN};
     double derivatives[TDMF_STATE_COUNT];
-    fmi2Component component = new_instance();
-    start_running(component);
-    const double x = get_real(component, "foot.x"), y = get_real(component, "foot.y");
+    void *instance = new_of_kind(fmi, EXCHANGE);
+    begin(fmi, instance, EXCHANGE);
+    const double x = value_of(fmi, instance, "foot.x"), y = value_of(fmi, instance, "foot.y");
     for (size_t i = 0; i < sizeof trials / sizeof trials[0]; ++i) {
-        assert_int_equal(set_real(component, "foot.y", trials[i]), fmi2OK);
-        assert_int_equal(set_real(component, "leg.length", trials[i]), fmi2OK);
-        assert_int_equal(fmi2GetDerivatives(component, derivatives, TDMF_STATE_COUNT), fmi2OK);
+        assert_int_equal(set_value(fmi, instance, "foot.y", trials[i]), FMI_OK);
+        assert_int_equal(set_value(fmi, instance, "leg.length", trials[i]), FMI_OK);
+        assert_int_equal(fmi->get_derivatives(instance, derivatives, TDMF_STATE_COUNT), FMI_OK);
         for (int j = 0; j < TDMF_STATE_COUNT; ++j) {
             assert_true(isfinite(derivatives[j]));
         }
     }
-    assert_int_equal(set_real(component, "foot.y", y), fmi2OK);
-    assert_int_equal(set_real(component, "foot.y", NAN), fmi2Discard);
+    assert_int_equal(set_value(fmi, instance, "foot.y", y), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "foot.y", NAN), FMI_DISCARD);
     assert_non_null(strstr(last_message, "foot.y is not a number"));
-    assert_true(get_real(component, "foot.y") == y);
-    assert_int_equal(fmi2SetReal(component, pair, 2, half_bad), fmi2Discard);
-    assert_true(get_real(component, "foot.x") == x);
-    fmi2FreeInstance(component);
+    assert_true(value_of(fmi, instance, "foot.y") == y);
+    assert_int_equal(fmi->set_reals(instance, pair, 2, half_bad), FMI_DISCARD);
+    assert_true(value_of(fmi, instance, "foot.x") == x);
+    fmi->free(instance);
 }
 
 /* Those have reinit = false and are taken in Model Exchange only (FMI 3.0.2, section 2.3.5). */
@@ -220,13 +187,13 @@ TEST(event_mode_takes_states_that_no_event_changes) {
     fmi3FreeInstance(stepper);
 }
 
-TEST(states_stay_the_units_own_in_co_simulation) {
-    fmi2Component component = new_slave();
-    initialize(component);
-    assert_int_equal(set_real(component, "foot.x", 1.0), fmi2Error);
-    assert_non_null(strstr(last_message, "foot.x cannot be set between steps of Co-Simulation"));
-    assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
-    fmi2FreeInstance(component);
+FMI_TEST(states_stay_the_units_own_in_co_simulation) {
+    void *instance = new_of_kind(fmi, STEPS);
+    begin(fmi, instance, STEPS);
+    assert_int_equal(set_value(fmi, instance, "foot.x", 1.0), FMI_ERROR);
+    assert_non_null(strstr(last_message, "foot.x cannot be set"));
+    step_by(fmi, instance, 1.0);
+    fmi->free(instance);
 }
 
 /* ---- asking for nothing -------------------------------------------------------------------------------- */
@@ -334,20 +301,13 @@ TEST(a_failed_step_leaves_what_may_be_read_and_saved) {
 }
 
 /* A refused step leaves the run where it was: the right one is made then. */
-TEST(a_step_out_of_place_is_made_good) {
+FMI_TEST(a_step_out_of_place_is_made_good) {
     step_answer answer;
-    fmi2Component component = new_slave();
-    fmi3Instance instance = new_stepper(false, false);
-    initialize(component);
-    initialize3(instance);
-    assert_int_equal(fmi2DoStep(component, 0.5, 1.0, fmi2True), fmi2Error);
-    assert_int_equal(fmi2DoStep(component, 0.0, -1.0, fmi2True), fmi2Error);
-    assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
-    assert_int_equal(fmi2CancelStep(component), fmi2Error);
-    assert_int_equal(fmi2DoStep(component, 1.0, 1.0, fmi2True), fmi2OK);
-    assert_int_equal(do_step(instance, 0.5, 1.0, &answer), fmi3Error);
-    assert_int_equal(do_step(instance, 0.0, 2.0, &answer), fmi3OK);
-    assert_close(get_real(component, "foot.x"), get_float(instance, "foot.x"), 1e-12);
-    fmi2FreeInstance(component);
-    fmi3FreeInstance(instance);
+    void *instance = new_of_kind(fmi, STEPS);
+    begin(fmi, instance, STEPS);
+    assert_int_equal(fmi->do_step(instance, 0.5, 1.0, &answer), FMI_ERROR);
+    assert_int_equal(fmi->do_step(instance, 0.0, -1.0, &answer), FMI_ERROR);
+    assert_int_equal(fmi->do_step(instance, 0.0, 1.0, &answer), FMI_OK);
+    assert_int_equal(fmi->do_step(instance, 1.0, 1.0, &answer), FMI_OK);
+    fmi->free(instance);
 }
