@@ -4,14 +4,7 @@
 #include "reference_gaits.h"
 #include "simulation.h"
 
-#include <stdlib.h>
 #include <string.h>
-
-static void *allocate(int count, size_t size) {
-    void *memory = calloc((size_t)count, size);
-    assert_non_null(memory);
-    return memory;
-}
 
 crowd *make_crowd(int count, int max_strides, double relative_tolerance) {
     crowd *made = allocate(1, sizeof *made);
@@ -69,17 +62,6 @@ void assert_crowd_is_refused(crowd *crowd) {
     const tdmf_ensemble_end before = crowd->ends[0];
     assert_false(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
     assert_memory_equal(&crowd->ends[0], &before, sizeof before);
-}
-
-void free_crowd(crowd *crowd) {
-    free(crowd->models);
-    free(crowd->cases);
-    free(crowd->case_of);
-    free(crowd->starts);
-    free(crowd->ends);
-    free(crowd->strides);
-    free(crowd->checkpoints);
-    free(crowd);
 }
 
 int list_instructions(tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT]) {

@@ -16,7 +16,7 @@ typedef struct {
     tdmf_ensemble ensemble; /* in one thread */
 } crowd;
 
-/* Default runners at the apex of the default gait. */
+/* Default runners at the apex of the default gait, until the end of the test. */
 crowd *make_crowd(int count, int max_strides, double relative_tolerance);
 
 /* Places one of them; asserts that its parameters are accepted. */
@@ -34,8 +34,6 @@ void run_crowd(crowd *crowd, tdmf_instructions instructions);
 
 /* Asserts that its ensemble is refused, and that nothing is written. */
 void assert_crowd_is_refused(crowd *crowd);
-
-void free_crowd(crowd *crowd);
 
 /* Instruction sets that the processor has, one by one first; asserts that there are two at least. */
 int list_instructions(tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT]);

@@ -11,7 +11,8 @@
 
 extern const fmi2CallbackFunctions importer_callbacks;
 
-/* A fresh instance for Model Exchange or Co-Simulation, event logging off; asserts that there is one. */
+/* A fresh instance for Model Exchange or Co-Simulation until the end of the test, event logging off; asserts
+ * that there is one. */
 fmi2Component new_instance(void);
 fmi2Component new_slave(void);
 

@@ -12,6 +12,7 @@ void importer_logger(fmi3InstanceEnvironment environment, fmi3Status status, fmi
 
 static fmi3Instance without_events(fmi3Instance instance) {
     assert_non_null(instance);
+    free_after_test(instance, fmi3FreeInstance);
     assert_int_equal(fmi3SetDebugLogging(instance, false, 1, events_category), fmi3OK);
     return instance;
 }

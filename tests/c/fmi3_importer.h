@@ -9,7 +9,7 @@
 void importer_logger(fmi3InstanceEnvironment environment, fmi3Status status, fmi3String category,
                      fmi3String message);
 
-/* A fresh instance, event logging off; asserts that there is one. */
+/* A fresh instance until the end of the test, event logging off; asserts that there is one. */
 fmi3Instance new_exchange(void);
 fmi3Instance new_stepper(bool event_mode, bool early_return);
 

@@ -8,6 +8,7 @@ void *new_of_kind(const fmi_interface *fmi, fmi_kind kind) {
     clear_messages();
     void *instance = fmi->instantiate(kind, "runner", FMU_GUID, true, true);
     assert_non_null(instance);
+    free_after_test(instance, fmi->free);
     assert_int_equal(fmi->set_logging(instance, false, 1, events_category), FMI_OK);
     return instance;
 }

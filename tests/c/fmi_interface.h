@@ -93,7 +93,7 @@ extern const fmi_interface fmi2, fmi3;
     }                                                                                                        \
     static void name(const fmi_interface *fmi)
 
-/* A fresh instance, event logging off; asserts that there is one. */
+/* A fresh instance until the end of the test, event logging off; asserts that there is one. */
 void *new_of_kind(const fmi_interface *fmi, fmi_kind kind);
 
 fmi_status set_value(const fmi_interface *fmi, void *instance, const char *name, double value);

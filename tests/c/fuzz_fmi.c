@@ -340,6 +340,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
     start_over(&on);
     call_until_used_up(&source, calls, is_fmi2() ? call_count : call_count - 1, &on);
     fmi->free_saved(on.instance, &on.saved);
-    fmi->free(on.instance);
+    end_test();
     return 0;
 }

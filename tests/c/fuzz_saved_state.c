@@ -110,6 +110,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
     if (restore(instance, &after) != fmi3OK) {
         die("what was saved is not restored");
     }
-    fmi3FreeInstance(instance);
+    end_test();
     return 0;
 }

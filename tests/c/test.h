@@ -18,6 +18,15 @@
 /* Adds a test, whose function is handed `state`. */
 void register_test(const char *name, CMUnitTestFunction test, const void *state);
 
+/* Frees a thing when the test ends, also where it fails; returns it. */
+void *free_after_test(void *thing, void (*free_thing)(void *thing));
+
+/* Zeros until the test ends; asserts that there is room. */
+void *allocate(int count, size_t size);
+
+/* Frees what waits for the end of the test, for programs whose tests are not registered. */
+void end_test(void);
+
 /* Runs all tests that are registered; returns how many fail. */
 int run_registered_tests(void);
 

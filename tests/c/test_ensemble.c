@@ -12,7 +12,6 @@
 #include "simulation.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { RUNNERS = sample_of(1500) };
@@ -231,13 +230,12 @@ TEST(each_runner_ends_as_by_the_native_solver) {
     }
     assert_true(closed > SPECIAL / 2 && fell >= 3);
     assert_int_equal(unsolved, OTHERS);
-    free_crowd(crowd);
 }
 
 /* ---- instruction sets ---------------------------------------------------------------------------------- */
 
 static tdmf_ensemble_end *ends_of(crowd *crowd, tdmf_instructions instructions) {
-    tdmf_ensemble_end *ends = calloc((size_t)crowd->count, sizeof *ends);
+    tdmf_ensemble_end *ends = allocate(crowd->count, sizeof *ends);
     run_crowd(crowd, instructions);
     memcpy(ends, crowd->ends, (size_t)crowd->count * sizeof *ends);
     return ends;
@@ -252,8 +250,6 @@ static void assert_agreement(crowd *crowd) {
         run_crowd(crowd, sets[i]);
         assert_memory_equal(crowd->ends, alone, (size_t)crowd->count * sizeof *alone);
     }
-    free(alone);
-    free_crowd(crowd);
 }
 
 TEST(runners_near_the_gait_end_alike_by_every_instruction_set) {
@@ -294,8 +290,6 @@ TEST(neighbours_and_threads_do_not_matter) {
         assert_memory_equal(&alone, &together[i], sizeof alone);
         assert_true(alone.strides == 0 || (alone.leg_work != 0.0) == (i % 3 == 0));
     }
-    free(together);
-    free_crowd(crowd);
 }
 
 /* ---- what becomes of runners -------------------------------------------------------------------------- */
@@ -330,7 +324,6 @@ TEST(energy_is_accounted_for_and_work_is_counted) {
     assert_int_equal(work.strides, strides);
     assert_true(work.events > 4 * strides && work.steps > work.events);
     assert_true(work.lane_steps >= work.steps && work.evaluations > 8 * work.steps);
-    free_crowd(crowd);
 }
 
 /* Friction 0.6: the reference gait attracts what starts near it, what starts low falls, what starts below the
@@ -366,7 +359,6 @@ TEST(runners_settle_fall_or_do_not_start) {
         assert_int_equal(ends[2].gait, -1);
         assert_int_equal(ends[3].fate, TDMF_FATE_NO_START);
     }
-    free_crowd(crowd);
 }
 
 /* A runner's fate from an upright apex. It closes no stride in a stand; the engine gives it up instead of
@@ -392,7 +384,6 @@ TEST(a_runner_that_sinks_into_a_stand_is_undecided) {
             assert_int_equal(crowd->ends[i].gait, -1);
         }
     }
-    free_crowd(crowd);
 }
 
 /* The gait at friction 0.6 takes more steps a stride than a fortieth of these limits, so that it runs out. */
@@ -415,7 +406,6 @@ TEST(strides_of_a_runner_share_their_steps) {
         run_crowd(crowd, sets[set]);
         assert_int_equal(end->strides, 400);
     }
-    free_crowd(crowd);
 }
 
 /* Events of the word +0-0+: touchdown, two slips that end and two that begin, mid-stance, lift-off, the end
@@ -436,7 +426,6 @@ TEST(each_event_is_met_once) {
         crowd->ensemble.instructions = sets[1 + i / 2];
         assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, &work));
         assert_int_equal(work.events, (EVENTS + clamp) * STRIDES);
-        free_crowd(crowd);
     }
 }
 
@@ -462,7 +451,6 @@ TEST(unsound_ensembles_are_refused) {
     }
     assert_int_equal(end.strides, 77);
     assert_true(tdmf_has_instructions(TDMF_ONE_BY_ONE));
-    free_crowd(crowd);
 }
 
 /* ---- strides with derivatives -------------------------------------------------------------------------- */
@@ -470,9 +458,9 @@ TEST(unsound_ensembles_are_refused) {
 /* Whichever of them close, fall or take no start: bit for bit. */
 static void assert_strides_in_lanes_are_those_made_alone(crowd *crowd) {
     enum { ALL = TDMF_SECTION_COUNT + 1 };
-    tdmf_system *systems = calloc(RUNNERS, sizeof *systems);
-    double *until = calloc(RUNNERS, sizeof *until);
-    tdmf_return *made = calloc(RUNNERS, sizeof *made);
+    tdmf_system *systems = allocate(RUNNERS, sizeof *systems);
+    double *until = allocate(RUNNERS, sizeof *until);
+    tdmf_return *made = allocate(RUNNERS, sizeof *made);
     const tdmf_seed seed = {.inputs = {.ground = {.friction = 1.0}}};
     tdmf_solver solver = tdmf_solver_default();
     int closed = 0;
@@ -494,10 +482,6 @@ static void assert_strides_in_lanes_are_those_made_alone(crowd *crowd) {
         closed += alone.outcome == TDMF_RETURN_CLOSED;
     }
     assert_true(closed > RUNNERS / 20 && closed < RUNNERS);
-    free(systems);
-    free(until);
-    free(made);
-    free_crowd(crowd);
 }
 
 TEST(strides_near_the_gait_are_those_made_alone) {

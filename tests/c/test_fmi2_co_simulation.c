@@ -29,7 +29,6 @@ TEST(an_input_goes_on_at_its_rate_until_it_is_set) {
     assert_int_equal(set_real(component, "ground.friction", 0.5), fmi2OK);
     step_by(&fmi2, component, 20.0);
     assert_true(get_real(component, "ground.friction") == 0.5);
-    fmi2FreeInstance(component);
 }
 
 /* A fall freezes the runner; inputs are the importer's, and go on. */
@@ -47,7 +46,6 @@ TEST(an_input_goes_on_at_its_rate_after_a_fall) {
     assert_close(get_real(component, "hip.external_torque"), 2.5, 1e-12);
     assert_close(get_real(component, "ground.friction"), 0.6 + 0.5, 1e-12);
     assert_true(get_real(component, "foot.x") == x);
-    fmi2FreeInstance(component);
 }
 
 TEST(rates_are_numbers_of_inputs_and_set_in_their_states) {
@@ -67,8 +65,6 @@ TEST(rates_are_numbers_of_inputs_and_set_in_their_states) {
     assert_int_equal(fmi2Terminate(slave), fmi2OK);
     assert_int_equal(set_rate(slave, "hip.external_torque", 1, still), fmi2Error);
     assert_int_equal(set_rate(exchange, "hip.external_torque", 1, still), fmi2Error);
-    fmi2FreeInstance(slave);
-    fmi2FreeInstance(exchange);
 }
 
 /* So steep that the input leaves its range in the step, and would overflow. */
@@ -79,7 +75,6 @@ TEST(rates_beyond_reason_end_in_a_message) {
         assert_int_equal(set_rate(component, "ground.friction", 1, rates[i]), fmi2OK);
         assert_int_equal(fmi2DoStep(component, 0.0, 11.0, fmi2True), fmi2Error);
         assert_non_null(strstr(last_message, "out of range"));
-        fmi2FreeInstance(component);
     }
 }
 
@@ -101,7 +96,6 @@ TEST(output_derivatives_go_with_the_rates_of_inputs) {
         assert_close((get_real(component, names[i]) - before) / (2.0 * delta), slope, 1e-7);
         assert_true(fabs(slope) > 0.01);
     }
-    fmi2FreeInstance(component);
 }
 
 /* A rate that is set since is forgotten with the rest. */
@@ -123,8 +117,6 @@ TEST(rates_go_with_a_saved_run) {
     assert_int_equal(restore_bytes(&fmi2, component, bytes, size), FMI_OK);
     assert_int_equal(save_bytes(&fmi2, component, ends[0]), size);
     assert_memory_equal(ends[0], bytes, size);
-    fmi2FreeInstance(component);
-    fmi2FreeInstance(other);
 }
 
 TEST(statuses_are_those_of_steps_that_are_done) {
@@ -149,5 +141,4 @@ TEST(statuses_are_those_of_steps_that_are_done) {
     assert_int_equal(fmi2GetStatus(component, fmi2DoStepStatus, &status), fmi2Discard);
     assert_int_equal(fmi2CancelStep(component), fmi2Error);
     step_by(&fmi2, component, 2.0);
-    fmi2FreeInstance(component);
 }

@@ -103,7 +103,6 @@ static flight fly(int step_count, extension_at extension) {
     }
     assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_FLIGHT);
     flown.work = get_real(component, "leg.work");
-    fmi2FreeInstance(component);
     return flown;
 }
 
@@ -139,7 +138,6 @@ TEST(a_jump_in_event_mode_is_accounted_for_exactly) {
                      1e-16);
         assert_false(take_event(component, 0.03 * i * i, x));
     }
-    fmi2FreeInstance(component);
 }
 
 /* An importer that sets a jump without an event spreads it over one step. */
@@ -171,7 +169,6 @@ TEST(a_thrust_from_the_start_is_read_before_the_run_begins) {
     assert_true(x[TDMF_LEG_WORK] == before && x[TDMF_LEG_LENGTH] == length && x[TDMF_FOOT_VX] == 0.0);
     assert_int_equal(fmi2ExitInitializationMode(component), fmi2OK);
     assert_true(get_real(component, "leg.work") == before);
-    fmi2FreeInstance(component);
 }
 
 /* In event mode, before it is told of, the work is part of a saved state. */
@@ -190,6 +187,4 @@ TEST(work_that_is_due_is_saved) {
     assert_int_equal(fmi2NewDiscreteStates(other, &info), fmi2OK);
     assert_true(get_real(one, "leg.work") != 0.0);
     assert_true(get_real(other, "leg.work") == get_real(one, "leg.work"));
-    fmi2FreeInstance(one);
-    fmi2FreeInstance(other);
 }

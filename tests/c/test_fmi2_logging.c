@@ -27,7 +27,7 @@ static fmi2Component logging_instance(fmi2Boolean logging) {
     fmi2Component component =
         fmi2Instantiate("runner", fmi2CoSimulation, FMU_GUID, NULL, &importer_callbacks, fmi2False, logging);
     assert_non_null(component);
-    return component;
+    return free_after_test(component, fmi2FreeInstance);
 }
 
 /* Messages of a call that is out of place, of one whose value is refused, and of a step over two events. */
@@ -59,13 +59,12 @@ TEST(an_instance_made_without_logging_is_silent) {
     fmi2Component component = logging_instance(fmi2False);
     initialize(component);
     assert_heard(component, false, false, false);
-    fmi2FreeInstance(component);
-    fmi3Instance instance =
-        fmi3InstantiateModelExchange("runner", FMU_GUID, NULL, false, false, NULL, importer_logger);
+    fmi3Instance instance = free_after_test(
+        fmi3InstantiateModelExchange("runner", FMU_GUID, NULL, false, false, NULL, importer_logger),
+        fmi3FreeInstance);
     assert_int_equal(fmi3SetTime(instance, 0.0), fmi3Error);
     assert_int_equal(set_float(instance, "body.mass", -1.0), fmi3Discard);
     assert_int_equal(message_count, 0);
-    fmi3FreeInstance(instance);
 }
 
 /* "On" replaces what an instance was made with; "off" takes a category from the others. */
@@ -88,7 +87,6 @@ TEST(categories_are_switched_on_and_off) {
     fmi2Component component = NULL;
     for (size_t i = 0; i < sizeof calls / sizeof calls[0]; ++i) {
         if (calls[i].begins) {
-            fmi2FreeInstance(component);
             component = logging_instance(calls[i].logging);
             initialize(component);
             assert_heard(component, calls[i].logging, calls[i].logging, calls[i].logging);
@@ -96,7 +94,6 @@ TEST(categories_are_switched_on_and_off) {
         assert_int_equal(fmi2SetDebugLogging(component, calls[i].on, calls[i].count, calls[i].names), fmi2OK);
         assert_heard(component, calls[i].errors, calls[i].discards, calls[i].events);
     }
-    fmi2FreeInstance(component);
 }
 
 TEST(unknown_categories_are_warned_of_and_the_others_taken) {
@@ -110,12 +107,10 @@ TEST(unknown_categories_are_warned_of_and_the_others_taken) {
     assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 3, names), fmi2Warning);
     assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 1, names + 1), fmi2Warning);
     assert_heard(component, false, false, true);
-    fmi2FreeInstance(component);
 
     fmi3Instance instance = new_exchange();
     assert_int_equal(fmi3SetDebugLogging(instance, true, 2, names), fmi3Warning);
     initialize3(instance);
-    fmi3FreeInstance(instance);
 }
 
 /* ---- events ------------------------------------------------------------------------------------------- */
@@ -161,7 +156,6 @@ TEST(every_event_of_a_step_is_logged_with_its_time) {
             assert_close(time_of(messages[j]), time_of(first[j]), 1e-8);
         }
         assert_close(time_of(last_message), get_real(component, "event.last_time"), 1e-9);
-        fmi2FreeInstance(component);
     }
     assert_non_null(strstr(first[0], "touchdown at 12.0257"));
     assert_non_null(strstr(first[0], " s: flight, place -> slip_positive, drive"));
@@ -172,7 +166,7 @@ TEST(every_event_of_a_step_is_logged_with_its_time) {
 TEST(an_event_is_told_alike_in_event_mode) {
     static char expected[EVENTS_OF_TEN_STRIDES][MESSAGE_LENGTH];
     double time = 0.0;
-    fmi2FreeInstance(stepped(fmi2True, SOLVER_NATIVE, ten_strides));
+    stepped(fmi2True, SOLVER_NATIVE, ten_strides);
     memcpy(expected, messages, sizeof expected);
     clear_messages();
     fmi3Instance instance = new_stepper(true, true);
@@ -195,7 +189,6 @@ TEST(an_event_is_told_alike_in_event_mode) {
         }
     }
     assert_int_equal(message_count, EVENTS_OF_TEN_STRIDES);
-    fmi3FreeInstance(instance);
 }
 
 TEST(logging_changes_no_bit_of_a_run) {
@@ -215,8 +208,6 @@ TEST(logging_changes_no_bit_of_a_run) {
             ++compared;
         }
         assert_int_equal(get_integer(silent, "solver.steps"), get_integer(talking, "solver.steps"));
-        fmi2FreeInstance(silent);
-        fmi2FreeInstance(talking);
     }
     assert_true(compared == 9 || compared == 18);
 }
@@ -228,7 +219,6 @@ TEST(a_silent_step_after_a_logged_one_goes_as_far) {
     assert_int_equal(fmi2DoStep(component, ten_strides, ten_strides, fmi2True), fmi2OK);
     assert_int_equal(message_count, EVENTS_OF_TEN_STRIDES);
     assert_int_equal(get_integer(component, "event.count"), 2 * EVENTS_OF_TEN_STRIDES);
-    fmi2FreeInstance(component);
 }
 
 TEST(an_input_that_jumps_between_steps_makes_an_event_too) {
@@ -245,7 +235,6 @@ TEST(an_input_that_jumps_between_steps_makes_an_event_too) {
     assert_int_equal(message_count, 1);
     assert_true(strncmp(last_message, "slip_onset_", 11) == 0);
     assert_close(time_of(last_message), time, 1e-9);
-    fmi2FreeInstance(component);
 }
 
 TEST(a_fall_is_logged_as_one) {
@@ -256,7 +245,6 @@ TEST(a_fall_is_logged_as_one) {
     assert_non_null(strstr(last_message, ", fallen"));
     assert_true(strncmp(last_message, "body_down", 9) == 0 ||
                 strncmp(last_message, "leg_too_short", 13) == 0);
-    fmi2FreeInstance(component);
 }
 
 /* Changes a runner on or off the ground by hand in Model Exchange, and goes through event mode there. */
@@ -298,7 +286,6 @@ TEST(every_guard_gives_its_event_its_name) {
         if (message_count != 1 || strncmp(last_message, cases[i].name, strlen(cases[i].name)) != 0) {
             fail_msg("expected %s, found %s", cases[i].name, last_message);
         }
-        fmi2FreeInstance(component);
     }
 }
 
@@ -322,7 +309,6 @@ TEST(what_is_an_event_does_not_go_by_the_modes_alone) {
         assert_int_equal(get_integer(component, "event.count"), i);
         assert_int_equal(message_count, i);
         assert_true(i == 0 || strstr(last_message, " s: flight, place -> flight, place") != NULL);
-        fmi2FreeInstance(component);
     }
 }
 
@@ -345,5 +331,4 @@ TEST(an_event_of_model_exchange_is_named_by_its_guard) {
     assert_non_null(strstr(last_message, "touchdown at 1.5 s: flight, place -> "));
     assert_int_equal(fmi2NewDiscreteStates(component, &info), fmi2OK);
     assert_int_equal(message_count, 1);
-    fmi2FreeInstance(component);
 }

@@ -67,7 +67,6 @@ TEST(they_are_set_before_the_start_and_in_event_mode) {
     assert_all_are_set(component);
     assert_int_equal(fmi2ExitInitializationMode(component), fmi2OK);
     assert_all_are_set(component);
-    fmi2FreeInstance(component);
 }
 
 TEST(they_are_set_between_communication_steps) {
@@ -76,7 +75,6 @@ TEST(they_are_set_between_communication_steps) {
     assert_all_are_set(component);
     assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
     assert_all_are_set(component);
-    fmi2FreeInstance(component);
 }
 
 /* Solvers of some importers set all inputs where they evaluate, after an event those of before it, too. */
@@ -93,7 +91,6 @@ TEST(in_continuous_time_mode_they_keep_their_values) {
         assert_non_null(strstr(last_message, fmu_variables[settings[i]].name));
         assert_true(value_at(component, settings[i]) == value);
     }
-    fmi2FreeInstance(component);
 }
 
 TEST(parameters_that_are_not_tunable_stay_fixed) {
@@ -101,7 +98,6 @@ TEST(parameters_that_are_not_tunable_stay_fixed) {
     initialize(component);
     assert_int_equal(set_real(component, "body.mass", 1.1), fmi2Error);
     assert_int_equal(set_real(component, "ground.static_friction_ratio", 1.1), fmi2Error);
-    fmi2FreeInstance(component);
 }
 
 TEST(only_continuous_inputs_have_rates) {
@@ -121,7 +117,6 @@ TEST(only_continuous_inputs_have_rates) {
     }
     assert_int_equal(continuous, 5);
     assert_int_equal(discrete, DISCRETE_INPUTS);
-    fmi2FreeInstance(component);
 }
 
 /* ---- in force at once --------------------------------------------------------------------------------- */
@@ -145,7 +140,6 @@ TEST(a_setting_is_in_force_at_once) {
     assert_close(get_real(component, "hip.torque"), -0.15, 0.0);
     assert_int_equal(set_real(component, "control.stance_torque", 0.02), fmi2OK);
     assert_close(get_real(component, "hip.torque"), -0.17, 1e-16);
-    fmi2FreeInstance(component);
 }
 
 /* The library's run, another set of laws from `change` on. */
@@ -192,7 +186,6 @@ TEST(co_simulation_goes_on_with_what_was_set) {
         assert_close(get_real(component, "leg.angle"), expected.state[TDMF_LEG_ANGLE], 1e-10);
         assert_close(get_real(component, "foot.x"), expected.state[TDMF_FOOT_X], 1e-10);
         assert_int_equal(get_integer(component, "event.count"), expected.record.event_count);
-        fmi2FreeInstance(component);
     }
 }
 
@@ -240,7 +233,6 @@ TEST(in_a_run_they_are_knowns_of_derivatives) {
                 nonzero += exact != 0.0 ? 1 : 0;
             }
         }
-        fmi2FreeInstance(component);
     }
     assert_true(nonzero >= 18);
 }

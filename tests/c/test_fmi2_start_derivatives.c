@@ -226,7 +226,6 @@ TEST(they_are_those_of_the_start_values) {
         }
         assert_int_equal(columns + edges, START_VALUES);
         assert_true(nonzero > 30);
-        fmi2FreeInstance(component);
     }
 }
 
@@ -239,7 +238,6 @@ TEST(by_time_they_are_those_of_the_instants) {
         for (int run = 0; run < 2; ++run) {
             fmi2Component component = begun(&starts[k], seconds[run]);
             read_unknowns(component, values[run]);
-            fmi2FreeInstance(component);
         }
         fmi2Component component = begun(&starts[k], 1.0);
         for (size_t i = 0; i < fmu_variable_count; ++i) {
@@ -253,7 +251,6 @@ TEST(by_time_they_are_those_of_the_instants) {
             }
         }
         assert_int_equal(nonzero, k < 3 ? 2 : 1); /* event.last_time and, at an apex, apex.time */
-        fmi2FreeInstance(component);
     }
 }
 
@@ -275,7 +272,6 @@ TEST(by_time_nothing_changes_in_a_run) {
         }
     }
     assert_true(compared > 40);
-    fmi2FreeInstance(component);
 }
 
 static bool is_known_in_a_run(const fmu_variable *variable) {
@@ -334,8 +330,6 @@ TEST(fmi3_gives_the_same_both_ways_round) {
         assert_int_equal(fmi2ExitInitializationMode(old), fmi2OK);
         assert_int_equal(fmi3ExitInitializationMode(instance), fmi3OK);
         assert_same_both_ways_round(old, instance, is_known_in_a_run);
-        fmi2FreeInstance(old);
-        fmi3FreeInstance(instance);
     }
 }
 
@@ -350,7 +344,6 @@ TEST(integrals_begin_at_zero) {
     assert_int_equal(fmi2ExitInitializationMode(component), fmi2OK);
     assert_int_equal(fmi2GetDirectionalDerivative(component, &work, 1, &work, 1, &one, &value), fmi2OK);
     assert_true(value == 1.0);
-    fmi2FreeInstance(component);
 }
 
 TEST(start_values_are_no_knowns_of_a_run) {
@@ -366,5 +359,4 @@ TEST(start_values_are_no_knowns_of_a_run) {
     assert_int_equal(fmi2GetDirectionalDerivative(component, &unknown, 1, &output, 1, &one, &value),
                      fmi2Error);
     assert_int_equal(fmi2GetDirectionalDerivative(component, &mass, 1, &unknown, 1, &one, &value), fmi2Error);
-    fmi2FreeInstance(component);
 }

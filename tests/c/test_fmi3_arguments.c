@@ -42,7 +42,6 @@ TEST(as_many_values_as_references_are_wanted) {
         assert_miscounted(fmi3SetString(instance, &word, 1, &text, wrong));
     }
     assert_true(get_float(instance, "ground.friction") == 0.6);
-    fmi3FreeInstance(instance);
 }
 
 TEST(derivatives_want_as_many_seeds_and_values_as_there_are) {
@@ -70,7 +69,6 @@ TEST(derivatives_want_as_many_seeds_and_values_as_there_are) {
     assert_true(values[1] != 77.0 && values[2] == 77.0);
     assert_int_equal(fmi3GetAdjointDerivative(instance, unknowns, 2, knowns, 3, seeds, 2, values, 3), fmi3OK);
     assert_true(values[2] != 77.0 && values[3] == 77.0);
-    fmi3FreeInstance(instance);
 }
 
 TEST(output_derivatives_want_values_for_each) {
@@ -86,7 +84,6 @@ TEST(output_derivatives_want_values_for_each) {
         assert_int_equal(fmi3GetOutputDerivatives(instance, &output, 1, &order, &value, 1),
                          order == 1 ? fmi3OK : fmi3Error);
     }
-    fmi3FreeInstance(instance);
 }
 
 FMI_TEST(the_reference_after_the_last_is_unknown) {
@@ -100,7 +97,6 @@ FMI_TEST(the_reference_after_the_last_is_unknown) {
     assert_int_equal(fmi->directional_derivative(instance, &beyond, 1, &known, 1, &one, &value), FMI_ERROR);
     assert_int_equal(fmi->directional_derivative(instance, &known, 1, &beyond, 1, &one, &value), FMI_ERROR);
     assert_true(value == 77.0);
-    fmi->free(instance);
 }
 
 FMI_TEST(arrays_are_neither_too_short_nor_too_long) {
@@ -118,7 +114,6 @@ FMI_TEST(arrays_are_neither_too_short_nor_too_long) {
         assert_int_equal(fmi->get_nominals(instance, values, states), FMI_ERROR);
         assert_int_equal(fmi->get_indicators(instance, values, guards), FMI_ERROR);
     }
-    fmi->free(instance);
 }
 
 TEST(texts_are_set_nowhere_and_none_of_them_where_setting_is_allowed) {
@@ -130,7 +125,6 @@ TEST(texts_are_set_nowhere_and_none_of_them_where_setting_is_allowed) {
     assert_non_null(strstr(last_message, "stride.word cannot be set at any time"));
     assert_int_equal(fmi2Terminate(component), fmi2OK);
     assert_int_equal(fmi2SetString(component, NULL, 0, NULL), fmi2Error);
-    fmi2FreeInstance(component);
 }
 
 /* ---- answers ------------------------------------------------------------------------------------------- */
@@ -140,7 +134,6 @@ FMI_TEST(a_completed_step_asks_for_nothing) {
     void *instance = running(fmi);
     assert_int_equal(fmi->complete_step(instance, &enter, &stop), FMI_OK);
     assert_true(!enter && !stop);
-    fmi->free(instance);
 }
 
 TEST(counts_of_work_end_at_the_largest_integer) {
@@ -154,7 +147,6 @@ TEST(counts_of_work_end_at_the_largest_integer) {
     discard_view(inside);
     assert_int_equal(get_integer(component, "solver.steps"), INT_MAX);
     assert_int_equal(get_integer(component, "solver.evaluations"), INT_MAX);
-    fmi2FreeInstance(component);
 }
 
 /* Out of memory, say: enumerations have no value 0, and there is a start to read. */
@@ -171,7 +163,6 @@ TEST(an_instance_that_fails_before_its_run_shows_its_start) {
     inside->state = FAILED;
     assert_int_equal(fmi2GetInteger(component, &mode, 1, &value), fmi2Discard);
     assert_int_equal(value, 77);
-    fmi2FreeInstance(component);
 }
 
 /* The force of this instant is met before an input may change it: the stride's peak has it. */
@@ -201,7 +192,6 @@ TEST(event_mode_is_entered_with_the_force_noted) {
         is_noted |= fabs(inside->fmu.motion.numbers[i] - force) <= 1e-15 * force;
     }
     assert_true(is_noted);
-    fmi2FreeInstance(component);
 }
 
 /* ---- time ---------------------------------------------------------------------------------------------- */
@@ -217,7 +207,6 @@ FMI_TEST(a_run_may_stop_where_it_starts) {
     void *instance = new_of_kind(fmi, STEPS);
     assert_int_equal(initialize_from(fmi, instance, 2.0, true, nextafter(2.0, 0.0)), FMI_ERROR);
     assert_int_equal(initialize_from(fmi, instance, 2.0, true, 2.0), FMI_OK);
-    fmi->free(instance);
 }
 
 /* 0.1 + 0.2 > 0.3 in doubles. */
@@ -228,7 +217,6 @@ FMI_TEST(rounding_does_not_carry_a_step_beyond_the_stop_time) {
     assert_int_equal(initialize_from(fmi, instance, 0.0, true, 0.3), FMI_OK);
     assert_int_equal(fmi->do_step(instance, 0.0, 0.1, &answer), FMI_OK);
     assert_int_equal(fmi->do_step(instance, 0.1, 0.2, &answer), FMI_OK);
-    fmi->free(instance);
 }
 
 FMI_TEST(communication_points_are_off_by_rounding_only) {
@@ -244,7 +232,6 @@ FMI_TEST(communication_points_are_off_by_rounding_only) {
     assert_int_equal(initialize_from(fmi, instance, epoch, false, 0.0), FMI_OK);
     assert_int_equal(fmi->do_step(instance, epoch, step, &answer), FMI_OK);
     assert_int_equal(fmi->do_step(instance, nextafter(epoch + step, INFINITY), step, &answer), FMI_OK);
-    fmi->free(instance);
 }
 
 FMI_TEST(a_step_beyond_all_numbers_is_refused) {
@@ -254,7 +241,6 @@ FMI_TEST(a_step_beyond_all_numbers_is_refused) {
     assert_int_equal(fmi->do_step(instance, DBL_MAX, DBL_MAX, &answer), FMI_ERROR);
     assert_non_null(strstr(last_message, "not a positive number"));
     step_by(fmi, instance, 1.0);
-    fmi->free(instance);
 }
 
 /* One step from the start of a runner whose leg turns at a rate. */
@@ -286,5 +272,4 @@ TEST(a_step_that_ends_at_an_event_is_not_early) {
         }
     }
     assert_true(met > RUNNERS / 5);
-    fmi3FreeInstance(instance);
 }

@@ -48,6 +48,7 @@ TEST(an_importer_that_offers_intermediate_updates_is_never_called_back) {
             step_answer answer;
             update_answer updated;
             assert_non_null(instance);
+            free_after_test(instance, fmi3FreeInstance);
             initialize3(instance);
             if (event_mode) {
                 assert_int_equal(update(instance, &updated), fmi3OK);
@@ -63,7 +64,6 @@ TEST(an_importer_that_offers_intermediate_updates_is_never_called_back) {
             }
             assert_int_equal(answer.event, way == 3);
             foot_x[offers] = get_float(instance, "foot.x");
-            fmi3FreeInstance(instance);
         }
         assert_true(foot_x[0] == foot_x[1]);
     }
@@ -75,7 +75,6 @@ TEST(a_unit_without_structural_parameters_is_not_configured) {
     initialize3(instance);
     assert_int_equal(fmi3EnterConfigurationMode(instance), fmi3Error);
     assert_non_null(strstr(last_message, "structural parameter"));
-    fmi3FreeInstance(instance);
 }
 
 static fmi3Instance in_event_mode(void) {
@@ -107,7 +106,6 @@ TEST(every_variable_is_read_by_its_own_type_only) {
             assert_int_equal(found[j], types[j] == type ? fmi3OK : fmi3Error);
         }
     }
-    fmi3FreeInstance(instance);
 }
 
 /* Beyond what an Integer of FMI 2.0 holds, too. */
@@ -119,7 +117,6 @@ TEST(enumerations_are_set_in_range_only) {
         assert_int_equal(fmi3SetInt64(instance, &method, 1, &bad[i], 1), fmi3Discard);
         assert_int_equal(get_enumeration(instance, "solver.method"), 1);
     }
-    fmi3FreeInstance(instance);
 }
 
 TEST(indicators_are_variables_too) {
@@ -135,7 +132,6 @@ TEST(indicators_are_variables_too) {
         assert_int_equal(fmi3GetFloat64(instance, &reference, 1, &value, 1), fmi3OK);
         assert_true(value == indicators[i]);
     }
-    fmi3FreeInstance(instance);
 }
 
 /* ---- derivatives -------------------------------------------------------------------------------------- */
@@ -166,5 +162,4 @@ TEST(derivatives_by_what_is_fixed_are_refused) {
     assert_int_equal(fmi3GetAdjointDerivative(instance, &unknown, 1, &mass, 1, &seed, 1, &value, 1),
                      fmi3Error);
     assert_non_null(strstr(last_message, "body.mass"));
-    fmi3FreeInstance(instance);
 }

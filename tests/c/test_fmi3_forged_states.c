@@ -124,7 +124,6 @@ static void forge_everywhere(fmi_kind kind, long *refused, long *accepted) {
             }
         }
     }
-    fmi3FreeInstance(instance);
 }
 
 TEST(whatever_is_forged_is_refused_or_goes_on) {
@@ -154,7 +153,6 @@ TEST(no_field_holds_what_is_not_a_number) {
         assert_numbers(instance);
     }
     assert_true(refused > sample_of(200));
-    fmi3FreeInstance(instance);
 }
 
 /* ---- single fields --------------------------------------------------------------------------------------
@@ -179,7 +177,6 @@ static void assert_refused(fmi_kind kind, serialized *state, const char *reason)
     assert_non_null(strstr(last_message, reason));
     assert_unchanged(instance, &own);
     go_on(instance, kind);
-    fmi3FreeInstance(instance);
 }
 
 /* Forges a number of an instance's state in each place where it stands. Returns how often that is refused
@@ -207,7 +204,6 @@ static int refusals(fmi3Instance instance, fmi_kind kind, double number, double 
 static void save_on_its_way(fmi_kind kind, serialized *state) {
     fmi3Instance instance = new_on_its_way(kind);
     serialize(instance, state);
-    fmi3FreeInstance(instance);
 }
 
 static void replace_number(serialized *state, double from, double to) {
@@ -221,7 +217,6 @@ TEST(a_parameter_out_of_range_is_refused) {
     assert_int_equal(set_float(instance, "leg.min_length", 0.0625), fmi3OK);
     initialize3(instance);
     serialize(instance, &state);
-    fmi3FreeInstance(instance);
     serialized bad = state;
     replace_number(&bad, 1.25, -1.25);
     assert_refused(STEPS, &bad, "body.mass is out of range");
@@ -259,7 +254,6 @@ TEST(a_number_that_cannot_be_is_refused_wherever_it_stands) {
         assert_true(number != 0.0);
         assert_true(refusals(instance, cases[i].kind, number, cases[i].factor * number + cases[i].added,
                              cases[i].reason) >= cases[i].least);
-        fmi3FreeInstance(instance);
     }
 }
 
@@ -278,9 +272,6 @@ TEST(a_time_beyond_any_clock_is_refused) {
         assert_int_equal(fmi3EnterInitializationMode(fresh, false, 0.0, times[i], false, 0.0), fmi3Error);
         assert_int_equal(fmi3SetTime(exchange, times[i]), fmi3Error);
         assert_true(get_float(exchange, "time") == 0.0);
-        fmi3FreeInstance(instance);
-        fmi3FreeInstance(fresh);
-        fmi3FreeInstance(exchange);
     }
 }
 
@@ -299,7 +290,6 @@ TEST(a_contact_in_the_air_is_refused) {
     const size_t offset = offset_of(&state, &foot_y, sizeof foot_y);
     serialize(instance, &state);
     memcpy(state.bytes + offset, &foot_y, sizeof foot_y);
-    fmi3FreeInstance(instance);
     assert_refused(STEPS, &state, "foot.y");
 }
 
@@ -342,7 +332,6 @@ TEST(a_run_in_a_state_that_it_cannot_be_in_is_refused) {
     assert_refused(STEPS, &state, "the state of the call sequence");
     fmi3Instance instance = new_that_logs(STEPS);
     serialize(instance, &state);
-    fmi3FreeInstance(instance);
     const int running = STEP_MODE;
     memcpy(state.bytes + FORGE_CALL_STATE, &running, sizeof running);
     assert_refused(STEPS, &state, "the state of the call sequence");
@@ -363,7 +352,6 @@ TEST(work_that_no_run_has_done_is_refused) {
         serialize(instance, &state);
         const int64_t steps = get_int(instance, "solver.steps");
         memcpy(state.bytes + offset_of(&state, &steps, sizeof steps), &claims[i], sizeof steps);
-        fmi3FreeInstance(instance);
         assert_refused(STEPS, &state, "the work done");
     }
 }
@@ -380,7 +368,6 @@ static void fill_counter(serialized *state, fmi_kind kind, const char *name) {
         memcpy(state->bytes + offset++, &full, sizeof full);
         forge_checksum(state->bytes, state->size);
     } while (restore(instance, state) != fmi3OK || get_int(instance, name) != INT_MAX);
-    fmi3FreeInstance(instance);
 }
 
 /* Returns how many events there were. */
@@ -417,8 +404,6 @@ TEST(a_full_counter_stays_full) {
             assert_int_equal(get_int(other, counters[c]), INT_MAX);
             assert_true(get_float(other, "leg.angle") == get_float(instance, "leg.angle"));
             assert_true(get_float(other, "hip.work") == get_float(instance, "hip.work"));
-            fmi3FreeInstance(instance);
-            fmi3FreeInstance(other);
         }
     }
 }
@@ -437,5 +422,4 @@ TEST(a_header_that_is_not_ours_is_refused) {
                                                                   : "changed"));
         assert_unchanged(instance, &good);
     }
-    fmi3FreeInstance(instance);
 }

@@ -44,7 +44,6 @@ FMI_TEST(all_is_read_before_initialization) {
     }
     assert_true(before[reference_of("gravity")] == 0.02);
     assert_int_equal(integer_of(fmi, instance, "contact.mode"), TDMF_CONTACT_FLIGHT);
-    fmi->free(instance);
 }
 
 /* An enumeration never reads 0, which is none of its values, whatever was refused before. */
@@ -56,7 +55,6 @@ FMI_TEST(enumerations_have_a_value_of_theirs_after_refusals) {
         assert_int_equal(fmi->enter_event_mode(instance), FMI_ERROR);
         assert_int_equal(integer_of(fmi, instance, "contact.mode"), TDMF_CONTACT_FLIGHT);
         assert_int_equal(integer_of(fmi, instance, "hip.phase"), TDMF_PHASE_PLACE);
-        fmi->free(instance);
     }
 }
 
@@ -77,7 +75,6 @@ TEST(contradicting_start_values_are_read_and_what_follows_is_not) {
     assert_true(number == 77 && real == 77.0 && strcmp(text, "as it was") == 0);
     assert_int_equal(set_real(component, "leg.min_length", 0.1), fmi2OK);
     start_running(component);
-    fmi2FreeInstance(component);
 }
 
 /* ---- states by their value references, as PyFMI's get_state_space_representation ---------------------- */
@@ -100,8 +97,6 @@ FMI_TEST(states_set_one_by_one_are_states_set_as_a_whole) {
     assert_int_equal(fmi->get_derivatives(single, found, TDMF_STATE_COUNT), FMI_OK);
     assert_memory_equal(found, expected, sizeof found);
     assert_true(value_of(fmi, single, "body.y") == value_of(fmi, whole, "body.y"));
-    fmi->free(whole);
-    fmi->free(single);
 }
 
 /* The matrix A of a state space, by differences of states that are set one by one. */
@@ -131,7 +126,6 @@ FMI_TEST(differences_of_states_set_one_by_one_are_the_directional_derivatives) {
         }
     }
     assert_true(nonzero >= 20);
-    fmi->free(instance);
 }
 
 /* A solver's trial may lie beyond any start: below the ground, or nowhere. */
@@ -157,7 +151,6 @@ FMI_TEST(trial_states_go_beyond_the_range_of_starts) {
     assert_true(value_of(fmi, instance, "foot.y") == y);
     assert_int_equal(fmi->set_reals(instance, pair, 2, half_bad), FMI_DISCARD);
     assert_true(value_of(fmi, instance, "foot.x") == x);
-    fmi->free(instance);
 }
 
 /* Those have reinit = false and are taken in Model Exchange only (FMI 3.0.2, section 2.3.5). */
@@ -183,8 +176,6 @@ TEST(event_mode_takes_states_that_no_event_changes) {
     for (size_t i = 0; i < sizeof jumping / sizeof jumping[0]; ++i) {
         assert_true(fmu_variables[reference_of(jumping[i])].changes_at_events);
     }
-    fmi3FreeInstance(exchange);
-    fmi3FreeInstance(stepper);
 }
 
 FMI_TEST(states_stay_the_units_own_in_co_simulation) {
@@ -193,7 +184,6 @@ FMI_TEST(states_stay_the_units_own_in_co_simulation) {
     assert_int_equal(set_value(fmi, instance, "foot.x", 1.0), FMI_ERROR);
     assert_non_null(strstr(last_message, "foot.x cannot be set"));
     step_by(fmi, instance, 1.0);
-    fmi->free(instance);
 }
 
 /* ---- asking for nothing -------------------------------------------------------------------------------- */
@@ -252,7 +242,6 @@ TEST(none_of_what_the_unit_lacks_is_given_and_one_refused) {
     assert_int_equal(fmi3SetShiftFraction(instance, &reference, 1, NULL, NULL), fmi3Error);
     assert_int_equal(fmi3ActivateModelPartition(instance, reference, 0.0), fmi3Error);
     assert_int_equal(fmi3EnterContinuousTimeMode(instance), fmi3OK); /* all that has done no harm */
-    fmi3FreeInstance(instance);
 }
 
 TEST(discrete_states_are_evaluated_by_doing_nothing) {
@@ -263,7 +252,6 @@ TEST(discrete_states_are_evaluated_by_doing_nothing) {
         initialize3(instance);
         assert_int_equal(fmi3EvaluateDiscreteStates(instance), fmi3OK);
         assert_int_equal(update(instance, &answer), fmi3OK);
-        fmi3FreeInstance(instance);
     }
 }
 
@@ -297,7 +285,6 @@ TEST(a_failed_step_leaves_what_may_be_read_and_saved) {
     assert_int_equal(fmi2Reset(component), fmi2OK);
     initialize(component);
     assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
-    fmi2FreeInstance(component);
 }
 
 /* A refused step leaves the run where it was: the right one is made then. */
@@ -309,5 +296,4 @@ FMI_TEST(a_step_out_of_place_is_made_good) {
     assert_int_equal(fmi->do_step(instance, 0.0, -1.0, &answer), FMI_ERROR);
     assert_int_equal(fmi->do_step(instance, 0.0, 1.0, &answer), FMI_OK);
     assert_int_equal(fmi->do_step(instance, 1.0, 1.0, &answer), FMI_OK);
-    fmi->free(instance);
 }

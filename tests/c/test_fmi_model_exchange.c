@@ -59,7 +59,6 @@ FMI_TEST(values_out_of_range_are_discarded_and_the_old_kept) {
         assert_true(value_of(fmi, instance, bad[i].name) == before);
     }
     assert_int_equal(fmi->exit_initialization(instance), FMI_OK);
-    fmi->free(instance);
 }
 
 FMI_TEST(enumerations_and_booleans_are_set_in_range_only) {
@@ -74,7 +73,6 @@ FMI_TEST(enumerations_and_booleans_are_set_in_range_only) {
                          FMI_OK);
         assert_int_equal(truth_of(fmi, instance, "status.terminate_on_fall"), truth == 1);
     }
-    fmi->free(instance);
 }
 
 FMI_TEST(sets_all_or_nothing) {
@@ -83,7 +81,6 @@ FMI_TEST(sets_all_or_nothing) {
     void *instance = in_initialization(fmi);
     assert_int_equal(fmi->set_reals(instance, references, 2, values), FMI_DISCARD);
     assert_true(value_of(fmi, instance, "body.mass") == 1.0);
-    fmi->free(instance);
 }
 
 FMI_TEST(checks_across_variables_wait_for_the_end_of_initialization) {
@@ -94,7 +91,6 @@ FMI_TEST(checks_across_variables_wait_for_the_end_of_initialization) {
     assert_int_equal(fmi->exit_initialization(instance), FMI_ERROR);
     assert_non_null(strstr(last_message, "leg.length = 0.5 m is refused: it must be at least"));
     assert_non_null(strstr(last_message, "leg.min_length"));
-    fmi->free(instance);
 }
 
 FMI_TEST(refuses_a_body_below_the_ground) {
@@ -104,7 +100,6 @@ FMI_TEST(refuses_a_body_below_the_ground) {
     assert_int_equal(fmi->enter_initialization(instance, &from_zero), FMI_OK);
     assert_int_equal(fmi->exit_initialization(instance), FMI_ERROR);
     assert_non_null(strstr(last_message, "body.y"));
-    fmi->free(instance);
 }
 
 FMI_TEST(refuses_wrong_types_outputs_and_null_arrays) {
@@ -117,14 +112,12 @@ FMI_TEST(refuses_wrong_types_outputs_and_null_arrays) {
     assert_non_null(strstr(last_message, "body.x cannot be set at any time"));
     assert_int_equal(fmi->get_reals(instance, &output, 1, NULL), FMI_ERROR);
     assert_int_equal(fmi->get_reals(instance, NULL, 0, NULL), FMI_OK);
-    fmi->free(instance);
 }
 
 FMI_TEST(refuses_parameters_after_the_start) {
     void *instance = in_continuous_time_mode(fmi);
     assert_int_equal(set_value(fmi, instance, "body.mass", 2.0), FMI_ERROR);
     assert_non_null(strstr(last_message, "body.mass cannot be set in continuous-time mode"));
-    fmi->free(instance);
 }
 
 FMI_TEST(refuses_bad_experiments) {
@@ -137,7 +130,6 @@ FMI_TEST(refuses_bad_experiments) {
         assert_int_equal(fmi->enter_initialization(instance, &bad[i]), FMI_ERROR);
     }
     assert_int_equal(fmi->enter_initialization(instance, &from_zero), FMI_OK);
-    fmi->free(instance);
 }
 
 FMI_TEST(initialization_shows_what_would_start) {
@@ -150,7 +142,6 @@ FMI_TEST(initialization_shows_what_would_start) {
     for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
         assert_true(indicators[i] > 0.0);
     }
-    fmi->free(instance);
 }
 
 /* ---- running ------------------------------------------------------------------------------------------ */
@@ -162,7 +153,6 @@ FMI_TEST(starts_at_any_time) {
     for (int i = 0; i < 3; ++i) {
         assert_true(value_of(fmi, instance, names[i]) == -12.5);
     }
-    fmi->free(instance);
 }
 
 FMI_TEST(trial_states_give_finite_answers) {
@@ -185,7 +175,6 @@ FMI_TEST(trial_states_give_finite_answers) {
             assert_true(isfinite(indicators[i]));
         }
     }
-    fmi->free(instance);
 }
 
 /* One state alone is beyond all numbers, and then is none. */
@@ -207,7 +196,6 @@ FMI_TEST(a_state_that_is_not_a_number_is_discarded) {
         tdmf_default_state(states);
         assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
     }
-    fmi->free(instance);
 }
 
 /* Goes to given states and updates there. */
@@ -236,7 +224,6 @@ FMI_TEST(event_mode_goes_by_the_guards) {
     assert_int_equal(integer_of(fmi, instance, "event.count"), 1);
     assert_true(value_of(fmi, instance, "foot.vy") == 0.0);
     assert_true(value_of(fmi, instance, "energy.impact_loss") > 0.0);
-    fmi->free(instance);
 }
 
 FMI_TEST(a_fall_freezes_and_asks_to_stop_where_the_parameter_says_so) {
@@ -260,7 +247,6 @@ FMI_TEST(a_fall_freezes_and_asks_to_stop_where_the_parameter_says_so) {
             assert_true(derivatives[j] == 0.0);
         }
         assert_true(value_of(fmi, instance, "leg.length") == 0.01);
-        fmi->free(instance);
     }
 }
 
@@ -280,7 +266,6 @@ FMI_TEST(nominals_follow_the_parameters) {
         assert_true(nominals[TDMF_FOOT_VX] == 10.0);
         assert_true(nominals[TDMF_LEG_ANGLE_RATE] == 5.0);
         assert_true(nominals[TDMF_HIP_WORK] == 400.0);
-        fmi->free(instance);
     }
 }
 
@@ -295,7 +280,6 @@ FMI_TEST(derivatives_are_there_before_the_run) {
     assert_int_equal(fmi->exit_initialization(instance), FMI_OK);
     assert_int_equal(fmi->directional_derivative(instance, &unknown, 1, &known, 1, &seed, &after), FMI_OK);
     assert_true(before == after && before != 0.0);
-    fmi->free(instance);
 }
 
 /* The page of a calm flight has no push. One that an importer sets acts at once, and its derivative is there
@@ -314,5 +298,4 @@ FMI_TEST(a_push_on_a_calm_flight_acts_at_once) {
     assert_true(fabs(exact[0]) > 0.5);
     assert_close(exact[0], (found[1] - found[0]) / (2.0 * step), 1e-9);
     assert_close(exact[1], exact[0], 1e-12);
-    fmi->free(instance);
 }

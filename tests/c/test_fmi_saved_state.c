@@ -70,13 +70,10 @@ FMI_TEST(co_simulation_goes_on_as_if_never_stopped) {
         assert_int_equal(restore_bytes(fmi, again, bytes, size), FMI_OK);
         step_by(fmi, again, 20.0);
         assert_same(fmi, other, again);
-        fmi->free(other);
-        fmi->free(again);
     }
     for (int mode = TDMF_CONTACT_FLIGHT; mode <= TDMF_CONTACT_GRAZE; ++mode) {
         assert_true(seen[mode]);
     }
-    fmi->free(straight);
 }
 
 FMI_TEST(model_exchange_restores_its_call_state) {
@@ -97,7 +94,6 @@ FMI_TEST(model_exchange_restores_its_call_state) {
     assert_int_equal(fmi->set_time(instance, 1.0), FMI_OK);
     assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK); /* continuous again */
     assert_int_equal(fmi->free_saved(instance, &saved), FMI_OK);
-    fmi->free(instance);
 }
 
 /* Fails in its first step: the runner is too stiff. */
@@ -120,7 +116,6 @@ FMI_TEST(an_error_is_left_by_an_older_state) {
     assert_int_equal(fmi->exit_initialization(failed), FMI_OK);
     step_by(fmi, failed, 1.0);
     assert_int_equal(fmi->free_saved(failed, &saved), FMI_OK);
-    fmi->free(failed);
 }
 
 /* Either version's standard lets a failed instance be saved: restored, it has failed. */
@@ -134,8 +129,6 @@ FMI_TEST(an_instance_after_an_error_is_saved_as_such) {
     assert_int_equal(fmi->do_step(other, 0.0, 1.0, &answer), FMI_ERROR);
     assert_non_null(strstr(last_message, "after an error"));
     assert_int_equal(fmi->free_saved(failed, &saved), FMI_OK);
-    fmi->free(failed);
-    fmi->free(other);
 }
 
 /* ---- refusals ----------------------------------------------------------------------------------------- */
@@ -149,8 +142,6 @@ static void assert_bytes_refused(const fmi_interface *fmi, const unsigned char b
     assert_null(saved);
     assert_same(fmi, instance, twin);
     step_by(fmi, instance, 5.0);
-    fmi->free(instance);
-    fmi->free(twin);
 }
 
 FMI_TEST(bytes_that_are_no_state_are_refused) {
@@ -159,7 +150,6 @@ FMI_TEST(bytes_that_are_no_state_are_refused) {
     void *instance = new_of_kind(fmi, STEPS);
     initialize_unit(fmi, instance);
     const size_t size = save_bytes(fmi, instance, good);
-    fmi->free(instance);
     assert_bytes_refused(fmi, good, size - 1, "bytes are no state");
     assert_bytes_refused(fmi, good, size + 1, "bytes are no state");
     assert_bytes_refused(fmi, good, 0, "bytes are no state");
@@ -188,12 +178,10 @@ FMI_TEST(states_of_other_interfaces_are_refused) {
             assert_int_equal(restore_bytes(fmi, other, bytes, save_bytes(fmi, instance, bytes)), expected);
             assert_true(from == to || strstr(last_message, "interface") != NULL);
             refused += from != to;
-            fmi->free(other);
         }
         assert_int_equal(fmi->restore(instance, NULL), FMI_DISCARD);
         assert_int_equal(fmi->free_saved(instance, &saved), FMI_OK);
         assert_int_equal(fmi->free_saved(instance, &saved), FMI_OK); /* a null pointer is nothing to free */
-        fmi->free(instance);
     }
     assert_int_equal(refused, fmi->kinds * (fmi->kinds - 1));
 }
@@ -209,8 +197,6 @@ FMI_TEST(a_state_passed_where_its_address_is_due_is_left_alone) {
     assert_same(fmi, instance, twin);
     assert_int_equal(fmi->free_saved(instance, &saved), FMI_OK);
     assert_null(saved);
-    fmi->free(instance);
-    fmi->free(twin);
 }
 
 /* ---- one way to go on for each interface -------------------------------------------------------------- */
@@ -303,8 +289,6 @@ FMI_TEST(a_changed_run_is_resumed) {
         go_on(fmi, resumed, kind, 20.0);
         assert_same(fmi, straight, resumed);
         assert_true(value_of(fmi, straight, "energy.impact_loss") > 0.0);
-        fmi->free(straight);
-        fmi->free(resumed);
     }
 }
 
@@ -328,9 +312,7 @@ FMI_TEST(a_saved_state_holds_all_of_a_unit) {
             pending += a->event_is_pending;
             assert_memory_equal(
                 a, b, a->event_is_pending ? offsetof(fmu, step_limit) : offsetof(fmu, event_is_pending));
-            fmi->free(restored);
         }
-        fmi->free(straight);
     }
     assert_int_equal(pending, fmi->kinds > STEPS_WITH_EVENTS ? 50 : 0);
 }
@@ -363,9 +345,6 @@ FMI_TEST(a_state_from_before_the_start_takes_more_start_values) {
         go_on(fmi, second, kind, 20.0);
         go_on(fmi, straight, kind, 20.0);
         assert_same(fmi, second, straight);
-        fmi->free(first);
-        fmi->free(second);
-        fmi->free(straight);
     }
 }
 
@@ -393,8 +372,6 @@ FMI_TEST(restoring_replaces_parameters_and_what_follows_from_them) {
     step_by(fmi, heavy, 20.0); /* beyond its own stop time */
     assert_same(fmi, light, heavy);
     assert_int_equal(fmi->free_saved(light, &saved), FMI_OK);
-    fmi->free(light);
-    fmi->free(heavy);
 }
 
 /* What a run has been does not depend on FMI's version. */
@@ -417,8 +394,6 @@ FMI_TEST(a_state_goes_on_in_the_other_version) {
         for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
             assert_true(value_of(fmi, instance, names[i]) == value_of(other_version, other, names[i]));
         }
-        fmi->free(instance);
-        other_version->free(other);
     }
 }
 
@@ -441,6 +416,4 @@ FMI_TEST(the_stop_time_is_saved) {
     }
     assert_int_equal(fmi->do_step(other, 20.0, 1.0, &answer), FMI_ERROR);
     assert_non_null(strstr(last_message, "stop time"));
-    fmi->free(instance);
-    fmi->free(other);
 }

@@ -45,7 +45,6 @@ FMI_TEST(it_is_set_before_the_start_and_never_after) {
             begin(fmi, instance, kind);
             assert_int_equal(fmi->set_truth(instance, clamp_reference(), clamp == 0), FMI_ERROR);
             assert_true(truth_of(fmi, instance, "hip.swing_clamp") == (clamp == 1));
-            fmi->free(instance);
         }
     }
 }
@@ -73,7 +72,6 @@ static void assert_stride(const fmi_interface *fmi, const reference_gait *gait, 
     assert_relatively_close(value_of(fmi, instance, "stride.speed"), gait->speed, tolerance);
     assert_relatively_close(value_of(fmi, instance, "stride.work"), gait->work, tolerance);
     assert_close(value_of(fmi, instance, "apex.leg_angle"), gait->apex.leg_angle, tolerance);
-    fmi->free(instance);
 }
 
 FMI_TEST(strides_are_those_of_the_reference) {
@@ -101,7 +99,6 @@ FMI_TEST(without_it_the_indicator_is_constant_and_the_servo_pulls) {
             states[TDMF_LEG_ANGLE_RATE] -= 0.1; /* through the zero of the servo's torque */
             assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
         }
-        fmi->free(instance);
     }
 }
 
@@ -127,7 +124,6 @@ FMI_TEST(without_it_derivatives_are_those_of_the_servo) {
                              FMI_OK);
             assert_close(derivative, clamp == 0 || outside ? columns[i].of_torque : 0.0, 1e-15);
         }
-        fmi->free(instance);
     }
 }
 
@@ -154,5 +150,4 @@ FMI_TEST(a_forged_state_has_a_clamp_or_none) {
         }
     }
     assert_true(refused >= 2);
-    fmi->free(instance);
 }

@@ -55,7 +55,6 @@ TEST(strides_are_made_with_the_rows_that_are_theirs) {
                 memcpy(apex, made.apex, sizeof apex);
             }
         }
-        free_crowd(crowd);
     }
 }
 
@@ -64,7 +63,6 @@ TEST(every_row_has_to_be_in_range) {
         crowd *crowd = gather(0, STRIDES);
         values[i / ROWS][i % ROWS] = (double)NAN;
         assert_crowd_is_refused(crowd);
-        free_crowd(crowd);
     }
 }
 
@@ -78,7 +76,6 @@ TEST(a_run_that_has_made_its_strides_makes_no_more) {
     assert_true(crowd->checkpoints[0].stands);
     go_on(crowd, 3);
     assert_int_equal(crowd->ends[0].strides, 3);
-    free_crowd(crowd);
 }
 
 /* It drops onto a leg that is put upright, or from the second apex on onto one that is almost level. */
@@ -96,6 +93,5 @@ TEST(who_has_fallen_stands_nowhere) {
         go_on(crowd, STRIDES);
         assert_int_equal(crowd->ends[FALLS].fate, TDMF_FATE_FELL);
         assert_false(crowd->checkpoints[FALLS].stands);
-        free_crowd(crowd);
     }
 }

@@ -133,7 +133,6 @@ TEST(an_ensemble_makes_each_run_wherever_it_is) {
             assert_apex(end->apex, run->end_apex, falls ? 1e-7 : 1e-9);
             assert_close(end->foot_x - shift, run->end_foot_x, falls ? 1e-6 : 1e-9 * fabs(run->end_foot_x));
         }
-        free_crowd(crowd);
     }
 }
 

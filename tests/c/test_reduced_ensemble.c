@@ -128,7 +128,6 @@ TEST(runners_end_where_the_map_takes_them) {
         assert_true(of_fate[TDMF_FATE_NO_STRIDE] > RUNNERS / 20);
         assert_true(of_fate[TDMF_FATE_NO_START] > RUNNERS / 100);
     }
-    free_crowd(crowd);
 }
 
 /* ---- neighbours and threads --------------------------------------------------------------------------- */
@@ -150,7 +149,6 @@ TEST(neighbours_and_threads_do_not_matter) {
         assert_true(tdmf_run_ensemble(&one, &alone, NULL));
         assert_memory_equal(&alone, &together[i], sizeof alone);
     }
-    free_crowd(crowd);
 }
 
 /* ---- settling ----------------------------------------------------------------------------------------- */
@@ -181,7 +179,6 @@ TEST(runners_settle_on_the_gaits_of_the_reference) {
         assert_close(ends[0].apex[TDMF_SECTION_LEG_ANGLE], parameters.hip.touchdown_angle, 0.0);
         assert_int_equal(ends[1].fate, TDMF_FATE_SETTLED);
         assert_true(ends[1].strides > 20);
-        free_crowd(crowd);
     }
 }
 
@@ -189,5 +186,4 @@ TEST(there_is_no_third_map) {
     crowd *crowd = reduced_crowd();
     crowd->ensemble.map = (tdmf_ensemble_map)2;
     assert_crowd_is_refused(crowd);
-    free_crowd(crowd);
 }

@@ -401,14 +401,12 @@ TEST(ensembles_refuse_counts_without_arrays) {
         population.crowd->ends[0].strides = 77;
         assert_false(tdmf_run_ensemble(population.ensemble, population.crowd->ends, NULL));
         assert_int_equal(population.crowd->ends[0].strides, 77);
-        free_crowd(population.crowd);
     }
     gather(&population, true);
     assert_false(tdmf_run_ensemble(NULL, population.crowd->ends, NULL));
     assert_false(tdmf_run_ensemble(population.ensemble, NULL, NULL));
     assert_true(tdmf_run_ensemble(population.ensemble, population.crowd->ends, NULL));
     assert_int_equal(population.crowd->ends[RUNNERS - 1].strides, STRIDES);
-    free_crowd(population.crowd);
 }
 
 /* So many threads could not even be counted. */
@@ -422,7 +420,6 @@ TEST(threads_are_no_more_than_runners) {
     const tdmf_ensemble nobody = {.relative_tolerance = 1e-9, .threads = 1};
     assert_true(tdmf_run_ensemble(&nobody, NULL, &work));
     assert_int_equal(work.strides, 0);
-    free_crowd(crowd);
 }
 
 /* ---- buffers that are the same ------------------------------------------------------------------------ */

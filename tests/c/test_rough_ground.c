@@ -198,7 +198,6 @@ TEST(runners_whose_ground_waits_meet_it_alike_in_all_lanes) {
             }
         }
         assert_true(compared > RUNNERS * 9 / 10);
-        free_crowd(crowd);
     }
     assert_true(seen.waited > 3 * RUNNERS / 2 && seen.passed > RUNNERS);
 }
@@ -213,5 +212,4 @@ TEST(refuses_a_roughness_that_is_none) {
     crowd->cases[0].rules.roughness = 0.05;
     crowd->ensemble.map = TDMF_REDUCED_MAP;
     assert_crowd_is_refused(crowd);
-    free_crowd(crowd);
 }

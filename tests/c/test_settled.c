@@ -75,7 +75,6 @@ TEST(a_runner_in_the_ball_has_settled) {
         assert_int_equal(crowd->ends[0].strides, 0);
         assert_true(crowd->ends[2].strides > 0);
         assert_in_range(settled_at_the_first(crowd, TDMF_SECTION_COUNT), 4, RUNNERS);
-        free_crowd(crowd);
     }
 }
 
@@ -86,7 +85,6 @@ TEST(a_ball_of_the_reduced_map_is_of_height_and_speed) {
     ball.matrix[TDMF_SECTION_LEG_ANGLE][TDMF_SECTION_LEG_ANGLE] = 1e9;
     run_crowd(crowd, TDMF_BEST_INSTRUCTIONS);
     assert_in_range(settled_at_the_first(crowd, TDMF_REDUCED_COUNT), 4, RUNNERS);
-    free_crowd(crowd);
 }
 
 /* What had not begun has not run; what stands goes on to the same end as if nothing had been. */
@@ -110,6 +108,4 @@ TEST(a_stopped_run_goes_on_to_the_same_ends) {
         assert_int_equal(stopped->ends[i].fate, whole->ends[i].fate);
         assert_int_equal(stopped->ends[i].strides, whole->ends[i].strides);
     }
-    free_crowd(whole);
-    free_crowd(stopped);
 }

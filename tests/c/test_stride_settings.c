@@ -9,7 +9,6 @@
 #include "tdmf_slip/ensemble.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { RUNNERS = TDMF_SAMPLE_DIVISOR == 1 ? 60 : 20, STRIDES = 8, SETTINGS = 3 };
@@ -43,10 +42,9 @@ typedef struct {
 } population;
 
 static population *gather(double roughness) {
-    population *population = calloc(1, sizeof *population);
+    population *population = allocate(1, sizeof *population);
     random_source source = {3};
     const tdmf_parameters parameters = tdmf_default_parameters();
-    assert_non_null(population);
     population->model = accepted_model(&parameters);
     for (int i = 0; i < SETTINGS; ++i) {
         population->settings[i] = tdmf_setting_of(names[i]);
@@ -220,9 +218,8 @@ static void assert_strides_by_hand(const population *population, int number, con
 }
 
 static void run_in_all_lanes(population *population) {
-    strides_by_hand *by_hand = calloc(RUNNERS, sizeof *by_hand);
+    strides_by_hand *by_hand = allocate(RUNNERS, sizeof *by_hand);
     int closed = 0, sets = 0;
-    assert_non_null(by_hand);
     for (int i = 0; i < RUNNERS; ++i) {
         stride_by_hand(population, i, &by_hand[i]);
         closed += by_hand[i].closed;
@@ -240,21 +237,18 @@ static void run_in_all_lanes(population *population) {
         }
     }
     assert_true(sets >= 1);
-    free(by_hand);
 }
 
 TEST(given_settings_are_those_of_the_strides) {
     population *population = gather(0.0);
     population->ensemble.given = &population->given;
     run_in_all_lanes(population);
-    free(population);
 }
 
 TEST(ground_and_leg_change_at_the_apex_itself) {
     population *population = gather(0.0);
     give_what_acts_at_once(population);
     run_in_all_lanes(population);
-    free(population);
 }
 
 TEST(a_runner_below_its_ground_for_a_whole_stride_has_fallen) {
@@ -271,7 +265,6 @@ TEST(a_runner_below_its_ground_for_a_whole_stride_has_fallen) {
         assert_int_equal(population->strides[i][1].began, 1);
         assert_int_equal(population->strides[i][2].began, 0);
     }
-    free(population);
 }
 
 /* A leg that is damped as much pushes most when the foot comes down and stays there. */
@@ -286,14 +279,12 @@ TEST(a_force_that_is_largest_at_touchdown_is_noted) {
         population->values[i][0][2] = 10.0; /* the friction */
     }
     run_in_all_lanes(population);
-    free(population);
 }
 
 TEST(the_law_sees_the_height_above_the_ground_before_it_steps) {
     population *population = gather(0.1);
     population->its_case.rules.law = &population->law;
     run_in_all_lanes(population);
-    free(population);
 }
 
 TEST(no_setting_is_beyond_its_limits_and_some_are_at_them) {
@@ -315,7 +306,6 @@ TEST(no_setting_is_beyond_its_limits_and_some_are_at_them) {
     assert_true(inside > RUNNERS);
     assert_true(lowest > RUNNERS);
     assert_true(highest > RUNNERS);
-    free(population);
 }
 
 /* ---- bit for bit -------------------------------------------------------------------------------------- */
@@ -338,8 +328,6 @@ TEST(strides_depend_on_neither_threads_nor_neighbours) {
             assert_memory_equal(part->strides, all->strides[FIRST], PART * sizeof *part->strides);
         }
     }
-    free(all);
-    free(part);
 }
 
 static void assert_going_on_is_the_same(population *whole, population *parts) {
@@ -365,8 +353,6 @@ TEST(going_on_stride_by_stride_is_the_same_as_in_one_call) {
     whole->its_case.rules.law = &whole->law;
     parts->its_case.rules.law = &parts->law;
     assert_going_on_is_the_same(whole, parts);
-    free(whole);
-    free(parts);
 }
 
 /* Drawn heights that a foot passes, and walls that it trips over. */
@@ -386,8 +372,6 @@ TEST(on_a_terrain_too) {
         both[0]->ensemble.goes_on = both[1]->ensemble.goes_on = false;
         assert_going_on_is_the_same(both[0], both[1]);
     }
-    free(both[0]);
-    free(both[1]);
 }
 
 /* ---- the reduced map ---------------------------------------------------------------------------------- */
@@ -439,7 +423,6 @@ TEST(strides_of_the_reduced_map_are_those_of_its_settings) {
             closed += stride_by_reduced_map(population, i);
         }
         assert_true(closed > RUNNERS * STRIDES / 2);
-        free(population);
     }
 }
 
@@ -542,7 +525,6 @@ TEST(refuses_laws_that_are_none) {
     assert_refused(population);
     population->settings[1] = -1;
     assert_refused(population);
-    free(population);
 }
 
 TEST(refuses_settings_that_are_none) {
@@ -565,7 +547,6 @@ TEST(refuses_settings_that_are_none) {
     assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
     population->its_case.rules.roughness = 0.1;
     assert_refused(population);
-    free(population);
 }
 
 TEST(the_reduced_map_measures_height_and_speed_alone) {
@@ -582,5 +563,4 @@ TEST(the_reduced_map_measures_height_and_speed_alone) {
     gains[0][2] = 0.0;
     population->law.noise[5] = 0.1;
     assert_refused(population);
-    free(population);
 }
