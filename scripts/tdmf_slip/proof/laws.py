@@ -54,8 +54,15 @@ class Motion(RunnerOnOneLine):
         """Length and angle of the leg, and their rates."""
         return Record(length=r.length, angle=r.angle, length_rate=r.length_rate, angle_rate=r.angle_rate)
 
-    spring = once(RunnerOnOneLine.spring)
-    standing = once(RunnerOnOneLine.standing)
+    @once
+    def spring(r: Any) -> Number:
+        """Force of spring and damper."""
+        return RunnerOnOneLine.spring(r)
+
+    @once
+    def standing(r: Any) -> Any:
+        """Force of the ground on a foot at rest, under the stance law."""
+        return RunnerOnOneLine.standing(r)
 
     @once
     def inverse_length(r: Any) -> Number:
