@@ -6,19 +6,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import some_of
-from tdmf_slip import InputError, RunError, Runner, find_gait
+from tdmf_slip import RunError, Runner, continue_branch, find_gait
 from tdmf_slip.analysis.branch_problem import BranchProblem, gaits_over
-from tdmf_slip.analysis.branches import trace
 from tdmf_slip.variables.parameters import read_parameters
 from tdmf_slip.variables.table import FRICTION
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 KINDS = {"fold", "period doubling", "Neimark-Sacker", "word border", "unclassified"}
-
-
-@pytest.fixture(scope="module")
-def runner():
-    return Runner({})
 
 
 @pytest.fixture(scope="module")
@@ -60,7 +54,9 @@ def assert_judged_rightly(special):
     some_of([("leg.stiffness", 15000.0, 40), ("hip.kd", 75.0, 40), ("leg.damping", 24.0, 30)], 1),
 )
 def test_nothing_is_passed_over_where_gaits_are_wild(human, name, end, most):
-    branch = trace(human, name, find_gait(human), end, max_step=0.1, max_points=most)
+    branch = continue_branch.plain(
+        find_gait(human), {name: (human[name], end)}, max_step=0.1, max_points=most, switch=False
+    )
     assert special_points_met(branch) >= 1
     for special in branch.specials:
         assert_judged_rightly(special)
@@ -86,10 +82,9 @@ def test_gaits_are_followed_up_to_where_they_end(human, monkeypatch):
     assert 0.0 <= min(seen) - 0.38360208 < 1e-6
 
 
-def test_the_range_of_a_branch_is_checked(runner):
-    first = find_gait(runner)
-    for end in (first.friction, float("nan")):
-        with pytest.raises(InputError, match=r"end of ground\.friction = .*allowed: a number other"):
-            trace(runner, FRICTION, first, end)
-    with pytest.raises(InputError, match="nosuch"):
-        trace(runner, "nosuch", first, 1.0)
+def test_a_branch_of_a_gait_is_followed_from_it_both_ways():
+    gait = find_gait(friction=0.3)
+    branch = continue_branch.plain(gait, {FRICTION: (0.32, 0.28)}, switch=False)
+    assert (branch.began, branch.ended) == ("beginning of the range", "end of the range")
+    assert (branch.values[0], branch.values[-1]) == (0.32, 0.28)
+    assert min(np.abs(other.apex - gait.apex).max() for other in branch.gaits) < 1e-12

@@ -16,9 +16,9 @@ from closed_form_maps import (
     torn,
     two_sheets,
 )
-from tdmf_slip import RunError, Runner, find_gait
+from tdmf_slip import RunError
 from tdmf_slip.analysis.branch_problem import to_value
-from tdmf_slip.analysis.branches import trace, whole_branch, with_doubled_branches
+from tdmf_slip.analysis.branches import whole_branch, with_doubled_branches
 from tdmf_slip.analysis.special_points import special_points
 from tdmf_slip.library import classic_slip
 from tdmf_slip.numerics.following import Limits, Track, follow
@@ -277,15 +277,6 @@ def test_each_reason_to_stop_has_its_own_words():
     ]
     for reason, begin in zip(reasons, begins, strict=True):
         assert reason.startswith(begin), reason
-
-
-def test_a_branch_that_leads_out_of_a_parameters_range_ends_there_with_what_it_has():
-    runner = Runner({"ground.static_friction_ratio": 1.02})
-    branch = trace(runner, "ground.static_friction_ratio", find_gait(runner), 0.9)
-    assert branch.ended.startswith("limit of what is allowed at ground.static_friction_ratio = 1: ")
-    assert "allowed: 1 to" in branch.ended
-    assert branch.values[-1] == pytest.approx(1.0, abs=1e-6) and min(branch.values) >= 1.0
-    assert len(branch.gaits) > 5
 
 
 def test_a_branch_that_begins_inside_its_range_is_followed_both_ways():

@@ -25,7 +25,6 @@ from tdmf_slip import (
 from tdmf_slip.analysis import attraction
 from tdmf_slip.analysis.basin import range_around
 from tdmf_slip.analysis.branch_problem import gaits_over
-from tdmf_slip.analysis.branches import trace
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.analysis.special_points import borders_between
 from tdmf_slip.cli import options
@@ -76,12 +75,6 @@ REFUSED = [
     (lambda r, g: next(gaits_over(r, FRICTION, 0.3, g)), "."),
     (lambda r, g: next(gaits_over(r, FRICTION, [0.3], r)), "."),
     (lambda r, g: borders_between(r, FRICTION, r, g), "."),
-    (lambda r, g: trace(r, FRICTION, r, 0.3), "."),
-    (lambda r, g: trace(r, FRICTION, g, "x"), "."),
-    (lambda r, g: trace(r, FRICTION, g, float("nan")), "."),
-    (lambda r, g: trace(r, FRICTION, g, 0.2), "."),
-    (lambda r, g: trace(r, FRICTION, g, 0.3, max_points=0), "."),
-    (lambda r, g: trace(r, FRICTION, g, 0.3, max_step=-1), "."),
     (lambda r, g: basin(r, dict.fromkeys(RANGES, 1.0)), "."),
     (lambda r, g: basin(r, RANGES, 2, path="missing/map.nc"), "."),
     (lambda r, g: range_around(r, "com_height"), "."),
@@ -99,8 +92,10 @@ REFUSED = [
     (lambda r, g: r.state_at([1, 2]), "."),
     (lambda r, g: r.replace({"hip.touchdown_angle": "42 kg"}), "."),
     (lambda r, g: sweep(r, {"ground.friction": ["0.3 kg"]}), "."),
-    (lambda r, g: trace(r, FRICTION, g, "0.3"), "."),
     (lambda r, g: continue_branch(r, {FRICTION: (0.6, "low")}), "."),
+    (lambda r, g: continue_branch(g, {FRICTION: (0.2, float("nan"))}), "."),
+    (lambda r, g: continue_branch(g, {FRICTION: (0.2, 0.3)}, max_points=0), "."),
+    (lambda r, g: continue_branch(g, {FRICTION: (0.2, 0.3)}, max_step=-1), "."),
     (lambda r, g: continue_branch(r, {FRICTION: (0.6, -1.0)}), "."),
     (lambda r, g: continue_branch(r, {FRICTION: (0.6, 0.6)}), "."),
     (lambda r, g: continue_branch(r, {"foot.y": (0.6, 0.7)}), "."),

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from conftest import CLAMPED
 from tdmf_slip import Batch, Runner, find_gait
-from tdmf_slip.analysis.branches import trace
+from tdmf_slip.analysis.branches import continue_branch
 from tdmf_slip.analysis.special_points import PERIOD_DOUBLING
 from tdmf_slip.paper.figures import leading
 
@@ -15,7 +15,7 @@ RATE = "hip.retraction_rate"
 def branch():
     """With the clamp, where gaits of two strides last; without it they are soon lost."""
     runner = Runner({"ground.friction": 0.2, **CLAMPED})
-    return trace(runner, RATE, find_gait(runner), 0.01)
+    return continue_branch.plain(find_gait(runner), {RATE: (0.0, 0.01)}, switch=False)
 
 
 def heights(runner, apex):

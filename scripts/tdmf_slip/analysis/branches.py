@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..checks import checked, checked_flag, checked_whole, number_of, refusal
+from ..checks import checked, checked_flag, checked_whole
 from ..errors import InputError, RunError
 from ..library.fixed_point import settled_gait
-from ..library.gait import Gait, check_is_gait, gaits_dataset
-from ..library.members import check_varied, ranges_varied
+from ..library.gait import Gait, gaits_dataset
+from ..library.members import ranges_varied
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..numerics.following import SHORTEST_STEP as SHORTEST_STEP
@@ -22,7 +22,6 @@ from ..record import in_dataset
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model
-from ..variables.variable import Given
 from .branch_problem import BranchProblem, gaits_over
 from .search import periodic_gait
 from .special_points import PERIOD_DOUBLING, Special, special_points
@@ -131,7 +130,8 @@ def continue_branch(
     """Follow the branch of gaits over a range of a parameter, through folds, and classify its special points.
 
     The branch begins at the first end of the range with the gait that `find_gait` gives. Where there is
-    none, it begins at the first value that has one, and is followed both ways.
+    none, it begins at the first value that has one, and is followed both ways. A branch of a gait in the
+    range is followed from that gait, both ways unless it is at the first end.
 
     Parameters
     ----------
@@ -176,6 +176,7 @@ def continue_branch(
     >>> branch.ended, [str(special) for special in branch["special"].values if special]
     ('end of the range', ['word border', 'word border', 'word border'])
     """
+    known = runner if isinstance(runner, Gait) else None
     runner = Runner(runner, model=model)
     allowed = "both ends of a range, by the name of one parameter or input"
     ((name, (begin, end)),) = ranges_varied(vary, {1}, allowed, runner.model).items()
@@ -185,8 +186,10 @@ def continue_branch(
     if begin == end:
         raise InputError(f"vary {name}: {begin:g} to {end:g}; allowed: ends that differ")
     with progress_bar("branch", None, "gaits", progress) as bar:
-        first = first_gait(runner, name, begin, end)
-        problem, limits = BranchProblem(first.runner, name), _limits(begin, end, max_step, max_points)
+        is_inside = known is not None and min(begin, end) <= runner[name] <= max(begin, end)
+        first = known if known is not None and is_inside else first_gait(runner, name, begin, end)
+        problem = BranchProblem(first.runner, name, first.strides)
+        limits = Limits(np.array([min(begin, end)]), np.array([max(begin, end)]), max_step, max_points, begin)
         point = problem.correct(problem.at(first), problem.towards(end - begin))
         branch = whole_branch(problem, point, limits, bar.update)
         if not switch:
@@ -219,41 +222,6 @@ def _nearer(found: Gait, name: str, begin: float) -> Gait:
         return next(gaits_over(found.runner, name, [begin], found))
     except RunError:
         return found
-
-
-def _limits(begin: float, end: float, max_step: float, max_points: int) -> Limits:
-    low, high = np.array([min(begin, end)]), np.array([max(begin, end)])
-    return Limits(low, high, max_step, max_points, begin)
-
-
-def trace(
-    runner: Runner | Mapping[str, Given],
-    name: str,
-    first: Gait,
-    end: float,
-    *,
-    begin: float | None = None,
-    max_step: float = 0.2,
-    max_points: int = 1000,
-) -> Branch:
-    """Follow the branch of a gait, through folds, until the parameter leaves the range.
-
-    The range begins at the gait's own value, unless another one is given.
-    """
-    check_is_gait(first, "first")
-    runner = Runner(runner)
-    check_varied(name, "name", runner.model)
-    max_step = checked("max_step", max_step, SHORTEST_STEP, LARGEST_STEP)
-    max_points = checked_whole("max_points", max_points, 1, MAX_POINTS)
-    start = first.runner[name]
-    begin = start if begin is None else begin
-    is_range = number_of(end) is not None and abs(end - begin) > 0.0
-    if not is_range or not min(begin, end) <= start <= max(begin, end):
-        allowed = f"a number other than {begin:g}, and the first gait's {start:g} between the two"
-        raise refusal(f"end of {name}", end, allowed)
-    problem = BranchProblem(runner.replace({name: start}), name, first.strides)
-    point = problem.correct(problem.at(first), problem.towards(end - begin))
-    return whole_branch(problem, point, _limits(begin, end, max_step, max_points))
 
 
 def whole_branch(

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ...analysis.branch_problem import gaits_over
-from ...analysis.branches import Branch, trace
+from ...analysis.branches import Branch, continue_branch
 from ...analysis.search import periodic_gait
 from ...analysis.special_points import FOLD, WORD_BORDER
 from ...library.gait import Gait
@@ -57,7 +57,7 @@ def level(runner: Runner, ratio: float) -> list[Row]:
     rows: list[Row] = []
     for begin, end in pairwise(DECADES):
         its = runner_of(runner, LEVEL, ratio, begin)
-        rows += _rows(trace(its, VELOCITY, periodic_gait(its), end))
+        rows += _rows(_branch(periodic_gait(its), end))
     return rows
 
 
@@ -68,7 +68,12 @@ def downhill(runner: Runner, ratio: float) -> list[Row]:
     if ratio != RATIOS[DOWNHILL][0]:
         first = next(gaits_over(its, RATIO, [ratio], first))
     low, high = RANGE
-    return _rows(trace(first.runner, VELOCITY, first, low, begin=high, max_points=POINTS))
+    span = {VELOCITY: (high, low)}
+    return _rows(continue_branch.plain(first, span, max_points=POINTS, switch=False))
+
+
+def _branch(first: Gait, end: float) -> Branch:
+    return continue_branch.plain(first, {VELOCITY: (first.runner[VELOCITY], end)}, switch=False)
 
 
 def _rows(branch: Branch) -> list[Row]:

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 from matplotlib.figure import Figure
 
-from ...analysis.branches import Branch, trace
+from ...analysis.branches import Branch, continue_branch
 from ...analysis.search import periodic_gait
 from ...library.gait import Gait
 from ...library.runner import Runner
@@ -33,9 +33,10 @@ def branches(runner: Runner) -> Mapping[float, tuple[Branch, Branch]]:
     for friction in FRICTIONS:
         its = runner.replace({FRICTION: friction})
         first = periodic_gait(its)
+        spans = [{RATE: (first.runner[RATE], end)} for end in (2.0 * SHOWN[0], SHOWN[1])]
         back, forth = (
-            trace(its, RATE, first, end, max_step=LARGEST_STEP, max_points=POINTS)
-            for end in (2.0 * SHOWN[0], SHOWN[1])
+            continue_branch.plain(first, span, max_step=LARGEST_STEP, max_points=POINTS, switch=False)
+            for span in spans
         )
         found[friction] = back, forth
     return found

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ...analysis.branches import Branch, trace
+from ...analysis.branches import Branch, continue_branch
 from ...analysis.search import periodic_gait
 from ...analysis.special_points import FOLD
 from ...library.gait import Gait
@@ -43,9 +43,10 @@ def own(runner: Runner) -> Gaits:
     for friction in COLOURS:
         its = runner.replace({FRICTION: friction})
         first = periodic_gait(its)
+        spans = [{SLOPE: (first.runner[SLOPE], end)} for end in (LOWEST, HIGHEST)]
         down, up = (
-            trace(its, SLOPE, first, end, max_step=LARGEST_STEP, max_points=POINTS)
-            for end in (LOWEST, HIGHEST)
+            continue_branch.plain(first, span, max_step=LARGEST_STEP, max_points=POINTS, switch=False)
+            for span in spans
         )
         below = tuple(zip(down.values, down.gaits, strict=True))[:0:-1]
         found[friction] = below + _to_the_top(up)

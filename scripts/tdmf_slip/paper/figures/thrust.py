@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from ...analysis.branches import Branch, trace
+from ...analysis.branches import Branch, continue_branch
 from ...analysis.search import periodic_gait
 from ...library.gait import Gait
 from ...library.runner import Runner
@@ -79,11 +79,16 @@ def _leg_alone(first: Gait) -> Iterator[Gait]:
 
 
 def _branch(first: Gait, name: str, end: float) -> Branch:
-    return trace(first.runner, name, first, end, max_step=LARGEST_STEP, max_points=POINTS)
+    return _followed(first, name, first.runner[name], end)
 
 
 def _both_ways(first: Gait, name: str, end: float) -> Branch:
-    return trace(first.runner, name, first, end, begin=0.0, max_step=LARGEST_STEP, max_points=POINTS)
+    return _followed(first, name, 0.0, end)
+
+
+def _followed(first: Gait, name: str, begin: float, end: float) -> Branch:
+    span = {name: (begin, end)}
+    return continue_branch.plain(first, span, max_step=LARGEST_STEP, max_points=POINTS, switch=False)
 
 
 def actuated(data: Columns) -> dict[str, NDArray[np.bool_]]:
