@@ -13,6 +13,7 @@ function(tdmf_slip_generate what output)
         OUTPUT ${output}
         COMMAND Python3::Interpreter ${TDMF_SLIP_GENERATOR} ${what} ${TDMF_SLIP_VARIABLE_TABLE} ${output}
                 --version ${PROJECT_VERSION} ${template} ${given_UNPARSED_ARGUMENTS}
-        DEPENDS ${TDMF_SLIP_VARIABLE_TABLE} ${TDMF_SLIP_GENERATOR} ${given_TEMPLATE}
+        DEPENDS ${TDMF_SLIP_VARIABLE_TABLE} ${TDMF_SLIP_GENERATOR} ${PROJECT_SOURCE_DIR}/c_core/hybrid/description.py
+                ${given_TEMPLATE}
         COMMENT "Generating ${what} from modelDescription.xml" VERBATIM)
 endfunction()

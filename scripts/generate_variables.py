@@ -20,8 +20,13 @@ import hashlib
 import html
 import pathlib
 import re
+import sys
 import uuid
 import xml.etree.ElementTree as ElementTree
+
+sys.dont_write_bytecode = True  # a build leaves the sources alone
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1]))
+from c_core.hybrid.description import build_description, description, document  # noqa: E402
 
 # Parameters of these groups belong to the unit; all others are the core's.
 UNIT_GROUPS = {"status", "solver"}
@@ -42,6 +47,7 @@ class Variable:
         self.causality = element.get("causality")
         self.variability = element.get("variability")
         self.initial = element.get("initial")
+        self.about = element.get("description")
         self.value = element[0]
         self.type = self.value.tag
         declared = types.get(self.value.get("declaredType"))
@@ -49,6 +55,7 @@ class Variable:
         self.quantity = declared.get("quantity") if declared is not None else None
         self.items = [] if declared is None else list(declared)
         self.derivative = self.value.get("derivative")
+        self.storage = "GUARD" if self.group == GUARDS else "DERIVATIVE" if self.derivative else ""
 
     @property
     def group(self):
@@ -92,6 +99,39 @@ class Table:
         self.root.remove(annotations)
         self.package = annotations.find("Tool")
         self.units = [*self.root.find("UnitDefinitions"), *self.package.findall("Unit")]
+        # What a description asks of a unit.
+        self.rows = self.variables
+        self.number = {v.name: v.value_reference for v in self.variables}
+        self.identifier = self.root.get("modelName")
+        self.about = {name: self.root.get(name) for name in ("description", "author", "copyright", "license")}
+        self.categories = {c.get("name"): c.get("description") for c in self.root.find("LogCategories")}
+        self.experiment = self.root.find("DefaultExperiment").attrib
+
+    def used_units(self):
+        """Units of all real variables."""
+        return [unit.get("name") for unit in self.root.find("UnitDefinitions")]
+
+    def types(self):
+        """Types: name, kind, description, attributes and items."""
+        for declared in self.root.find("TypeDefinitions"):
+            (of,) = declared
+            items = [item.attrib for item in of]
+            yield declared.get("name"), of.tag, declared.get("description"), of.attrib, items
+
+    def type_of(self, variable):
+        """The type of a variable, in the words of FMI 2.0."""
+        return variable.type
+
+    def attributes(self, variable):
+        """Attributes of a variable that depend on its type."""
+        return dict(variable.value.attrib)
+
+    def references(self, variable, at_start=False):
+        """Value references of all that a variable depends on."""
+        known = start_dependencies(self) if at_start else run_dependencies(self)
+        if variable.name not in known:
+            raise SystemExit(f"modelDescription.xml: no dependencies are declared for {variable.name}")
+        return sorted(self.find(name, variable.name).value_reference for name in known[variable.name])
 
     def find(self, name, wanted_by):
         """The variable of that name, or a clear end."""
@@ -321,185 +361,10 @@ def whole_start(table):
     ]
 
 
-def structure(table):
-    """The model structure in FMI's order: (kind, variable, names of all that it depends on)."""
-    in_a_run = run_dependencies(table)
+def start_dependencies(table):
+    """Dependencies of what the start determines: whatever a start follows from, unless declared."""
     at_start = dict.fromkeys((v.name for v in initial_unknowns(table)), whole_start(table))
-    at_start |= declared_dependencies(table, "InitialUnknown")
-    groups = (
-        ("output", [v for v in table.variables if v.causality == "output"], in_a_run),
-        ("derivative", table.derivatives, in_a_run),
-        ("initial", initial_unknowns(table), at_start),
-        ("guard", table.guards, in_a_run),
-    )
-    rows = [(kind, v, known.get(v.name)) for kind, members, known in groups for v in members]
-    undeclared = [variable.name for _, variable, names in rows if names is None]
-    if undeclared:
-        raise SystemExit(f"modelDescription.xml: no dependencies are declared for {', '.join(undeclared)}")
-    return rows
-
-
-def references(table, names, wanted_by, first):
-    """A list of variables as FMI writes it, counted from `first`."""
-    return " ".join(map(str, sorted(table.find(name, wanted_by).value_reference + first for name in names)))
-
-
-def document(root):
-    """The text of an XML file."""
-    ElementTree.indent(root)
-    return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
-
-
-def source_files(parent, element, sources):
-    """An element for each file of `sources`."""
-    for name in sources:
-        ElementTree.SubElement(parent, element, name=name)
-
-
-# ---- FMI 2.0 -------------------------------------------------------------------------------------------
-
-
-def fmi2_structure(table):
-    """The model structure of FMI 2.0, names turned into indices."""
-    root = ElementTree.Element("ModelStructure")
-    groups = {
-        kind: ElementTree.SubElement(root, tag)
-        for kind, tag in (
-            ("output", "Outputs"),
-            ("derivative", "Derivatives"),
-            ("initial", "InitialUnknowns"),
-        )
-    }
-    for kind, variable, names in structure(table):
-        if kind in groups:
-            ElementTree.SubElement(
-                groups[kind],
-                "Unknown",
-                index=str(variable.value_reference + 1),
-                dependencies=references(table, names, variable.name, 1),
-            )
-    return root
-
-
-def fmi2(table, identity, version, sources):
-    """The modelDescription.xml inside the FMI 2.0 unit."""
-    root = table.root
-    root.set("guid", identity)
-    root.set("version", version)
-    root.set("generationTool", f"TDMF-SLIP {version}")
-    root.set("numberOfEventIndicators", str(len(table.guards)))
-    for variable in table.variables:
-        variable.element.set("valueReference", str(variable.value_reference))
-        if variable.derivative:
-            state = table.find(variable.derivative, variable.name)
-            variable.value.set("derivative", str(state.value_reference + 1))
-    for interface in ("ModelExchange", "CoSimulation"):
-        source_files(ElementTree.SubElement(root.find(interface), "SourceFiles"), "File", sources)
-    complete = fmi2_structure(table)
-    position = list(root).index(root.find("ModelStructure"))
-    root.remove(root[position])
-    root.insert(position, complete)
-    return document(root)
-
-
-# ---- FMI 3.0 -------------------------------------------------------------------------------------------
-
-FMI3_TYPES = {"Real": "Float64", "Integer": "Int32"}
-FMI3_CAPABILITIES = {
-    "modelIdentifier": "modelIdentifier",
-    "canGetAndSetFMUstate": "canGetAndSetFMUState",
-    "canSerializeFMUstate": "canSerializeFMUState",
-    "providesDirectionalDerivative": "providesDirectionalDerivatives",
-    "canHandleVariableCommunicationStepSize": "canHandleVariableCommunicationStepSize",
-    "maxOutputDerivativeOrder": "maxOutputDerivativeOrder",
-}
-"""FMI 2.0's names and FMI 3.0's."""
-FMI3_CAPABILITIES_MORE = {
-    "ModelExchange": {"providesAdjointDerivatives": "true", "needsCompletedIntegratorStep": "true"},
-    "CoSimulation": {
-        "providesAdjointDerivatives": "true",
-        "hasEventMode": "true",
-        "mightReturnEarlyFromDoStep": "true",
-    },
-}
-FMI3_STRUCTURE = {
-    "output": "Output",
-    "derivative": "ContinuousStateDerivative",
-    "initial": "InitialUnknown",
-    "guard": "EventIndicator",
-}
-
-
-def fmi3_interface(element):
-    """ModelExchange or CoSimulation of FMI 3.0."""
-    attributes = {new: element.get(old) for old, new in FMI3_CAPABILITIES.items() if element.get(old)}
-    return ElementTree.Element(element.tag, attributes | FMI3_CAPABILITIES_MORE[element.tag])
-
-
-def fmi3_type(element):
-    """A declared type of FMI 3.0, without its description, on which FMPy 0.3.19 to 0.3.23 stumbles."""
-    (value,) = element
-    attributes = {"name": element.get("name")} | value.attrib
-    made = ElementTree.Element(FMI3_TYPES.get(value.tag, value.tag) + "Type", attributes)
-    made.extend(list(value))
-    return made
-
-
-def fmi3_variable(variable, table):
-    """A variable of FMI 3.0."""
-    attributes = variable.element.attrib | variable.value.attrib
-    attributes["valueReference"] = str(variable.value_reference)
-    if variable.derivative:
-        attributes["derivative"] = references(table, [variable.derivative], variable.name, 0)
-    return ElementTree.Element(FMI3_TYPES.get(variable.type, variable.type), attributes)
-
-
-def fmi3_structure(table):
-    """The model structure of FMI 3.0, names turned into value references."""
-    root = ElementTree.Element("ModelStructure")
-    for kind, variable, names in structure(table):
-        ElementTree.SubElement(
-            root,
-            FMI3_STRUCTURE[kind],
-            valueReference=str(variable.value_reference),
-            dependencies=references(table, names, variable.name, 0),
-        )
-    return root
-
-
-def fmi3(table, identity, version):
-    """The modelDescription.xml inside the FMI 3.0 unit."""
-    root = ElementTree.Element("fmiModelDescription", table.root.attrib)
-    root.set("fmiVersion", "3.0")
-    root.set("instantiationToken", identity)
-    root.set("version", version)
-    root.set("generationTool", f"TDMF-SLIP {version}")
-    for interface in ("ModelExchange", "CoSimulation"):
-        root.append(fmi3_interface(table.root.find(interface)))
-    root.append(table.root.find("UnitDefinitions"))
-    types = ElementTree.SubElement(root, "TypeDefinitions")
-    types.extend(fmi3_type(element) for element in table.root.find("TypeDefinitions"))
-    root.append(table.root.find("LogCategories"))
-    root.append(table.root.find("DefaultExperiment"))
-    variables = ElementTree.SubElement(root, "ModelVariables")
-    variables.extend(fmi3_variable(variable, table) for variable in table.variables)
-    root.append(fmi3_structure(table))
-    return document(root)
-
-
-def build(table, sources):
-    """The sources/buildDescription.xml of FMI 3.0."""
-    root = ElementTree.Element("fmiBuildDescription", fmiVersion="3.0")
-    identifier = table.root.find("ModelExchange").get("modelIdentifier")
-    configuration = ElementTree.SubElement(root, "BuildConfiguration", modelIdentifier=identifier)
-    files = ElementTree.SubElement(
-        configuration, "SourceFileSet", language="C99", compilerOptions="-ffp-contract=off"
-    )
-    source_files(files, "SourceFile", sources)
-    ElementTree.SubElement(
-        configuration, "Library", name="m", external="true", description="where it is not in the C library"
-    )
-    return document(root)
+    return at_start | declared_dependencies(table, "InitialUnknown")
 
 
 TERMINALS = {
@@ -523,10 +388,8 @@ def terminals(table):
     ElementTree.SubElement(graphics, "CoordinateSystem", corners | {"suggestedScalingFactorTo_mm": "0.1"})
     ElementTree.SubElement(graphics, "Icon", corners)
     group = ElementTree.SubElement(root, "Terminals")
-    for name, (description, members) in TERMINALS.items():
-        terminal = ElementTree.SubElement(
-            group, "Terminal", name=name, matchingRule="bus", description=description
-        )
+    for name, (about, members) in TERMINALS.items():
+        terminal = ElementTree.SubElement(group, "Terminal", name=name, matchingRule="bus", description=about)
         for member in members:
             variable = table.find(member, "TERMINALS").name
             ElementTree.SubElement(
@@ -671,9 +534,9 @@ def main():
         "declarations": lambda: declarations(table),
         "ranges": lambda: ranges(table),
         "guid": lambda: guid(arguments.source, arguments.version),
-        "fmi2": lambda: fmi2(table, identity, arguments.version, arguments.sources),
-        "fmi3": lambda: fmi3(table, identity, arguments.version),
-        "build": lambda: build(table, arguments.sources),
+        "fmi2": lambda: description(table, 2, arguments.version, arguments.sources),
+        "fmi3": lambda: description(table, 3, arguments.version, arguments.sources),
+        "build": lambda: build_description(table, arguments.sources),
         "terminals": lambda: terminals(table),
         "page": lambda: page(table, arguments.template),
         "python": lambda: python(table),
@@ -686,7 +549,7 @@ def main():
     parser.add_argument("--template", help="page without its list of variables")
     arguments = parser.parse_args()
     table = Table(arguments.source)
-    identity = guid_of(arguments.source, arguments.version)
+    table.identity = guid_of(arguments.source, arguments.version)
     text = makers[arguments.what]()
     pathlib.Path(arguments.output).write_text(text, encoding="utf-8")
 

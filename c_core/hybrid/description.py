@@ -3,10 +3,9 @@
 import re
 from xml.etree import ElementTree
 
-from .unit import experiment_of
+from .unit import DISPLAY
 from .units import BASE, dimension_of
 
-DISPLAY = {"rad": "deg", "rad/s": "deg/s"}
 DEGREES = "57.29577951308232"
 CATEGORIES = {
     "logEvents": "Every event, with its time and the modes before and after it",
@@ -14,12 +13,6 @@ CATEGORIES = {
     "logStatusDiscard": "Values that were refused and changed nothing",
     "logStatusError": "Calls that failed, or were out of place and changed nothing",
     "logAll": "All of the above",
-}
-EXPERIMENT = {
-    "start_time": "startTime",
-    "stop_time": "stopTime",
-    "tolerance": "tolerance",
-    "step_size": "stepSize",
 }
 STATES = {2: ("canGetAndSetFMUstate", "canSerializeFMUstate", "providesDirectionalDerivative")}
 STATES[3] = (
@@ -49,23 +42,12 @@ def document(root):
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
 
 
-def type_of_unit(unit):
-    """Name of the type of numbers in a unit."""
-    return f"Real in {unit}"
-
-
 class Description:
     """The description of a unit in a version of FMI, 2 or 3."""
 
     def __init__(self, unit, fmi, version, sources):
         self.unit, self.fmi, self.sources = unit, fmi, sources
-        about = " ".join((unit.model.__doc__ or unit.identifier).split())
-        given = {
-            "fmiVersion": f"{fmi}.0",
-            "modelName": unit.identifier,
-            "description": about,
-            "version": version,
-        }
+        given = {"fmiVersion": f"{fmi}.0", "modelName": unit.identifier, **unit.about, "version": version}
         given["guid" if fmi == 2 else "instantiationToken"] = unit.identity
         given |= {"generationTool": f"TDMF-SLIP {version}", "variableNamingConvention": "structured"}
         if fmi == 2:
@@ -76,12 +58,9 @@ class Description:
         self.units()
         self.types()
         categories = self.add(self.root, "LogCategories")
-        for name, text in CATEGORIES.items():
+        for name, text in (CATEGORIES | unit.categories).items():
             self.add(categories, "Category", name=name, description=text)
-        experiment = experiment_of(unit.model)
-        self.add(
-            self.root, "DefaultExperiment", **{EXPERIMENT[k]: repr(float(v)) for k, v in experiment.items()}
-        )
+        self.add(self.root, "DefaultExperiment", **unit.experiment)
         variables = self.add(self.root, "ModelVariables")
         for row in unit.rows:
             (self.variable_2 if fmi == 2 else self.variable_3)(variables, row)
@@ -110,57 +89,31 @@ class Description:
                 for name in self.sources:
                     self.add(files, "File", name=name)
 
-    def used_units(self):
-        """Units of all real variables."""
-        return dict.fromkeys(row.unit for row in self.unit.rows if self.unit.type_of(row) == "Real")
-
     def units(self):
-        """Definitions of all units."""
+        """Definitions of the units of all real variables."""
         definitions = self.add(self.root, "UnitDefinitions")
-        for name in self.used_units():
+        for name in self.unit.used_units():
             element = self.add(definitions, "Unit", name=name)
             self.add(element, "BaseUnit", **{base: str(power) for base, power in base_unit(name).items()})
             if name in DISPLAY:
                 self.add(element, "DisplayUnit", name=DISPLAY[name], factor=DEGREES)
 
     def types(self):
-        """A type for each unit, because fmi-sim reads units of types only; and enumerations."""
+        """Types. FMPy 0.3.19 to 0.3.23 cannot read a description of one in FMI 3.0."""
         definitions = self.add(self.root, "TypeDefinitions")
-        for unit in self.used_units():
-            self.type(definitions, type_of_unit(unit), "Real", unit=unit, displayUnit=DISPLAY.get(unit))
-        for row in self.unit.rows:
-            if self.unit.type_of(row) == "Enumeration":
-                items = self.type(definitions, row.name, "Enumeration")
-                for number, item in enumerate(row.kind, 1):
-                    self.add(items, "Item", name=item, value=str(number))
-
-    def type(self, definitions, name, kind, **given):
-        """Add a type."""
-        if self.fmi == 3:
-            return self.add(definitions, f"{TYPES_OF_3.get(kind, kind)}Type", name=name, **given)
-        return self.add(self.add(definitions, "SimpleType", name=name), kind, **given)
-
-    def start(self, row):
-        """The start value of a variable, as text."""
-        if row.start is None:
-            return None
-        return str(bool(row.start)).lower() if row.kind is bool else repr(float(row.start))
+        for name, kind, about, given, items in self.unit.types():
+            if self.fmi == 3:
+                made = self.add(definitions, f"{TYPES_OF_3.get(kind, kind)}Type", name=name, **given)
+            else:
+                made = self.add(
+                    self.add(definitions, "SimpleType", name=name, description=about), kind, **given
+                )
+            for item in items:
+                self.add(made, "Item", **item)
 
     def of_type(self, row):
         """Attributes of a variable that depend on its type."""
-        kind = self.unit.type_of(row)
-        given = {"start": self.start(row)}
-        if kind == "Enumeration":
-            given["declaredType"] = row.name
-        if kind == "Real":
-            bounds = {"min": ("least", "above"), "max": ("most", "below")}
-            found = {
-                k: [repr(float(row.within[w])) for w in words if w in row.within]
-                for k, words in bounds.items()
-            }
-            given |= {k: values[0] for k, values in found.items() if values}
-            given["declaredType"] = type_of_unit(row.unit)
-            given["reinit"] = "true" if row.reinit else None
+        given = self.unit.attributes(row)
         if row.derivative:
             given["derivative"] = str(self.unit.number[row.derivative] + (self.fmi == 2))
         return given
@@ -202,7 +155,7 @@ class Description:
         yield "EventIndicator", [row for row in rows if row.storage == "GUARD"]
 
     def structure_2(self):
-        """The model structure of FMI 2.0. An initial unknown without dependencies depends on every start."""
+        """The model structure of FMI 2.0."""
         structure = self.add(self.root, "ModelStructure")
         groups = {
             "Output": "Outputs",
@@ -212,25 +165,22 @@ class Description:
         for tag, rows in self.unknowns():
             group = self.add(structure, groups[tag]) if tag in groups and rows else None
             for row in rows if group is not None else ():
-                depends = " ".join(str(i + 1) for i in self.unit.references(row))
                 index = str(self.unit.number[row.name] + 1)
-                self.add(
-                    group, "Unknown", index=index, dependencies=None if tag == "InitialUnknown" else depends
-                )
+                self.add(group, "Unknown", index=index, dependencies=self.dependencies(tag, row, 1))
 
     def structure_3(self):
         """The model structure of FMI 3.0."""
         structure = self.add(self.root, "ModelStructure")
         for tag, rows in self.unknowns():
             for row in rows:
-                depends = " ".join(map(str, self.unit.references(row)))
                 reference = str(self.unit.number[row.name])
-                self.add(
-                    structure,
-                    tag,
-                    valueReference=reference,
-                    dependencies=None if tag == "InitialUnknown" else depends,
-                )
+                given = self.dependencies(tag, row, 0)
+                self.add(structure, tag, valueReference=reference, dependencies=given)
+
+    def dependencies(self, tag, row, first):
+        """References, counted from `first`, of what an unknown depends on. None: on every start."""
+        references = self.unit.references(row, tag == "InitialUnknown")
+        return None if references is None else " ".join(str(i + first) for i in references)
 
 
 def description(unit, fmi, version, sources):

@@ -22,6 +22,9 @@ from .variations import Variation
 TYPES = {float: "Real", int: "Integer", bool: "Boolean"}
 LARGEST = 2**31 - 1
 """The largest Integer of FMI."""
+DISPLAY = {"rad": "deg", "rad/s": "deg/s", "rad/s2": "deg/s2"}
+EXPERIMENT = {"start_time": "startTime", "stop_time": "stopTime"}
+EXPERIMENT |= {"tolerance": "tolerance", "step_size": "stepSize"}
 TOLERANCE = {"least": 1e-14, "most": 1e-2}
 TOP = "/* Derived from the page {name}: edit the page, not this. */\n"
 
@@ -44,7 +47,8 @@ def allowed(within):
 
 def experiment_of(model):
     """The times and the tolerance of the default experiment: the page's own `experiment`, or ten seconds."""
-    return {"start_time": 0.0, "stop_time": 10.0} | getattr(model, "experiment", {})
+    given = {"start_time": 0.0, "stop_time": 10.0} | getattr(model, "experiment", {})
+    return {EXPERIMENT[name]: repr(float(value)) for name, value in given.items()}
 
 
 def empty(name):
@@ -163,7 +167,9 @@ class Unit:
         self.event_names = {n: n for n in page.events}
         kinds = {n: f.kind_of_value for n, f in page.outputs.items()}
         self.enumerations = {n: of for n, of in kinds.items() if isinstance(of, tuple) and of[0] != "letters"}
-        self.words, self.part = [], None
+        self.words, self.part, self.categories = [], None, {}
+        self.about = {"description": " ".join((page.model.__doc__ or self.identifier).split())}
+        self.experiment = experiment_of(page.model)
         self.add_all()
         names = [row.name for row in self.rows]
         for row in self.rows:
@@ -326,9 +332,39 @@ class Unit:
             return "String" if row.kind[0] == "letters" else "Enumeration"
         return TYPES[row.kind]
 
-    def references(self, row):
-        """Value references of all that a variable depends on."""
-        return sorted(self.number[self.model.public(name)] for name in row.depends)
+    def references(self, row, at_start=False):
+        """Value references of all that a variable depends on. None: at the start, on every start value."""
+        return None if at_start else sorted(self.number[self.model.public(name)] for name in row.depends)
+
+    def used_units(self):
+        """Units of all real variables."""
+        return dict.fromkeys(row.unit for row in self.rows if self.type_of(row) == "Real")
+
+    def types(self):
+        """Types: name, kind, description, attributes and items.
+
+        There is one for each unit, because fmi-sim reads units of types only.
+        """
+        for unit in self.used_units():
+            yield f"Real in {unit}", "Real", None, {"unit": unit, "displayUnit": DISPLAY.get(unit)}, []
+        for row in self.rows:
+            if self.type_of(row) == "Enumeration":
+                items = [{"name": item, "value": str(i)} for i, item in enumerate(row.kind, 1)]
+                yield row.name, "Enumeration", None, {}, items
+
+    def attributes(self, row):
+        """Attributes of a variable that depend on its type."""
+        kind, start = self.type_of(row), row.start
+        if start is not None:
+            start = str(bool(start)).lower() if row.kind is bool else repr(float(start))
+        given = {"start": start}
+        if kind == "Enumeration":
+            given["declaredType"] = row.name
+        if kind == "Real":
+            for bound, words in {"min": ("least", "above"), "max": ("most", "below")}.items():
+                given[bound] = next((repr(float(row.within[w])) for w in words if w in row.within), None)
+            given |= {"declaredType": f"Real in {row.unit}", "reinit": "true" if row.reinit else None}
+        return given
 
     # ---- tables in C
 
