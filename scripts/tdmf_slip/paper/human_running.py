@@ -4,8 +4,8 @@ The sources stand in `variables/presets/human.toml` and `fitting/data/human_runn
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -24,30 +24,23 @@ SCATTER = 2.0
 """Standard deviations between people within which a gait agrees."""
 
 
-@dataclass(frozen=True)
-class Measured:
-    """A quantity of people at 2.5 to 3.1 m/s, as the preset cites it."""
-
-    what: str
-    """Quantity."""
-    mean: float
-    """Mean over the people."""
-    deviation: float
-    """Standard deviation between them."""
-    unit: str
-    """Unit, in the table."""
-    source: str
-    """Paper."""
-
-
 TUNED: Mapping[str, Mapping[str, Given]] = {
     FREE: {},
     CLAMP: {"hip.stance_torque": 336.0, "hip.liftoff_angle_factor": 0.63, "hip.swing_clamp": True},
 }
 """Values over the preset's that tune it to the measured speed and step frequency, by reading."""
-STEPS = Measured("steps per second, tuned", 2.62, 0.16, "Hz", "Karamanidis 2005")
-CONTACT = Measured("contact", 271.0, 23.0, "ms", "Karamanidis 2005")
-PEAK = Measured("peak force", 2.36, 0.19, "body weights", "Front. Physiol. 2022")
+MEASURED: Sequence[tuple[str, float, float, str, str, Callable[[Gait], float]]] = (
+    ("steps per second, tuned", 2.62, 0.16, "Hz", "Karamanidis 2005", lambda gait: 1.0 / gait.period),
+    ("contact", 271, 23, "ms", "Karamanidis 2005", lambda gait: 1000.0 * gait.stride["stance_time"]),
+    (
+        *("peak force", 2.36, 0.19, "body weights", "Front. Physiol. 2022"),
+        lambda gait: gait.stride["peak_force"] / weight(gait),
+    ),
+)
+"""Quantities of people at 2.5 to 3.1 m/s, as the preset cites them.
+
+Each has a name, its mean, the standard deviation between the people, unit and paper, and how it is computed.
+"""
 
 GROUPS = ((15.0, 1.7), (16.6, 3.1))
 """Mean leg stiffness of two groups at 20 km/h with its standard deviation, kN/m, by another method."""
@@ -79,33 +72,32 @@ def claims() -> list[Claim]:
     """Published numbers of human running beside those computed."""
     preset = read_parameters("human")
     jogs = {reading: periodic_gait({**preset, **values}) for reading, values in TUNED.items()}
-    return [
-        _measured(STEPS, jogs, lambda gait: 1.0 / gait.period),
-        _measured(CONTACT, jogs, lambda gait: 1000.0 * gait.stride["stance_time"]),
-        _measured(PEAK, jogs, lambda gait: gait.stride["peak_force"] / weight(gait)),
-        *_of_fit(fitted()),
-        _fast(),
-    ]
+    return [*(_measured(jogs, *measured) for measured in MEASURED), *_of_fit(fitted()), _fast()]
 
 
-def _measured(measured: Measured, jogs: Mapping[str, Gait], quantity: Callable[[Gait], float]) -> Claim:
-    digits = 0 if measured.mean > 100.0 else 2
-    findings = {}
-    for reading, gait in jogs.items():
-        value = quantity(gait)
-        agrees = abs(value - measured.mean) <= SCATTER * measured.deviation
-        findings[reading] = Finding(f"{value:.{digits}f}", agrees)
-    published = f"{measured.mean:g} ± {measured.deviation:g} {measured.unit}"
-    return Claim(f"{JOG}: {measured.what}", published, findings, source=measured.source)
+def _measured(
+    jogs: Mapping[str, Gait],
+    what: str,
+    mean: float,
+    deviation: float,
+    unit: str,
+    source: str,
+    quantity: Callable[[Gait], float],
+) -> Claim:
+    values = {reading: quantity(gait) for reading, gait in jogs.items()}
+    digits = 0 if mean > 100.0 else 2
+    findings = {
+        reading: Finding(f"{value:.{digits}f}", abs(value - mean) <= SCATTER * deviation)
+        for reading, value in values.items()
+    }
+    return Claim(f"{JOG}: {what}", f"{mean:g} ± {deviation:g} {unit}", findings, source=source)
 
 
 def _fast() -> Claim:
     """Leg stiffness of two groups at 20 km/h."""
     found = _fit(RUNNER, "human_fast_running", [], [STIFFNESS, *EACH])
     values = [found.parameters[f"{STIFFNESS}[{row}]"].value / 1000.0 for row in (1, 2)]
-    agrees = all(
-        abs(value - mean) <= deviation for value, (mean, deviation) in zip(values, GROUPS, strict=True)
-    )
+    agrees = all(abs(value - of[0]) <= of[1] for value, of in zip(values, GROUPS, strict=True))
     published = ", ".join(f"{mean} ± {deviation}" for mean, deviation in GROUPS)
     return Claim(
         "human at 20 km/h: leg stiffness of two groups",
@@ -122,42 +114,27 @@ def _of_fit(found: Fit) -> list[Claim]:
     relative = stiffness * gait.runner["leg.free_length"] / weight(gait)
     values = [one.lambda_max for one in found.gaits]
     expected = found.degrees_of_freedom + SCATTER * np.sqrt(2.0 * found.degrees_of_freedom)
+    chi_square = f"chi2 {found.chi_square:.1f} of {found.degrees_of_freedom}"
+    fits = alike(
+        f"one stiffness, {relative:.1f} weights per leg length; {chi_square}",
+        bool(found.chi_square <= expected),
+    )
+    unstable = "all unstable, " if min(values) > 1.0 else ""
+    steady = alike(f"{unstable}eigenvalues {min(values):.2f} to {max(values):.2f}", max(values) < 1.0)
     return [
-        Claim(
-            f"{FIT}: frequency and peak force",
-            "eight of each",
-            alike(
-                f"one stiffness, {relative:.1f} weights per leg length; chi2 {found.chi_square:.1f} of "
-                f"{found.degrees_of_freedom}",
-                bool(found.chi_square <= expected),
-            ),
-            source=source,
-        ),
-        Claim(
-            f"{FIT}: gait",
-            "steady",
-            alike(
-                f"{'all unstable, ' if min(values) > 1.0 else ''}"
-                f"eigenvalues {min(values):.2f} to {max(values):.2f}",
-                max(values) < 1.0,
-            ),
-            source=source,
-        ),
+        Claim(f"{FIT}: frequency and peak force", "eight of each", fits, source=source),
+        Claim(f"{FIT}: gait", "steady", steady, source=source),
     ]
 
 
-@dataclass(frozen=True)
-class FitRow:
-    """One claim about the fit on the page of results."""
+class FitRow(NamedTuple):
+    """One claim about the fit on the page of results, as texts."""
 
     claim: str
-    """The claim in words."""
     value: str
-    """The number, with its interval if it has one."""
     control: str
     """The number with other possible causes varied."""
     command: str
-    """Command that computes it."""
 
 
 ASSUMED: Mapping[str, tuple[float, float]] = {

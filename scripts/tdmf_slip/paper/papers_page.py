@@ -6,7 +6,6 @@
 import json
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +25,7 @@ def compute() -> Stored:
     return {
         "statements": [claim.as_json() for claim in found.claims],
         "others": [claim.as_json() for claim in found.others],
-        "fit": [asdict(row) for row in fit_rows()],
+        "fit": [row._asdict() for row in fit_rows()],
     }
 
 
