@@ -21,7 +21,7 @@ DISTURBANCES = {
 """Labels and colours of the disturbances that are drawn."""
 
 
-def table(measured: Sequence[Judgement], matched: Sequence[Judgement] = ()) -> Data:
+def table(_sweep: Row, measured: Sequence[Judgement], matched: Sequence[Judgement] = ()) -> Data:
     """Data of the figure by column. `matched` is 1 or 0; inf is a disturbance beyond the largest tried."""
     rows = [*measured, *matched]
     return {
@@ -39,7 +39,7 @@ def table(measured: Sequence[Judgement], matched: Sequence[Judgement] = ()) -> D
 
 def draw(sweep: Row, measured: Sequence[Judgement], matched: Sequence[Judgement]) -> Figure:
     """Draw the share of starts that settle, the largest eigenvalue, and the largest disturbances."""
-    data, equal = as_columns(table(measured)), as_columns(table(matched))
+    data, equal = as_columns(table(sweep, measured)), as_columns(table(sweep, matched))
     figure, axes = style.subplots(3, 1, figsize=(7.6, 7.6), sharex=True)
     _draw_share(axes[0], data)
     axes[0].plot(equal["friction"], equal["attracted_share"], **figure_9.CONTROL)

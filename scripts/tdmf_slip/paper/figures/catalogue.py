@@ -1,8 +1,8 @@
 """All figures of the paper and our own, each with its data as CSV."""
 
+import importlib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from functools import cache, partial
+from functools import cache, cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,41 +22,16 @@ from ...variables.parameters import read_parameters
 from ...variables.table import FRICTION
 from .. import guinea_fowl as slippery
 from .. import matched
-from ..claims import READINGS
 from ..evidence import SWEPT
-from . import (
-    attraction,
-    classic,
-    energy,
-    falling_friction,
-    feedback,
-    figure_9,
-    guinea_fowl,
-    optimal,
-    reduced,
-    retraction,
-    rough,
-    slippery_patch,
-    slope,
-    strides,
-    thrust,
-    viability,
-)
-from .columns import Data, as_columns, columns, write_columns
+from . import attraction, classic, energy, figure_9, guinea_fowl, reduced, retraction, strides
+from .columns import Columns, Data, as_columns, columns, write_columns
 
 if TYPE_CHECKING:
     import xarray
 
-STORED: Mapping[str, Any] = {
-    "falling_friction": falling_friction,
-    "feedback": feedback,
-    "optimal": optimal,
-    "rough": rough,
-    "slippery_patch": slippery_patch,
-    "slope": slope,
-    "thrust": thrust,
-    "viability": viability,
-}
+STORED = (
+    *("falling_friction", "feedback", "optimal", "rough", "slippery_patch", "slope", "thrust", "viability"),
+)
 """Modules of figures whose data takes minutes to measure, and is stored."""
 FORMATS = ("png", "svg", "pdf")
 """Formats of the files."""
@@ -65,36 +40,123 @@ MEASURED = 26
 EQUAL, MEASURED_EQUAL = 48, 12
 """Number of matched gaits, and of those whose region of attraction is measured."""
 CLAMP = "hip.swing_clamp"
-PAPERS_GAITS = [f"figure_{number}" for number in range(5, 10)]
+GALLERY = tuple(f"figure_{number}" for number in range(5, 10))
 STRIDE_COLUMNS = (
-    "time",
-    "com.y",
-    "foot.x",
-    "foot.y",
-    "foot.vx",
-    "leg.length",
-    "leg.angle",
-    "contact.fx",
-    "contact.fy",
-    "contact.mode",
+    *("time", "com.y", "foot.x", "foot.y", "foot.vx", "leg.length", "leg.angle"),
+    *("contact.fx", "contact.fy", "contact.mode"),
 )
 
 
-@dataclass(frozen=True)
-class Entry:
-    """A figure: how it is drawn, and its data."""
+class Results:
+    """Results for the paper's runner that figures are drawn of, each computed when it is first asked for."""
 
-    draw: Callable[[], Figure]
-    """Draws the figure."""
-    table: Callable[[], Data]
-    """Returns the data of the figure by column."""
+    def __init__(self, measure: bool = False) -> None:
+        """Read stored data, or measure it anew."""
+        self.runner, self.measure = Runner(read_parameters("paper")), measure
+        self.stride, self.stored = cache(self._stride), cache(self._stored)
+
+    def _stride(self, friction: float, clamp: bool = False) -> Stride:
+        return Stride(periodic_gait(self.runner.replace({FRICTION: friction, CLAMP: clamp})))
+
+    def _stored(self, name: str) -> Columns:
+        module = importlib.import_module(f".{name}", __package__)
+        return as_columns(module.measure(self.runner)) if self.measure else columns(name)
+
+    @cached_property
+    def gaits(self) -> Row:
+        """Gaits over friction."""
+        return sweep_row(self.runner, FRICTION, SWEPT)
+
+    @cached_property
+    def equal(self) -> list[Gait]:
+        """Gaits matched to the first one."""
+        return matched.over_friction(self.gaits.gaits, EQUAL)
+
+    @cached_property
+    def attraction(self) -> tuple[Row, list[Judgement], list[Judgement]]:
+        """Gaits over friction, what some of them attract, and what some of the matched gaits attract."""
+        found = self.gaits.gaits
+        chosen = [found[i] for i in np.linspace(0, len(found) - 1, MEASURED).round().astype(int)]
+        equal = self.equal[:: EQUAL // MEASURED_EQUAL]
+        judged, judged_equal = (judge_all([(gait, None) for gait in its]) for its in (chosen, equal))
+        return self.gaits, judged, judged_equal
+
+    @cached_property
+    def retraction(self) -> tuple[Any, ...]:
+        """Branches over the rate of retraction, and matched gaits."""
+        return retraction.branches(self.runner), retraction.matched(self.runner)
+
+    @cached_property
+    def models(self) -> dict[str, Row]:
+        """Gaits over friction of the full model and of the reduced map."""
+        return {
+            "full": self.gaits,
+            "reduced": sweep_row(Runner(self.runner, model="reduced"), FRICTION, SWEPT),
+        }
+
+    @cached_property
+    def fowl(self) -> slippery.Map:
+        """Falls of runners of a guinea fowl's size."""
+        return slippery.fall_map()
+
+    @cached_property
+    def regions(self) -> "dict[str, xarray.Dataset]":
+        """Regions of attraction of both models."""
+        return reduced.regions(self.runner)
+
+    @cached_property
+    def planes(self) -> "tuple[xarray.Dataset, xarray.Dataset]":
+        """Stability of the reduced map over two planes of parameters."""
+        return reduced.planes(self.runner)
 
 
-def _entry(draw: Callable[..., Figure], table: Callable[..., Data], *results: Callable[[], Any]) -> Entry:
-    """A figure whose drawing and data take the same results."""
-    return Entry(
-        lambda: draw(*(result() for result in results)), lambda: table(*(result() for result in results))
+def _stride_table(*strides: Stride) -> Data:
+    """Recorded rows of strides in the paper's units, preceded by friction and reading of the gait."""
+    lengths = [len(stride.time) for stride in strides]
+    rows = {
+        "friction": np.repeat([stride.gait.friction for stride in strides], lengths),
+        "swing_clamp": np.repeat([int(stride.gait.runner[CLAMP]) for stride in strides], lengths),
+    }
+    return rows | {name: np.concatenate([s[name] for s in strides]) for name in STRIDE_COLUMNS}
+
+
+Entry = tuple[Callable[..., Figure], Callable[..., Data], Callable[[Results], tuple[Any, ...]]]
+
+
+def _stored(name: str) -> Entry:
+    """A figure whose data is stored."""
+    return (
+        lambda data: importlib.import_module(f".{name}", __package__).draw(data),
+        lambda data: data,
+        lambda of: (of.stored(name),),
     )
+
+
+FIGURES: Mapping[str, Entry] = {
+    "figure_1b": (classic.draw_step, classic.step_table, lambda of: ()),
+    "figure_2a": (classic.draw_maps, classic.map_table, lambda of: ()),
+    "figure_2b": (classic.draw_gaits, classic.gait_table, lambda of: ()),
+    "figure_3": (classic.draw_slip, classic.slip_table, lambda of: ()),
+    "figure_4a": (classic.draw_friction, classic.gait_table, lambda of: ()),
+    "figure_5": (
+        strides.draw_sticking,
+        _stride_table,
+        lambda of: (of.stride(strides.STICKS), of.stride(strides.STICKS, True)),
+    ),
+    "figure_6": (strides.draw, _stride_table, lambda of: (of.stride(strides.LANDING),)),
+    "figure_7": (strides.draw, _stride_table, lambda of: (of.stride(strides.THREE_SLIPS),)),
+    "figure_8": (strides.draw_low, _stride_table, lambda of: tuple(map(of.stride, strides.LOW))),
+    "figure_9": (figure_9.draw, figure_9.table, lambda of: (of.gaits, of.equal)),
+    "attraction": (attraction.draw, attraction.table, lambda of: of.attraction),
+    "energy": (energy.draw, energy.table, lambda of: (of.gaits, of.equal)),
+    "guinea_fowl": (guinea_fowl.draw, guinea_fowl.table, lambda of: (of.fowl,)),
+    "retraction": (retraction.draw, retraction.table, lambda of: of.retraction),
+    "reduced_region": (reduced.draw_regions, reduced.region_table, lambda of: (of.regions,)),
+    "reduced_eigenvalues": (reduced.draw_eigenvalues, reduced.eigenvalue_table, lambda of: (of.models,)),
+    "reduced_stability": (reduced.draw_planes, reduced.plane_table, lambda of: (of.planes,)),
+    **{name: _stored(name) for name in STORED},
+}
+"""By name of a figure: how it is drawn, its data by column, and the results that both are made of."""
 
 
 def draw(
@@ -113,20 +175,19 @@ def draw(
     `look` is one of `style.STYLES`; width, in inches, and resolution are by default those of each figure.
     """
     how: dict[str, Any] = {"look": look, "width": width, "dots_per_inch": dots_per_inch}
-    known = _figures(measure)
     for begin in only:
-        if not any(name.startswith(begin) for name in known):
-            raise InputError(f"only {begin}: no such figure; allowed: {', '.join(known)}")
-    chosen = {name: figure for name, figure in known.items() if name.startswith(tuple(only))}
+        if not any(name.startswith(begin) for name in FIGURES):
+            raise InputError(f"only {begin}: no such figure; allowed: {', '.join(FIGURES)}")
+    chosen, results = [name for name in FIGURES if name.startswith(tuple(only))], Results(measure)
     folder.mkdir(exist_ok=True)
-    written = []
+    written: list[Path] = []
     with progress_bar("figures", len(chosen), "figures", progress) as bar:
-        for name, figure in chosen.items():
-            paths = [folder / f"{name}.{suffix}" for suffix in formats]
-            _write(figure.draw, *paths, **how)
-            written += paths
-            write_columns(folder / f"{name}.csv", as_columns(figure.table()))
-            written.append(folder / f"{name}.csv")
+        for name in chosen:
+            paths, data = [folder / f"{name}.{suffix}" for suffix in formats], folder / f"{name}.csv"
+            drawing, table, needed = FIGURES[name]
+            _write(partial(drawing, *needed(results)), *paths, **how)
+            write_columns(data, as_columns(table(*needed(results))))
+            written += [*paths, data]
             bar.update()
     return written
 
@@ -134,12 +195,19 @@ def draw(
 def draw_gallery(folder: Path, progress: bool = False) -> list[Path]:
     """Draw figures 5 to 9 of the paper, one stride as snapshots and as an animation, and the model."""
     folder.mkdir(exist_ok=True)
-    figures = _figures()
-    stride = cache(lambda: Stride(periodic_gait(_paper_runner().replace({FRICTION: model.FRICTION}))))
+    results = Results()
+
+    def figure(name: str) -> Figure:
+        drawing, _, needed = FIGURES[name]
+        return drawing(*needed(results))
+
     drawings: dict[str, Callable[[Path], None]] = {
-        **{f"{name}.png": partial(_write, figures[name].draw) for name in PAPERS_GAITS},
-        "snapshots.png": partial(_write, lambda: model.draw_snapshots(stride())),
-        "stride.gif": lambda path: animation.draw(path, stride()),
+        **{
+            f"figure_{number}.png": partial(_write, partial(figure, f"figure_{number}"))
+            for number in range(5, 10)
+        },
+        "snapshots.png": partial(_write, lambda: model.draw_snapshots(results.stride(model.FRICTION))),
+        "stride.gif": lambda path: animation.draw(path, results.stride(model.FRICTION)),
         "model.png": partial(_write, model.draw, dots_per_inch=model.DOTS_PER_INCH),
     }
     with progress_bar("pictures", len(drawings), "", progress) as bar:
@@ -155,93 +223,3 @@ def _write(draw: Callable[[], Figure], *paths: Path, look: str = "house", **how:
         figure = draw()
         for path in paths:
             style.save(figure, path, **how)
-
-
-def _paper_runner() -> Runner:
-    return Runner(read_parameters("paper"))
-
-
-def _figures(measure: bool = False) -> dict[str, Entry]:
-    runner = _paper_runner()
-
-    @cache
-    def stride(friction: float, clamp: bool = False) -> Stride:
-        return Stride(periodic_gait(runner.replace({FRICTION: friction, CLAMP: clamp})))
-
-    @cache
-    def gaits() -> Row:
-        return sweep_row(runner, FRICTION, SWEPT)
-
-    @cache
-    def measured() -> list[Judgement]:
-        found = gaits().gaits
-        chosen = [found[i] for i in np.linspace(0, len(found) - 1, MEASURED).round().astype(int)]
-        return judge_all([(gait, None) for gait in chosen])
-
-    @cache
-    def equal() -> list[Gait]:
-        return matched.over_friction(gaits().gaits, EQUAL)
-
-    @cache
-    def measured_equal() -> list[Judgement]:
-        return judge_all([(gait, None) for gait in equal()[:: EQUAL // MEASURED_EQUAL]])
-
-    @cache
-    def gaits_of_both() -> dict[str, Row]:
-        return {"full": gaits(), "reduced": sweep_row(Runner(runner, model="reduced"), FRICTION, SWEPT)}
-
-    @cache
-    def regions() -> "dict[str, xarray.Dataset]":
-        return reduced.regions(runner)
-
-    @cache
-    def planes() -> "tuple[xarray.Dataset, xarray.Dataset]":
-        return reduced.planes(runner)
-
-    retracting = cache(lambda: retraction.branches(runner))
-    alike = cache(lambda: retraction.matched(runner))
-
-    def of_strides(
-        drawing: Callable[..., Figure], frictions: Sequence[float], clamps: Sequence[bool] = (False,)
-    ) -> Entry:
-        its = [partial(stride, friction, clamp) for friction in frictions for clamp in clamps]
-        return _entry(drawing, _stride_table, *its)
-
-    def stored(name: str) -> Entry:
-        module = STORED[name]
-        data = cache(lambda: as_columns(module.measure(runner)) if measure else columns(name))
-        return Entry(lambda: module.draw(data()), data)
-
-    return {
-        "figure_1b": Entry(classic.draw_step, classic.step_table),
-        "figure_2a": Entry(classic.draw_maps, classic.map_table),
-        "figure_2b": Entry(classic.draw_gaits, classic.gait_table),
-        "figure_3": Entry(classic.draw_slip, classic.slip_table),
-        "figure_4a": Entry(classic.draw_friction, classic.gait_table),
-        "figure_5": of_strides(strides.draw_sticking, [strides.STICKS], list(READINGS.values())),
-        "figure_6": of_strides(strides.draw, [strides.LANDING]),
-        "figure_7": of_strides(strides.draw, [strides.THREE_SLIPS]),
-        "figure_8": of_strides(strides.draw_low, strides.LOW),
-        "figure_9": _entry(figure_9.draw, figure_9.table, gaits, equal),
-        "attraction": Entry(
-            lambda: attraction.draw(gaits(), measured(), measured_equal()),
-            lambda: attraction.table(measured(), measured_equal()),
-        ),
-        "energy": Entry(lambda: energy.draw(gaits(), equal()), lambda: energy.table(gaits().gaits, equal())),
-        "guinea_fowl": _entry(guinea_fowl.draw, guinea_fowl.table, cache(slippery.fall_map)),
-        "retraction": _entry(retraction.draw, retraction.table, retracting, alike),
-        "reduced_region": _entry(reduced.draw_regions, reduced.region_table, regions),
-        "reduced_eigenvalues": _entry(reduced.draw_eigenvalues, reduced.eigenvalue_table, gaits_of_both),
-        "reduced_stability": _entry(reduced.draw_planes, reduced.plane_table, planes),
-        **{name: stored(name) for name in STORED},
-    }
-
-
-def _stride_table(*strides: Stride) -> Data:
-    """Recorded rows of strides in the paper's units, preceded by friction and reading of the gait."""
-    lengths = [len(stride.time) for stride in strides]
-    rows = {
-        "friction": np.repeat([stride.gait.friction for stride in strides], lengths),
-        "swing_clamp": np.repeat([int(stride.gait.runner[CLAMP]) for stride in strides], lengths),
-    }
-    return rows | {name: np.concatenate([s[name] for s in strides]) for name in STRIDE_COLUMNS}
