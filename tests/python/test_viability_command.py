@@ -3,7 +3,6 @@
 import csv
 import json
 
-import pytest
 import tdmf_slip
 from tdmf_slip.pictures import basin_map
 
@@ -50,32 +49,6 @@ def test_the_command_tells_of_the_gait_and_writes_a_controller(command, tmp_path
         assert row["grade"] == law.grade_at(apex)
     status, out, _ = command("viability", *wide, "--n", 12, "--gait")
     assert status == 0 and "lead to the gait" in out and "of the cells" in out
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        (GRID[:4], "Missing option '--vary'"),
-        (GRID[2:], "without com_height"),
-        ((*GRID, "--axes", "com_height=1:3"), "com_height is given twice"),
-        ((*GRID, "--axes", "leg_angle=0:1"), "--axes leg_angle=0:1: allowed: com_height and com_speed"),
-        ((*GRID, "--axes", "com_height"), "--axes com_height: allowed: NAME=A:B"),
-        ((*GRID[:4], "--vary", "hip.touchdown_angle=0:1:2:3"), "N being how many values"),
-        ((*GRID[:4], "--vary", "hip.touchdown_angle=0:1:-2"), "N being how many values"),
-        ((*GRID[:4], "--vary", "hip.touchdown_angle=0:1:0"), "values = 0 is not allowed"),
-        ((*GRID[:4], "--vary", "hip.angle=0:1"), "--vary: 'hip.angle' is not a setting"),
-        ((*GRID[:4], "--vary", "hip.touchdown_angle=1:0"), "the lower one first"),
-        ((*GRID[:4], "--vary", "hip.touchdown_angle=nan:1"), "hip.touchdown_angle"),
-        ((*GRID, "--n", 1), "--n = 1 is not allowed"),
-        ((*GRID, "--factor", 0.9), "--factor = 0.9 is not allowed"),
-        ((*GRID, "--output", "viable.csv"), "viable.csv"),
-        ((*GRID, "--plot", "viable.gif"), "viable.gif"),
-        ((*GRID, "--controller", "viable.txt"), "viable.txt"),
-    ],
-)
-def test_what_the_command_does_not_allow(command, options, message):
-    status, out, said = command("viability", *options)
-    assert (status, out) == (2, "") and message in said
 
 
 def test_the_picture_tells_the_three_kinds_of_cells_apart():
