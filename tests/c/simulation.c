@@ -3,6 +3,7 @@
 #include "compare.h"
 
 #include <float.h>
+#include <math.h>
 #include <string.h>
 
 tdmf_model accepted_model(const tdmf_parameters *parameters) {
@@ -17,16 +18,24 @@ tdmf_solver solver_to(double relative_tolerance) {
     return solver;
 }
 
-simulation simulation_from(const tdmf_parameters *parameters, const tdmf_inputs *inputs,
-                           const double section[TDMF_SECTION_COUNT], double relative_tolerance) {
+simulation simulation_in(const tdmf_parameters *parameters, const tdmf_inputs *inputs,
+                         const double state[TDMF_STATE_COUNT], double relative_tolerance) {
     simulation simulation;
     memset(&simulation, 0, sizeof simulation);
     simulation.model = accepted_model(parameters);
     simulation.inputs = *inputs;
     simulation.solver = solver_to(relative_tolerance);
-    tdmf_section_state(SYSTEM_OF(&simulation), section, simulation.motion.state);
+    memcpy(simulation.motion.state, state, sizeof simulation.motion.state);
     simulation_start(&simulation);
     return simulation;
+}
+
+simulation simulation_from(const tdmf_parameters *parameters, const tdmf_inputs *inputs,
+                           const double section[TDMF_SECTION_COUNT], double relative_tolerance) {
+    const tdmf_model model = accepted_model(parameters);
+    double state[TDMF_STATE_COUNT];
+    tdmf_section_state((tdmf_system){&model, inputs}, section, state);
+    return simulation_in(parameters, inputs, state, relative_tolerance);
 }
 
 void simulation_start(simulation *simulation) {
@@ -83,4 +92,30 @@ void read_apex(const tdmf_record *record, double section[TDMF_SECTION_COUNT]) {
     const double values[TDMF_SECTION_COUNT] = {apex->com_height, apex->com_speed,       apex->leg_length,
                                                apex->leg_angle,  apex->leg_length_rate, apex->leg_angle_rate};
     memcpy(section, values, sizeof values);
+}
+
+void assert_same_stride(const tdmf_stride *a, const tdmf_stride *b, double tolerance) {
+    const double pairs[][2] = {{a->period, b->period},
+                               {a->length, b->length},
+                               {a->speed, b->speed},
+                               {a->rise, b->rise},
+                               {a->work, b->work},
+                               {a->positive_work, b->positive_work},
+                               {a->leg_work, b->leg_work},
+                               {a->stance_time, b->stance_time},
+                               {a->duty_factor, b->duty_factor},
+                               {a->slip_distance, b->slip_distance},
+                               {a->peak_force, b->peak_force},
+                               {a->peak_vertical_force, b->peak_vertical_force}};
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; ++i) {
+        assert_close(pairs[i][0], pairs[i][1], tolerance * (1.0 + fabs(pairs[i][1])));
+    }
+    assert_string_equal(a->word, b->word);
+    assert_int_equal(a->touchdowns, b->touchdowns);
+}
+
+void assert_same_state(const tdmf_motion *a, const tdmf_motion *b, double tolerance) {
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        assert_close(a->state[i], b->state[i], tolerance * (1.0 + fabs(b->state[i])));
+    }
 }

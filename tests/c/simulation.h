@@ -47,6 +47,15 @@ double simulation_energy(const simulation *simulation);
 /* Energy that the ledger does not account for since the start. */
 double simulation_ledger_error(const simulation *simulation);
 
+/* Asserts that all numbers of two strides, or of their ends, are as close as `tolerance` of 1 or of
+ * themselves. */
+void assert_same_stride(const tdmf_stride *a, const tdmf_stride *b, double tolerance);
+void assert_same_state(const tdmf_motion *a, const tdmf_motion *b, double tolerance);
+
+/* At time 0 in a state; asserts that it may start there. */
+simulation simulation_in(const tdmf_parameters *parameters, const tdmf_inputs *inputs,
+                         const double state[TDMF_STATE_COUNT], double relative_tolerance);
+
 /* The section at the last apex. */
 void read_apex(const tdmf_record *record, double section[TDMF_SECTION_COUNT]);
 

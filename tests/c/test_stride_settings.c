@@ -133,21 +133,11 @@ static void set_by_hand(const population *population, tdmf_parameters *parameter
 
 static void assert_recorded(const tdmf_ensemble_stride *recorded, const tdmf_motion *motion) {
     double apex[TDMF_SECTION_COUNT];
-    const tdmf_stride *stride = &motion->record.stride;
     read_apex(&motion->record, apex);
     for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
         assert_close(recorded->apex[j], apex[j], 1e-7);
     }
-    assert_string_equal(recorded->stride.word, stride->word);
-    assert_close(recorded->stride.period, stride->period, 1e-6);
-    assert_close(recorded->stride.length, stride->length, 1e-6);
-    assert_close(recorded->stride.work, stride->work, 1e-7);
-    assert_close(recorded->stride.leg_work, stride->leg_work, 1e-7);
-    assert_close(recorded->stride.rise, stride->rise, 1e-6);
-    assert_close(recorded->stride.slip_distance, stride->slip_distance, 1e-6);
-    assert_close(recorded->stride.peak_force, stride->peak_force, 1e-6);
-    assert_close(recorded->stride.peak_vertical_force, stride->peak_vertical_force, 1e-6);
-    assert_close(recorded->stride.positive_work, stride->positive_work, 1e-7);
+    assert_same_stride(&recorded->stride, &motion->record.stride, 1e-7);
     assert_close(recorded->liftoff_angle, motion->mode.liftoff_angle, 1e-7);
 }
 
