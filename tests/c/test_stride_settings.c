@@ -1,12 +1,12 @@
 /* Settings that change at apices: given for each stride or by an affine law, with limits and noise, each
  * runner strides as the native solver does that is set so by hand; and what is noted of each stride. */
 #include "compare.h"
+#include "crowd.h"
 #include "random.h"
 #include "ranges.h"
 #include "reference_gaits.h"
 #include "sample.h"
 #include "simulation.h"
-#include "tdmf_slip/ensemble.h"
 
 #include <math.h>
 #include <string.h>
@@ -26,72 +26,61 @@ static const char *const at_once[SETTINGS] = {"ground.height", "leg.extension", 
 static const double at_once_low[SETTINGS] = {-0.3, -0.02, -1e-3};
 static const double at_once_high[SETTINGS] = {0.3, 0.02, 1e-3};
 
+/* A crowd of one case, and what it may be given. */
 typedef struct {
-    tdmf_model model;
+    crowd *crowd;
+    tdmf_ensemble *ensemble;
+    tdmf_ensemble_case *its_case;
     bool acts_at_once; /* what is given */
     int settings[SETTINGS];
     tdmf_affine_law law;
-    tdmf_ensemble_case its_case;
-    double starts[RUNNERS][TDMF_SECTION_COUNT];
     double values[RUNNERS][STRIDES][SETTINGS];
     tdmf_given_settings given;
-    tdmf_ensemble_stride strides[RUNNERS][STRIDES];
-    tdmf_ensemble_checkpoint checkpoints[RUNNERS];
-    tdmf_ensemble ensemble;
-    tdmf_ensemble_end ends[RUNNERS];
 } population;
 
 static population *gather(double roughness) {
     population *population = allocate(1, sizeof *population);
     random_source source = {3};
-    const tdmf_parameters parameters = tdmf_default_parameters();
-    population->model = accepted_model(&parameters);
+    population->crowd = make_crowd(RUNNERS, STRIDES, 1e-11);
+    note_strides(population->crowd, STRIDES);
+    population->ensemble = &population->crowd->ensemble;
+    population->its_case = share_case(population->crowd);
+    population->its_case->rules.roughness = roughness;
+    population->its_case->rules.seed = seed;
     for (int i = 0; i < SETTINGS; ++i) {
         population->settings[i] = tdmf_setting_of(names[i]);
     }
-    const tdmf_affine_law law = {.count = SETTINGS,
-                                 .settings = population->settings,
-                                 .nominal = nominal,
-                                 .gain = gain,
-                                 .low = low,
-                                 .high = high,
-                                 .noise = {0.02, 0.02, 0.0, 0.05, 0.0, 0.01},
-                                 .seed = seed};
-    population->law = law;
+    population->law = (tdmf_affine_law){.count = SETTINGS,
+                                        .settings = population->settings,
+                                        .nominal = nominal,
+                                        .gain = gain,
+                                        .low = low,
+                                        .high = high,
+                                        .noise = {0.02, 0.02, 0.0, 0.05, 0.0, 0.01},
+                                        .seed = seed};
     memcpy(population->law.apex, &reference_gaits[DEFAULT_GAIT].apex, sizeof population->law.apex);
-    const tdmf_ensemble_case its_case = {&population->model,
-                                         tdmf_default_inputs(),
-                                         {.max_strides = STRIDES, .roughness = roughness, .seed = seed}};
-    population->its_case = its_case;
     for (int i = 0; i < RUNNERS; ++i) {
         for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
-            population->starts[i][j] = population->law.apex[j] + random_uniform(&source, -0.05, 0.05);
+            population->crowd->starts[i][j] += random_uniform(&source, -0.05, 0.05);
         }
-        for (int stride = 0; stride < STRIDES; ++stride) {
-            for (int k = 0; k < SETTINGS; ++k) {
-                population->values[i][stride][k] = random_uniform(&source, low[k], high[k]);
-            }
+        for (int k = 0; k < STRIDES * SETTINGS; ++k) {
+            population->values[i][k / SETTINGS][k % SETTINGS] =
+                random_uniform(&source, low[k % SETTINGS], high[k % SETTINGS]);
         }
     }
-    const tdmf_given_settings given = {SETTINGS, population->settings, 0, STRIDES,
-                                       &population->values[0][0][0]};
-    population->given = given;
-    const tdmf_ensemble ensemble = {.cases = &population->its_case,
-                                    .case_count = 1,
-                                    .starts = (const double(*)[TDMF_SECTION_COUNT])population->starts,
-                                    .count = RUNNERS,
-                                    .relative_tolerance = 1e-11,
-                                    .threads = 1,
-                                    .strides = &population->strides[0][0],
-                                    .stride_count = STRIDES};
-    population->ensemble = ensemble;
+    population->given =
+        (tdmf_given_settings){SETTINGS, population->settings, 0, STRIDES, &population->values[0][0][0]};
     return population;
+}
+
+static const tdmf_ensemble_stride *noted(const population *population, int number, int stride) {
+    return &population->crowd->strides[number * STRIDES + stride];
 }
 
 static void give_what_acts_at_once(population *population) {
     random_source source = {5};
     population->acts_at_once = true;
-    population->ensemble.given = &population->given;
+    population->ensemble->given = &population->given;
     for (int k = 0; k < SETTINGS; ++k) {
         population->settings[k] = tdmf_setting_of(at_once[k]);
         for (int i = 0; i < RUNNERS * STRIDES; ++i) {
@@ -150,14 +139,14 @@ typedef struct {
 
 /* By the native solver, with model and inputs set at each apex. */
 static void stride_by_hand(const population *population, int number, strides_by_hand *by_hand) {
-    const tdmf_ensemble_rules *rules = &population->its_case.rules;
-    tdmf_solver solver = solver_to(population->ensemble.relative_tolerance);
-    tdmf_inputs inputs = population->its_case.inputs;
-    tdmf_model model = population->model;
+    const tdmf_ensemble_rules *rules = &population->its_case->rules;
+    tdmf_solver solver = solver_to(population->ensemble->relative_tolerance);
+    tdmf_inputs inputs = population->its_case->inputs;
+    tdmf_model model = population->crowd->models[0];
     tdmf_parameters parameters = model.parameters;
     tdmf_motion motion = {.time = 0.0};
     double apex[TDMF_SECTION_COUNT];
-    memcpy(apex, population->starts[number], sizeof apex);
+    memcpy(apex, population->crowd->starts[number], sizeof apex);
     by_hand->closed = 0;
     for (int stride = 0; stride < rules->max_strides; ++stride) {
         double *values = by_hand->values[stride];
@@ -191,12 +180,12 @@ static void stride_by_hand(const population *population, int number, strides_by_
 }
 
 static void assert_strides_by_hand(const population *population, int number, const strides_by_hand *by_hand) {
-    const tdmf_ensemble_end *end = &population->ends[number];
-    const bool all = by_hand->closed == population->its_case.rules.max_strides;
+    const tdmf_ensemble_end *end = &population->crowd->ends[number];
+    const bool all = by_hand->closed == population->its_case->rules.max_strides;
     for (int stride = 0; stride < by_hand->begun; ++stride) {
-        const tdmf_ensemble_stride *recorded = &population->strides[number][stride];
+        const tdmf_ensemble_stride *recorded = noted(population, number, stride);
         assert_close(recorded->ground_height, by_hand->heights[stride], 1e-12);
-        for (int i = 0; i < SETTINGS && population->its_case.rules.law; ++i) {
+        for (int i = 0; i < SETTINGS && population->its_case->rules.law; ++i) {
             assert_close(recorded->set[i], by_hand->values[stride][i], 1e-7);
         }
         if (stride < by_hand->closed) {
@@ -209,29 +198,25 @@ static void assert_strides_by_hand(const population *population, int number, con
 
 static void run_in_all_lanes(population *population) {
     strides_by_hand *by_hand = allocate(RUNNERS, sizeof *by_hand);
-    int closed = 0, sets = 0;
+    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
+    const int count = list_instructions(sets);
+    int closed = 0;
     for (int i = 0; i < RUNNERS; ++i) {
         stride_by_hand(population, i, &by_hand[i]);
         closed += by_hand[i].closed;
     }
-    assert_true(closed > RUNNERS * population->its_case.rules.max_strides / 2);
-    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        population->ensemble.instructions = (tdmf_instructions)set;
-        if (!tdmf_has_instructions(population->ensemble.instructions)) {
-            continue;
-        }
-        assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
-        ++sets;
+    assert_true(closed > RUNNERS * population->its_case->rules.max_strides / 2);
+    for (int set = 0; set < count; ++set) {
+        run_crowd(population->crowd, sets[set]);
         for (int i = 0; i < RUNNERS; ++i) {
             assert_strides_by_hand(population, i, &by_hand[i]);
         }
     }
-    assert_true(sets >= 1);
 }
 
 TEST(given_settings_are_those_of_the_strides) {
     population *population = gather(0.0);
-    population->ensemble.given = &population->given;
+    population->ensemble->given = &population->given;
     run_in_all_lanes(population);
 }
 
@@ -248,23 +233,23 @@ TEST(a_runner_below_its_ground_for_a_whole_stride_has_fallen) {
         const double values[SETTINGS] = {i % STRIDES == 0 ? 0.0 : 2.0, 0.0, 0.0};
         memcpy(population->values[i / STRIDES][i % STRIDES], values, sizeof values);
     }
-    assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
+    run_crowd(population->crowd, population->ensemble->instructions);
     for (int i = 0; i < RUNNERS; ++i) {
-        assert_int_equal(population->ends[i].fate, TDMF_FATE_FELL);
-        assert_int_equal(population->ends[i].strides, 2);
-        assert_int_equal(population->strides[i][1].began, 1);
-        assert_int_equal(population->strides[i][2].began, 0);
+        assert_int_equal(population->crowd->ends[i].fate, TDMF_FATE_FELL);
+        assert_int_equal(population->crowd->ends[i].strides, 2);
+        assert_int_equal(noted(population, i, 1)->began, 1);
+        assert_int_equal(noted(population, i, 2)->began, 0);
     }
 }
 
 /* A leg that is damped as much pushes most when the foot comes down and stays there. */
 TEST(a_force_that_is_largest_at_touchdown_is_noted) {
     population *population = gather(0.0);
-    tdmf_parameters parameters = population->model.parameters;
+    tdmf_parameters parameters = population->crowd->models[0].parameters;
     parameters.leg.damping = 2.0;
-    population->model = accepted_model(&parameters);
-    population->ensemble.given = &population->given;
-    population->its_case.rules.max_strides = 1;
+    population->crowd->models[0] = accepted_model(&parameters);
+    population->ensemble->given = &population->given;
+    population->its_case->rules.max_strides = 1;
     for (int i = 0; i < RUNNERS; ++i) {
         population->values[i][0][2] = 10.0; /* the friction */
     }
@@ -273,19 +258,19 @@ TEST(a_force_that_is_largest_at_touchdown_is_noted) {
 
 TEST(the_law_sees_the_height_above_the_ground_before_it_steps) {
     population *population = gather(0.1);
-    population->its_case.rules.law = &population->law;
+    population->its_case->rules.law = &population->law;
     run_in_all_lanes(population);
 }
 
 TEST(no_setting_is_beyond_its_limits_and_some_are_at_them) {
     population *population = gather(0.1);
     int inside = 0, lowest = 0, highest = 0;
-    population->its_case.rules.law = &population->law;
-    assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
+    population->its_case->rules.law = &population->law;
+    run_crowd(population->crowd, population->ensemble->instructions);
     for (int i = 0; i < RUNNERS; ++i) {
-        for (int stride = 0; stride < population->ends[i].strides; ++stride) {
+        for (int stride = 0; stride < population->crowd->ends[i].strides; ++stride) {
             for (int k = 0; k < SETTINGS; ++k) {
-                const double value = population->strides[i][stride].set[k];
+                const double value = noted(population, i, stride)->set[k];
                 lowest += value == low[k];
                 highest += value == high[k];
                 inside += value > low[k] && value < high[k];
@@ -303,45 +288,43 @@ TEST(no_setting_is_beyond_its_limits_and_some_are_at_them) {
 TEST(strides_depend_on_neither_threads_nor_neighbours) {
     enum { FIRST = 7, PART = RUNNERS / 2 + 1 };
     population *all = gather(0.1), *part = gather(0.1);
-    all->its_case.rules.law = &all->law;
-    part->its_case.rules.law = &part->law;
-    part->ensemble.threads = 2;
-    part->ensemble.first_number = FIRST;
-    part->ensemble.starts += FIRST;
-    part->ensemble.count = PART;
-    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        all->ensemble.instructions = part->ensemble.instructions = (tdmf_instructions)set;
-        if (tdmf_has_instructions(all->ensemble.instructions)) {
-            assert_true(tdmf_run_ensemble(&all->ensemble, all->ends, NULL));
-            assert_true(tdmf_run_ensemble(&part->ensemble, part->ends, NULL));
-            assert_memory_equal(part->ends, &all->ends[FIRST], PART * sizeof *part->ends);
-            assert_memory_equal(part->strides, all->strides[FIRST], PART * sizeof *part->strides);
-        }
+    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
+    const int count = list_instructions(sets);
+    all->its_case->rules.law = &all->law;
+    part->its_case->rules.law = &part->law;
+    part->ensemble->threads = 2;
+    part->ensemble->first_number = FIRST;
+    part->ensemble->starts += FIRST;
+    part->ensemble->count = PART;
+    for (int set = 0; set < count; ++set) {
+        run_crowd(all->crowd, sets[set]);
+        run_crowd(part->crowd, sets[set]);
+        assert_memory_equal(part->crowd->ends, &all->crowd->ends[FIRST], PART * sizeof *part->crowd->ends);
+        assert_memory_equal(part->crowd->strides, noted(all, FIRST, 0),
+                            PART * STRIDES * sizeof *part->crowd->strides);
     }
 }
 
 static void assert_going_on_is_the_same(population *whole, population *parts) {
-    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        whole->ensemble.instructions = parts->ensemble.instructions = (tdmf_instructions)set;
-        if (!tdmf_has_instructions(whole->ensemble.instructions)) {
-            continue;
-        }
-        assert_true(tdmf_run_ensemble(&whole->ensemble, whole->ends, NULL));
-        parts->ensemble.checkpoints = parts->checkpoints;
+    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
+    const int count = list_instructions(sets);
+    for (int set = 0; set < count; ++set) {
+        run_crowd(whole->crowd, sets[set]);
         for (int stride = 0; stride < STRIDES; ++stride) {
-            parts->its_case.rules.max_strides = stride + 1;
-            parts->ensemble.goes_on = stride > 0;
-            assert_true(tdmf_run_ensemble(&parts->ensemble, parts->ends, NULL));
+            parts->its_case->rules.max_strides = stride + 1;
+            parts->ensemble->goes_on = stride > 0;
+            run_crowd(parts->crowd, sets[set]);
         }
-        assert_memory_equal(parts->ends, whole->ends, sizeof parts->ends);
-        assert_memory_equal(parts->strides, whole->strides, sizeof parts->strides);
+        assert_memory_equal(parts->crowd->ends, whole->crowd->ends, RUNNERS * sizeof *parts->crowd->ends);
+        assert_memory_equal(parts->crowd->strides, whole->crowd->strides,
+                            RUNNERS * STRIDES * sizeof *parts->crowd->strides);
     }
 }
 
 TEST(going_on_stride_by_stride_is_the_same_as_in_one_call) {
     population *whole = gather(0.1), *parts = gather(0.1);
-    whole->its_case.rules.law = &whole->law;
-    parts->its_case.rules.law = &parts->law;
+    whole->its_case->rules.law = &whole->law;
+    parts->its_case->rules.law = &parts->law;
     assert_going_on_is_the_same(whole, parts);
 }
 
@@ -351,7 +334,7 @@ TEST(on_a_terrain_too) {
     population *both[2] = {gather(0.1), gather(0.1)};
     for (int trips = 0; trips < 2; ++trips) {
         for (int i = 0; i < 2; ++i) {
-            tdmf_ensemble_rules *rules = &both[i]->its_case.rules;
+            tdmf_ensemble_rules *rules = &both[i]->its_case->rules;
             const tdmf_terrain drawn = {.length = 3.0}, given = {20.0, walls, sizeof walls / sizeof walls[0]};
             rules->terrain = trips ? given : drawn;
             rules->roughness = trips ? 0.0 : 0.1;
@@ -359,7 +342,7 @@ TEST(on_a_terrain_too) {
             rules->law = &both[i]->law;
             rules->max_strides = STRIDES;
         }
-        both[0]->ensemble.goes_on = both[1]->ensemble.goes_on = false;
+        both[0]->ensemble->goes_on = both[1]->ensemble->goes_on = false;
         assert_going_on_is_the_same(both[0], both[1]);
     }
 }
@@ -370,13 +353,14 @@ TEST(on_a_terrain_too) {
  * Returns the strides that closed. */
 static int stride_by_reduced_map(const population *population, int number) {
     tdmf_solver solver = tdmf_solver_default();
-    tdmf_inputs inputs = population->its_case.inputs;
-    tdmf_model model = population->model;
-    double apex[TDMF_REDUCED_COUNT] = {population->starts[number][0], population->starts[number][1]};
+    tdmf_inputs inputs = population->its_case->inputs;
+    tdmf_model model = population->crowd->models[0];
+    double apex[TDMF_REDUCED_COUNT] = {population->crowd->starts[number][0],
+                                       population->crowd->starts[number][1]};
     double x = 0.0;
-    solver.relative_tolerance = population->ensemble.relative_tolerance;
-    for (int stride = 0; stride < population->ends[number].strides; ++stride) {
-        const tdmf_ensemble_stride *recorded = &population->strides[number][stride];
+    solver.relative_tolerance = population->ensemble->relative_tolerance;
+    for (int stride = 0; stride < population->crowd->ends[number].strides; ++stride) {
+        const tdmf_ensemble_stride *recorded = noted(population, number, stride);
         const double ground_before = inputs.ground.height + x * tan(inputs.ground.slope);
         set_by_hand(population, &model.parameters, &inputs, population->values[number][stride]);
         if (stride > 0) {
@@ -396,19 +380,19 @@ static int stride_by_reduced_map(const population *population, int number) {
         assert_close(recorded->liftoff_angle, found.liftoff_angle, 1e-7);
         assert_close(recorded->friction_loss, found.friction_loss, 1e-7);
     }
-    return population->ends[number].strides;
+    return population->crowd->ends[number].strides;
 }
 
 TEST(strides_of_the_reduced_map_are_those_of_its_settings) {
     for (int acts_at_once = 0; acts_at_once < 2; ++acts_at_once) {
         population *population = gather(0.0);
         int closed = 0;
-        population->ensemble.map = TDMF_REDUCED_MAP;
-        population->ensemble.given = &population->given;
+        population->ensemble->map = TDMF_REDUCED_MAP;
+        population->ensemble->given = &population->given;
         if (acts_at_once) {
             give_what_acts_at_once(population);
         }
-        assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
+        run_crowd(population->crowd, population->ensemble->instructions);
         for (int i = 0; i < RUNNERS; ++i) {
             closed += stride_by_reduced_map(population, i);
         }
@@ -470,87 +454,84 @@ TEST(settings_are_what_may_change_at_events) {
     }
 }
 
-static void assert_refused(population *population) {
-    assert_false(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
-}
-
 TEST(refuses_laws_that_are_none) {
     static const double none[] = {NAN, INFINITY, -INFINITY, 2e100};
     population *population = gather(0.0);
     tdmf_affine_law law = population->law;
     double numbers[SETTINGS], gains[SETTINGS][TDMF_SECTION_COUNT];
-    population->its_case.rules.law = &law;
-    assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
+    population->its_case->rules.law = &law;
+    run_crowd(population->crowd, population->ensemble->instructions);
     for (size_t i = 0; i < sizeof none / sizeof none[0]; ++i) {
         memcpy(numbers, nominal, sizeof numbers);
         memcpy(gains, gain, sizeof gains);
         gains[1][2] = none[i];
         law.gain = (const double(*)[TDMF_SECTION_COUNT])gains;
-        assert_refused(population);
+        assert_crowd_is_refused(population->crowd);
         law.gain = gain;
         numbers[2] = none[i];
         law.nominal = numbers;
-        assert_refused(population);
+        assert_crowd_is_refused(population->crowd);
         law.nominal = nominal;
         law.noise[4] = none[i];
-        assert_refused(population);
+        assert_crowd_is_refused(population->crowd);
         law.noise[4] = 0.0;
         law.apex[4] = none[i];
-        assert_refused(population);
+        assert_crowd_is_refused(population->crowd);
         law.apex[4] = 0.0;
     }
     law.noise[4] = -1e-9;
-    assert_refused(population);
+    assert_crowd_is_refused(population->crowd);
     law.noise[4] = 0.0;
     law.low = high;
     law.high = low;
-    assert_refused(population);
+    assert_crowd_is_refused(population->crowd);
     law.low = low;
     memcpy(numbers, high, sizeof numbers);
     numbers[2] = -1e-9; /* a friction */
     law.high = numbers;
-    assert_refused(population);
+    assert_crowd_is_refused(population->crowd);
     law.high = high;
     population->settings[1] = population->settings[0];
-    assert_refused(population);
+    assert_crowd_is_refused(population->crowd);
     population->settings[1] = -1;
-    assert_refused(population);
+    assert_crowd_is_refused(population->crowd);
 }
 
 TEST(refuses_settings_that_are_none) {
     population *population = gather(0.0);
     const double angle = population->values[3][2][0];
-    population->ensemble.given = &population->given;
+    population->ensemble->given = &population->given;
     population->values[3][2][0] = NAN;
-    assert_refused(population);
+    assert_crowd_is_refused(population->crowd);
     population->values[3][2][0] = 1e9;
-    assert_refused(population);
+    assert_crowd_is_refused(population->crowd);
     population->values[3][2][0] = angle;
-    assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
-    population->its_case.rules.law = &population->law; /* which sets the same */
-    assert_refused(population);
-    population->its_case.rules.law = NULL;
-    population->ensemble.goes_on = true; /* from nowhere */
-    assert_refused(population);
-    population->ensemble.goes_on = false;
+    run_crowd(population->crowd, population->ensemble->instructions);
+    population->its_case->rules.law = &population->law; /* which sets the same */
+    assert_crowd_is_refused(population->crowd);
+    population->its_case->rules.law = NULL;
+    population->ensemble->goes_on = true;
+    population->ensemble->checkpoints = NULL; /* from nowhere */
+    assert_crowd_is_refused(population->crowd);
+    population->ensemble->goes_on = false;
     population->settings[2] = tdmf_setting_of("ground.height");
-    assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
-    population->its_case.rules.roughness = 0.1;
-    assert_refused(population);
+    run_crowd(population->crowd, population->ensemble->instructions);
+    population->its_case->rules.roughness = 0.1;
+    assert_crowd_is_refused(population->crowd);
 }
 
 TEST(the_reduced_map_measures_height_and_speed_alone) {
     population *population = gather(0.0);
     double gains[SETTINGS][TDMF_SECTION_COUNT] = {{0.0}};
-    population->ensemble.map = TDMF_REDUCED_MAP;
-    population->its_case.rules.law = &population->law;
+    population->ensemble->map = TDMF_REDUCED_MAP;
+    population->its_case->rules.law = &population->law;
     population->law.gain = (const double(*)[TDMF_SECTION_COUNT])gains;
     memset(&population->law.noise[2], 0, 4 * sizeof *population->law.noise);
     gains[0][1] = 0.1;
-    assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
+    run_crowd(population->crowd, population->ensemble->instructions);
     gains[0][2] = 0.1;
-    assert_refused(population);
+    assert_crowd_is_refused(population->crowd);
     gains[0][2] = 0.0;
     population->law.noise[5] = 0.1;
-    assert_refused(population);
+    assert_crowd_is_refused(population->crowd);
 }
