@@ -11,7 +11,6 @@ import numpy as np
 
 from ..checks import checked, checked_flag, checked_whole
 from ..errors import InputError, RunError
-from ..library.fixed_point import settled_gait
 from ..library.gait import Gait, gaits_dataset
 from ..library.members import ranges_varied
 from ..library.runner import Runner
@@ -23,7 +22,7 @@ from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model
 from .branch_problem import BranchProblem, gaits_over
-from .search import periodic_gait
+from .search import first_gait
 from .special_points import PERIOD_DOUBLING, Special, special_points
 
 if TYPE_CHECKING:
@@ -187,7 +186,7 @@ def continue_branch(
         raise InputError(f"vary {name}: {begin:g} to {end:g}; allowed: ends that differ")
     with progress_bar("branch", None, "gaits", progress) as bar:
         is_inside = known is not None and min(begin, end) <= runner[name] <= max(begin, end)
-        first = known if known is not None and is_inside else first_gait(runner, name, begin, end)
+        first = known if known is not None and is_inside else _first_gait(runner, name, begin, end)
         problem = BranchProblem(first.runner, name, first.strides)
         limits = Limits(np.array([min(begin, end)]), np.array([max(begin, end)]), max_step, max_points, begin)
         point = problem.correct(problem.at(first), problem.towards(end - begin))
@@ -199,21 +198,15 @@ def continue_branch(
         )
 
 
-def first_gait(runner: Runner, name: str, begin: float, end: float) -> Gait:
+def _first_gait(runner: Runner, name: str, begin: float, end: float) -> Gait:
     """A gait in a range of a parameter: at its first end, or as near to it as one is found."""
-    why: RunError | None = None
     home = runner[name]
     inside = [home] if min(begin, end) <= home <= max(begin, end) else []
-    for number, value in enumerate([begin, *inside, *np.linspace(begin, end, STARTS)[1:]]):
-        at = runner.replace({name: float(value)})
-        try:
-            found = periodic_gait(at) if number <= len(inside) else settled_gait(at)
-        except RunError as problem:
-            why = why or problem
-            continue
-        return _nearer(found, name, begin) if number == 1 and inside else found
-    assert why is not None
-    raise RunError(f"no gait of {name} from {begin:g} to {end:g} was found: {why}")
+    values = [begin, *inside, *np.linspace(begin, end, STARTS)[1:]]
+    number, found, why = first_gait(runner, name, values, range(1 + len(inside)))
+    if found is None:
+        raise RunError(f"no gait of {name} from {begin:g} to {end:g} was found: {why}")
+    return _nearer(found, name, begin) if number == 1 and inside else found
 
 
 def _nearer(found: Gait, name: str, begin: float) -> Gait:

@@ -5,7 +5,7 @@ method from where strides come back nearest finds unstable ones, too.
 """
 
 import contextlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,6 +24,7 @@ from ..library.shared_steps import SharedSteps, search_under_way, shares_steps
 from ..numerics.newton import solve
 from ..variables.parameters import RunnerLike
 from ..variables.table import FRICTION, VARIABLES, Model
+from ..variables.variable import Values
 from .branch_problem import gaits_over
 
 MAX_STRIDES = 150_000
@@ -262,3 +263,20 @@ def _along_friction(runner: Runner) -> Gait | None:
         return next(gaits_over(runner, FRICTION, [runner[FRICTION]], start))
     except RunError:
         return None
+
+
+def first_gait(
+    runner: Runner, name: str, values: Values, thorough: Container[int]
+) -> tuple[int, Gait | None, str]:
+    """Number of the first value of a parameter with a gait, that gait, and why the first value has none.
+
+    At values of the numbers in `thorough` the gait is searched for longer, at others it has to settle.
+    """
+    why = ""
+    for number, value in enumerate(values):
+        search = periodic_gait if number in thorough else settled_gait
+        try:
+            return number, search(runner.replace({name: float(value)})), why
+        except RunError as problem:
+            why = why or str(problem)
+    return len(values), None, why

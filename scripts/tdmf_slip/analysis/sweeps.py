@@ -20,7 +20,6 @@ from ..checks import check_size, refusal
 from ..errors import InputError, RunError, TdmfSlipError
 from ..files.resume import Resumed
 from ..files.whole import check_destination
-from ..library.fixed_point import settled_gait
 from ..library.gait import Gait, gaits_dataset
 from ..library.members import check_has_gaits, check_varied
 from ..library.runner import Runner
@@ -28,12 +27,12 @@ from ..library.shared_steps import shares_steps
 from ..library.strides import BETWEEN_WORDS, strides_from
 from ..numerics.following import Limits, Point, follow
 from ..record import dataset, runner_in
-from ..terminal.progress import Bar, progress_bar
+from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import FRICTION, Model, by_full_name, model_named
 from ..variables.variable import Given, Values
 from .branch_problem import BranchProblem, gaits_over
-from .search import periodic_gait
+from .search import first_gait
 from .special_points import FOLD, Border, borders_between, special_points
 
 if TYPE_CHECKING:
@@ -366,14 +365,18 @@ def sweep_row(runner: Runner, name: str, values: Values, progress: bool = False)
     end = 0
     with progress_bar("sweep", len(values), "gaits", progress) as bar:
         while end < len(values):
-            begin, first, why = _begin(runner, name, values, end, bar)
+            # A branch that comes from outside of the range is met at its ends.
+            thorough = {0, len(values) - 1} if end == 0 else ()
+            skipped, first, why = first_gait(runner, name, values[end:], thorough)
+            bar.update(skipped)
+            begin = end + skipped
             if first is None:
-                problems += why
+                problems.append(why)
                 break
             preceding, began = followed(runner, name, values[end:begin][::-1], first, bar.update)
             following, ended = followed(runner, name, values[begin:], first, bar.update)
             branch = [*preceding[::-1], *following]
-            problems += [*why, *began] if end < begin - len(preceding) else []
+            problems += [why, *began] if end < begin - len(preceding) else []
             problems += ended
             end = begin + len(following)
             gaits[end - len(branch) : end] = branch
@@ -391,25 +394,6 @@ def sweep_row(runner: Runner, name: str, values: Values, progress: bool = False)
         tuple(segments),
         "; ".join(dict.fromkeys(problems)) or None,
     )
-
-
-def _begin(
-    runner: Runner, name: str, values: Values, start: int, bar: Bar
-) -> tuple[int, Gait | None, list[str]]:
-    """Number of a value with a gait, the first from `start` on; that gait; why the one at `start` is none.
-
-    While there is none yet, the longer search is made at both ends of the range: a branch that comes from
-    outside is met there.
-    """
-    why: list[str] = []
-    for number in range(start, len(values)):
-        search = periodic_gait if start == 0 and number in (0, len(values) - 1) else settled_gait
-        try:
-            return number, search(runner.replace({name: values[number]})), why
-        except RunError as problem:
-            why = why or [str(problem)]
-            bar.update()
-    return len(values), None, why
 
 
 def _borders(runner: Runner, name: str, gaits: Sequence[Gait]) -> tuple[list[Border], list[str]]:
