@@ -17,7 +17,7 @@ from ..library.shared_steps import shares_steps
 from ..record import in_dataset
 from ..terminal.progress import Bar, progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import Model, model_of
+from ..variables.table import Model
 from ..variables.variable import Given
 from .optimizer import Optimizer, Start
 from .optimum import Optimum, reported
@@ -104,19 +104,31 @@ def optimize(
     >>> best.active_bounds
     {'hip.touchdown_angle': 'upper'}
     """
-    of = model_of(runner, model)
+    runner = Runner(runner, model=model)
     asked = [[] if name is None else [name] for name in (minimize, maximize)]
-    ((objective, sign),) = checked_objectives(asked[0], asked[1], 1, of).items()
-    space = checked_space(vary, of)
-    prescribed = checked_values(target, (objective,), space, of)
-    goal = Goal(objective, sign, prescribed, radius=checked_radius(stable))
-    count = checked_whole("starts", starts, 1, MAX_STARTS)
-    before = periodic_gait(Runner(runner, model=model))
-    optimizer = Optimizer(before, space, count)
-    check_action(optimizer.candidate(goal), space)
-    with progress_bar("optimize", count, "starts", progress) as bar:
+    signs = checked_objectives(asked[0], asked[1], 1, runner.model)
+    optimizer, (goal,) = _prepared(runner, vary, signs, target, stable, starts)
+    with progress_bar("optimize", optimizer.count, "starts", progress) as bar:
         found = optimizer.best(goal, bar)
     return optimizer.optimum(goal, found)
+
+
+def _prepared(
+    runner: Runner,
+    vary: object,
+    signs: Mapping[str, float],
+    target: object,
+    stable: object,
+    starts: object,
+) -> tuple[Optimizer, list[Goal]]:
+    """The optimizer, and a goal for each objective, from arguments that are checked here."""
+    space = checked_space(vary, runner.model)
+    prescribed, radius = checked_values(target, tuple(signs), space, runner.model), checked_radius(stable)
+    goals = [Goal(name, sign, prescribed, radius=radius) for name, sign in signs.items()]
+    count = checked_whole("starts", starts, 1, MAX_STARTS)
+    optimizer = Optimizer(periodic_gait(runner), space, count)
+    check_action(optimizer.candidate(goals[0]), space)
+    return optimizer, goals
 
 
 POINTS, MAX_POINTS = 7, 1000
@@ -196,20 +208,14 @@ def pareto_front(
     allowed = "names of quantities in a list, two in all"
     least, largest = row_of(minimize, "minimize", allowed), row_of(maximize, "maximize", allowed)
     signs = checked_objectives(least, largest, 2, runner.model)
-    (first, second), space = tuple(signs), checked_space(vary, runner.model)
-    prescribed = checked_values(target, (first, second), space, runner.model)
-    radius = checked_radius(stable)
-    goals = [Goal(name, signs[name], prescribed, radius=radius) for name in (first, second)]
     count = checked_whole("points", points, 2, MAX_POINTS)
-    before = periodic_gait(runner)
-    optimizer = Optimizer(before, space, checked_whole("starts", starts, 1, MAX_STARTS))
-    check_action(optimizer.candidate(goals[0]), space)
+    optimizer, goals = _prepared(runner, vary, signs, target, stable, starts)
     total = 2 * optimizer.count + 2 * (count - 2)
     with progress_bar("Pareto front", total, "searches", progress) as bar:
         ends = [optimizer.best(goal, bar) for goal in goals]
         inside = _between(optimizer, goals, ends[0].start, ends[1].start, count, bar)
         found = [optimizer.optimum(goals[0], ends[0]), *inside, optimizer.optimum(goals[1], ends[1])]
-    return (first, second), tuple(found)
+    return (goals[0].objective, goals[1].objective), tuple(found)
 
 
 def _between(
