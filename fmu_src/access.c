@@ -184,8 +184,9 @@ static call_status set_number(instance *instance, const char *call, uint32_t ref
     } else {
         fmu_set_number(&instance->fmu, variable, value);
     }
-    if (variable->storage == STORED_INPUT) {
-        fmu_set_number_rate(&instance->fmu, variable, 0.0);
+    double *rate = variable->storage == STORED_INPUT ? fmu_rate_of(&instance->fmu, variable) : NULL;
+    if (rate != NULL) {
+        *rate = 0.0;
     }
     discard_view(instance);
     return CALL_OK;

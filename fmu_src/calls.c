@@ -26,8 +26,9 @@ void *instance_new(size_t size, const char *name, const char *token, interface_k
     if (*reason != NULL) {
         return NULL;
     }
+    const size_t length = strlen(name) + 1;
     instance *made = calloc(1, size);
-    char *copy = malloc(strlen(name) + 1);
+    char *copy = malloc(length);
     double *memory = malloc(instant_size() * sizeof *memory);
     if (made == NULL || copy == NULL || memory == NULL) {
         free(made);
@@ -36,7 +37,8 @@ void *instance_new(size_t size, const char *name, const char *token, interface_k
         *reason = "out of memory";
         return NULL;
     }
-    made->name = strcpy(copy, name);
+    memcpy(copy, name, length);
+    made->name = copy;
     made->interface = interface;
     made->log_categories = logging ? LOG_ALL : 0;
     made->fmu.memory = memory;

@@ -222,7 +222,10 @@ fmi2Status fmi2SetRealInputDerivatives(fmi2Component component, REFERENCES, cons
         status = check_input_rate(instance, call, references[i], orders[i], values[i]);
     }
     for (size_t i = 0; i < count && status == CALL_OK; ++i) {
-        fmu_set_number_rate(&instance->fmu, &fmu_variables[references[i]], values[i]);
+        double *rate = fmu_rate_of(&instance->fmu, &fmu_variables[references[i]]);
+        if (rate != NULL) {
+            *rate = values[i];
+        }
     }
     return (fmi2Status)status;
 }

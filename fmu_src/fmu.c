@@ -28,32 +28,22 @@ void fmu_reset(fmu *fmu) {
     memcpy(fmu->starts, unit_model->state_defaults, UNIT_STATE_COUNT * sizeof(double));
 }
 
-enum { VALUE_CAPACITY = 64 };
-
-/* A number with its unit. */
-static void write_value(const fmu *fmu, const fmu_view *view, const fmu_variable *of,
-                        char text[VALUE_CAPACITY]) {
-    char value[TIME_CAPACITY];
-    snprintf(text, VALUE_CAPACITY, "%s%s%s", time_text(fmu_get_number(fmu, view, of), value),
-             of->unit == NULL ? "" : " ", of->unit == NULL ? "" : of->unit);
-}
-
-/* A requirement of the page that is not met; NULL: there is none. */
 const char *unmet_requirement(const fmu *fmu, bool of_parameters, char text[FMU_TEXT]) {
     for (int i = 0; i < UNIT_REQUIREMENT_COUNT; ++i) {
         const unit_requirement *row = &unit_requirements[i];
         if (row->of_parameters == of_parameters &&
             !(row->margin(parameters_of(fmu), states_of(fmu)) >= 0.0)) {
-            const fmu_variable *of = &fmu_variables[row->variable];
+            const fmu_variable *of = &fmu_variables[row->variable],
+                               *bound = row->bound < 0 ? NULL : &fmu_variables[row->bound];
             fmu_view view;
             char value[VALUE_CAPACITY], limit[VALUE_CAPACITY] = "";
             fmu_evaluate(fmu, &view);
-            write_value(fmu, &view, of, value);
-            if (row->bound >= 0) {
-                write_value(fmu, &view, &fmu_variables[row->bound], limit);
+            if (bound != NULL) {
+                value_text(bound, fmu_get_number(fmu, &view, bound), limit);
             }
-            snprintf(text, FMU_TEXT, "%s = %s is refused: it must be %s%s%s", of->name, value, row->allowed,
-                     row->bound >= 0 ? " = " : "", limit);
+            snprintf(text, FMU_TEXT, "%s = %s is refused: it must be %s%s%s", of->name,
+                     value_text(of, fmu_get_number(fmu, &view, of), value), row->allowed,
+                     bound != NULL ? " = " : "", limit);
             return text;
         }
     }
@@ -235,11 +225,12 @@ static void write_obstacle(fmu *fmu, tdmf_run_outcome outcome, char text[FMU_TEX
 }
 
 /* An input that its ramp has brought out of its range; NULL: there is none. */
-static const char *input_out_of_range(const fmu *fmu, char text[FMU_TEXT]) {
+static const char *input_out_of_range(fmu *fmu, char text[FMU_TEXT]) {
     char refusal[FMU_TEXT];
     for (size_t i = 0; i < fmu_variable_count; ++i) {
         const fmu_variable *input = &fmu_variables[i];
-        if (input->storage == STORED_INPUT && fmu_get_number_rate(fmu, input) != 0.0 &&
+        const double *rate = input->storage == STORED_INPUT ? fmu_rate_of(fmu, input) : NULL;
+        if (rate != NULL && *rate != 0.0 &&
             fmu_refuse_value(input, fmu_get_number(fmu, NULL, input), refusal) != NULL) {
             snprintf(text, FMU_TEXT, "its rate brings an input out of range: %.200s", refusal);
             return text;

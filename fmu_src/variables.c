@@ -66,39 +66,29 @@ void fmu_set_number(fmu *fmu, const fmu_variable *variable, double value) {
     }
 }
 
-/* The state that ramps an input, or NULL. */
-static double *rate_of(const fmu *fmu, const fmu_variable *input) {
+double *fmu_rate_of(fmu *fmu, const fmu_variable *input) {
     const bool is_state = input->offset >= UNIT_PARAMETER_COUNT;
     const int rate = is_state ? unit_input_rates[input->offset - UNIT_PARAMETER_COUNT] : -1;
-    return rate < 0 ? NULL : (double *)(size_t)&fmu->motion.numbers[UNIT_PARAMETER_COUNT + rate];
+    return rate < 0 ? NULL : &states_of(fmu)[rate];
 }
 
-double fmu_get_number_rate(const fmu *fmu, const fmu_variable *input) {
-    const double *rate = rate_of(fmu, input);
-    return rate == NULL ? 0.0 : *rate;
-}
-
-void fmu_set_number_rate(fmu *fmu, const fmu_variable *input, double rate) {
-    double *ramp = rate_of(fmu, input);
-    if (ramp != NULL) {
-        *ramp = rate;
-    }
+char *value_text(const fmu_variable *variable, double value, char text[VALUE_CAPACITY]) {
+    char number[TIME_CAPACITY];
+    const bool has_unit = variable->unit != NULL;
+    snprintf(text, VALUE_CAPACITY, "%s%s%s", time_text(value, number), has_unit ? " " : "",
+             has_unit ? variable->unit : "");
+    return text;
 }
 
 const char *fmu_refuse_value(const fmu_variable *variable, double value, char text[FMU_TEXT]) {
+    char given[VALUE_CAPACITY];
+    const char *allowed = unit_allowed[variable - fmu_variables];
+    const bool has_unit = allowed != NULL && variable->unit != NULL;
     if (value >= variable->minimum && value <= variable->maximum) {
         return NULL;
     }
-    const char *allowed = unit_allowed[variable - fmu_variables];
-    const char *space = variable->unit == NULL ? "" : " ",
-               *unit = variable->unit == NULL ? "" : variable->unit;
-    char number[TIME_CAPACITY];
-    if (allowed == NULL) {
-        snprintf(text, FMU_TEXT, "%s = %s%s%s is refused: it has to be finite", variable->name,
-                 time_text(value, number), space, unit);
-    } else {
-        snprintf(text, FMU_TEXT, "%s = %s%s%s is refused: allowed %s%s%s", variable->name,
-                 time_text(value, number), space, unit, allowed, space, unit);
-    }
+    snprintf(text, FMU_TEXT, "%s = %s is refused: %s%s%s%s", variable->name,
+             value_text(variable, value, given), allowed == NULL ? "it has to be finite" : "allowed ",
+             allowed == NULL ? "" : allowed, has_unit ? " " : "", has_unit ? variable->unit : "");
     return text;
 }

@@ -72,8 +72,11 @@ const char *fmu_get_text(const fmu_view *view, const fmu_variable *variable);
 /* Stores a value that was checked. */
 void fmu_set_number(fmu *fmu, const fmu_variable *variable, double value);
 
-/* Rate of an input, per second. */
-double fmu_get_number_rate(const fmu *fmu, const fmu_variable *input);
-void fmu_set_number_rate(fmu *fmu, const fmu_variable *input, double rate);
+/* The rate of an input, per second, in the run; NULL: it has none. */
+double *fmu_rate_of(fmu *fmu, const fmu_variable *input);
+
+/* A number with its unit; returns `text`. */
+enum { VALUE_CAPACITY = 64 };
+char *value_text(const fmu_variable *variable, double value, char text[VALUE_CAPACITY]);
 
 #endif
