@@ -5,6 +5,7 @@ from pathlib import Path
 
 from ..analysis.search import periodic_gait
 from ..errors import InputError
+from ..library.gait import Gait
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
 from .command import Answer, command, option
@@ -17,23 +18,19 @@ FRAMES = 12, 2000
 
 @command(
     "animate",
-    option("--output", kind=NewPicture("animation"), default=Path("stride.gif"), metavar="FILE"),
+    option("--output", "path", of=Gait.animate, kind=NewPicture("animation"), metavar="FILE"),
     option("--from-gait", metavar="FILE"),
-    option("--frames", kind=Number(*FRAMES, whole=True), default=120, metavar="N"),
+    option("--frames", of=Gait.animate, kind=Number(*FRAMES, whole=True), metavar="N"),
     model=False,
     as_json=False,
 )
-def animate_command(asked: Asked, output: Path, from_gait: str | None, frames: int) -> Answer:
+def animate_command(asked: Asked, path: Path, from_gait: str | None, frames: int) -> Answer:
     """Animate one stride of a runner's gait, in a loop.
 
     Parameters
     ----------
-    output
-        File to write: .gif, .html, or .mp4 if ffmpeg is installed.
     from_gait
         Gait to animate, from a file that `tdmf-slip gait --json` wrote; - reads stdin.
-    frames
-        Frames per stride, shown at 20 per second; the stance is in slow motion.
     """
     from ..pictures import animation  # matplotlib is slow to load
     from ..pictures.panels import Stride
@@ -46,5 +43,5 @@ def animate_command(asked: Asked, output: Path, from_gait: str | None, frames: i
         runner = Runner(read_gait(from_gait))
         gait = periodic_gait(runner, guess=runner.start_apex())
     with progress_bar("animate", frames, "frames", True) as bar:
-        animation.draw(output, Stride(gait), frames=frames, step_finished=partial(bar.update, 1))
+        animation.draw(path, Stride(gait), frames=frames, step_finished=partial(bar.update, 1))
     return Answer({}, "")

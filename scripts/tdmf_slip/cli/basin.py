@@ -1,7 +1,6 @@
 """The command `basin`: what a gait attracts."""
 
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -29,7 +28,7 @@ if TYPE_CHECKING:
     "basin",
     option("--axes", "spans", multiple=True, metavar="NAME[=A:B]"),
     option("--n", of=basin, kind=click.IntRange(2, MAX_ALONG)),
-    option("--output", kind=NewFile(".nc"), metavar="FILE"),
+    option("--output", "path", of=basin, kind=NewFile(".nc"), metavar="FILE"),
     option("--samples", kind=click.IntRange(0, 100_000_000), default=20000),
     option("--ball", of=basin, kind=click.Choice((*CHOICES, "proved"))),
     option("--refine", of=basin, kind=click.Choice(REFINEMENTS)),
@@ -37,7 +36,7 @@ if TYPE_CHECKING:
     plot="the map",
 )
 def basin_command(
-    asked: Asked, workers: Workers, spans: tuple[str, ...], output: Path | None, samples: int, **given: Any
+    asked: Asked, workers: Workers, spans: tuple[str, ...], samples: int, **given: Any
 ) -> Answer:
     """Compute the region of attraction of a gait: a map of a slice, its volume and its robustness.
 
@@ -49,8 +48,6 @@ def basin_command(
     spans
         Coordinate of the apex section and its range, as in com_height=1:4 or leg_angle='60 deg:80 deg'.
         Given twice.  [default: com_height and com_speed, around the gait]
-    output
-        Write the map as NetCDF (.nc), block by block. An existing file is resumed.
     samples
         Random starts in all six coordinates, from which the volume is estimated; 0 for none.
     """
@@ -67,7 +64,7 @@ def basin_command(
 
         given["ball"] = ball = proved_ball(gait)
     with workers.executor() as executor:
-        data = basin(runner, axes, path=output, executor=executor, progress=True, **given)
+        data = basin(runner, axes, executor=executor, progress=True, **given)
         found = volume(gait, samples, ball=ball, executor=executor, progress=True) if samples else None
     result: dict[str, Any] = {
         **gait.runner.record(),

@@ -82,7 +82,8 @@ def option(
     parameter = name[0] if name else flag.partition("/")[0].removeprefix("--").replace("-", "_")
     if of is not None:
         default = inspect.signature(of).parameters[parameter].default
-        look = {"is_flag": True} | look if default is False else {"default": default} | look
+        if default is not inspect.Parameter.empty:
+            look = ({"is_flag": True} if default is False else {"default": default}) | look
 
     def decorate(function: Any) -> Any:
         text = described(function, parameter) or described(of, parameter)

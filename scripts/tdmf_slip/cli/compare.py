@@ -35,7 +35,7 @@ from .runner import MODEL_OPTION, SET_OPTION, Asked, values_given
         metavar="NAMES",
         help=f"Quantities to match, as in speed,apex_height: {', '.join(QUANTITIES)}.",
     ),
-    option("--vary", required=True, metavar="NAMES"),
+    option("--vary", of=compare, required=True, metavar="NAME,NAME"),
     SET_OPTION,
     MODEL_OPTION,
     runner=False,
@@ -56,8 +56,6 @@ def compare_command(
     ----------
     files
         TOML or JSON file, or preset, of one runner. Repeatable; give one, or as many as frictions.
-    vary
-        Parameters to adjust, at least as many as quantities, as in hip.stance_torque,hip.touchdown_angle.
     """
     runners = _runners(frictions, files, settings, model)
     names = [name.strip() for name in hold.split(",")]

@@ -19,8 +19,8 @@ from .runner import Asked
 @command(
     "fit",
     click.argument("file", type=click.Path(path_type=Path)),
-    option("--vary", metavar="NAMES"),
-    option("--vary-each", metavar="NAMES"),
+    option("--vary", of=fit, default=None, metavar="NAME,NAME"),
+    option("--vary-each", of=fit, default=None, metavar="NAME,NAME"),
     option("--prior", "priors", multiple=True, metavar="NAME=VALUE,ERROR"),
     option("--robust", of=fit),
     option("--scale-errors", of=fit),
@@ -52,11 +52,6 @@ def fit_command(
 
     Parameters
     ----------
-    vary
-        Parameters to fit that all rows share, as in leg.stiffness,leg.damping. The search begins at the
-        given values.
-    vary_each
-        Parameters to fit that have a value of their own in each row, as in hip.stance_torque.
     priors
         Prior knowledge of a parameter: its value and standard error, as in leg.free_length=0.95,0.02. A
         parameter that is not in --vary is then fitted as well. Repeatable.

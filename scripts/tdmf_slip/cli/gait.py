@@ -26,7 +26,7 @@ PICTURE = "gait.png"
 @command(
     "gait",
     TARGET_OPTION,
-    option("--vary", metavar="NAMES"),
+    option("--vary", of=find_gait, default=None, metavar="NAME,NAME"),
     click.option(
         "--plot",
         type=NewPicture(),
@@ -42,12 +42,6 @@ def gait_command(asked: Asked, targets: tuple[str, ...], vary: str | None, plot:
 
     With --target, find the gait that meets the targets by changing the parameters in --vary. If none is
     found, the JSON holds the nearest gait and the parameters that would help, and the exit status is 1.
-
-    Parameters
-    ----------
-    vary
-        Parameters to adjust, at least as many as targets, as in hip.stance_torque,leg.stiffness. The
-        search begins at the given values.
     """
     target = targets_given(targets)
     if vary is not None and not target:

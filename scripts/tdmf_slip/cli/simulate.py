@@ -11,7 +11,6 @@ from ..fmu.fmu import INTERFACES, Fmu, load_fmu
 from ..fmu.inputs import read_tables
 from ..fmu.run import WRITERS, Run, as_json, dataset_of, write_table
 from ..fmu.simulation import (
-    DEFAULT_STRIDES,
     DEFAULT_TOLERANCE,
     INTERVALS,
     MAX_STRIDES,
@@ -19,6 +18,7 @@ from ..fmu.simulation import (
     TIMES,
     TOLERANCES,
     run_unit,
+    simulate,
 )
 from ..terminal.text import columns, quantity
 from ..variables.variable import Value
@@ -32,22 +32,12 @@ SOLVER_TOLERANCE = "solver.relative_tolerance"
 @command(
     "simulate",
     option("--interface", kind=click.Choice(list(INTERFACES)), default="me"),
-    option("--stop-time", kind=Number(*TIMES), metavar="SECONDS"),
-    click.option(
-        "--strides",
-        type=Number(1, MAX_STRIDES, whole=True),
-        metavar="N",
-        help=f"Stop after N strides.  [default: {DEFAULT_STRIDES}, without --stop-time]",
-    ),
+    option("--stop-time", of=simulate, kind=Number(*TIMES), metavar="SECONDS"),
+    option("--strides", of=simulate, kind=Number(1, MAX_STRIDES, whole=True), metavar="N"),
     option("--from-gait", metavar="FILE"),
     option("--inputs", kind=click.Path(path_type=Path), metavar="FILE"),
-    click.option(
-        "--tolerance",
-        type=Number(*TOLERANCES),
-        help="Relative tolerance of CVODE in Model Exchange. In Co-Simulation, the smaller of it and "
-        f"solver.relative_tolerance.  [default: {DEFAULT_TOLERANCE:g}]",
-    ),
-    option("--output-interval", kind=Number(*INTERVALS), metavar="SECONDS"),
+    option("--tolerance", of=simulate, kind=Number(*TOLERANCES), default=None),
+    option("--output-interval", of=simulate, kind=Number(*INTERVALS), metavar="SECONDS"),
     option("--output", kind=NewFile(*WRITERS), metavar="FILE"),
     model=False,
     plot="the run",
@@ -69,15 +59,11 @@ def simulate_command(
     ----------
     interface
         FMI interface: Model Exchange or Co-Simulation.
-    stop_time
-        Time at which to stop.
     from_gait
         Start on the gait in a file that `tdmf-slip gait --json` wrote, with its parameters; - reads
         stdin.
     inputs
         Inputs over time: CSV with the header time,<input>,...
-    output_interval
-        Time between recorded rows.  [default: a tenth of sqrt(m/k)]
     output
         Write the rows: .csv or .nc.
     """

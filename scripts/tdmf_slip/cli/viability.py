@@ -43,8 +43,8 @@ if TYPE_CHECKING:
     ),
     option("--n", of=viability, kind=Number(2, MAX_CELLS, whole=True), metavar="N"),
     option("--factor", of=viability, kind=Number(1.0, LARGEST_FACTOR), metavar="F"),
-    option("--model", kind=click.Choice(list(MODELS)), default="reduced"),
-    option("--output", kind=NewFile(".nc"), metavar="FILE"),
+    option("--model", of=viability, kind=click.Choice(list(MODELS))),
+    option("--output", "path", of=viability, kind=NewFile(".nc"), metavar="FILE"),
     option("--gait", "of_gait", is_flag=True),
     option("--controller", kind=NewFile(".csv"), metavar="FILE"),
     model=False,
@@ -57,7 +57,6 @@ def viability_command(
     axes: tuple[str, ...],
     vary: tuple[str, ...],
     model: str,
-    output: Path | None,
     of_gait: bool,
     controller: Path | None,
     **given: Any,
@@ -71,11 +70,6 @@ def viability_command(
     ----------
     axes
         Range of com_height or com_speed at the apex, as in com_height=0.5:3. Given twice.
-    model
-        reduced: height and speed describe an apex. full: each stride starts with the leg at rest where
-        the last placement left it.
-    output
-        Write strides and sets as NetCDF (.nc), block by block. An existing file is resumed.
     of_gait
         Also find the cells from which some choice leads to the runner's gait, and the largest drop of the
         ground at the gait's apex that leaves a viable state.
@@ -83,7 +77,7 @@ def viability_command(
         Write the viable action nearest to the runner's settings for each cell, as CSV.
     """
     runner = replace(asked, model=model).runner()
-    given |= {"model": model, "gait": find_gait(runner) if of_gait else None, "path": output}
+    given |= {"model": model, "gait": find_gait(runner) if of_gait else None}
     given |= {"axes": _axes_given(axes), "vary": _vary_given(vary)}
     with workers.executor() as executor:
         found = viability(runner, executor=executor, progress=True, **given)

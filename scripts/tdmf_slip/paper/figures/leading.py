@@ -20,6 +20,11 @@ def leading(gaits: Sequence[Gait]) -> NDArray[np.float64]:
     return np.array([np.sort(gait.eigenvalues[:2].real)[::-1] for gait in gaits])
 
 
+def as_columns(gaits: Sequence[Gait]) -> dict[str, NDArray[np.float64]]:
+    """Both eigenvalues by column."""
+    return dict(zip(("greater_eigenvalue", "other_eigenvalue"), leading(gaits).T, strict=True))
+
+
 def draw(axes: Axes, values: Sequence[float], gaits: Sequence[Gait], *, named: bool = False) -> None:
     """Draw both against a parameter, solid for stable gaits, with the borders of stability."""
     stable = np.array([gait.stable for gait in gaits])

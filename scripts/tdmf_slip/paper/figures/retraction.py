@@ -70,14 +70,12 @@ def table(found: Mapping[float, tuple[Branch, Branch]], alike: Mapping[float, tu
     along = len(rows)
     rows += [(friction, one.runner[RATE], one) for friction, its in alike.items() for one in its]
     gaits = [gait for _, _, gait in rows]
-    pairs = leading.leading(gaits)
     return {
         "friction": [friction for friction, _, _ in rows],
         "retraction_rate": [value for _, value, _ in rows],
         "matched": [row >= along for row in range(len(rows))],
         **attributes(gaits, "word", "stable"),
-        "greater_eigenvalue": pairs[:, 0],
-        "other_eigenvalue": pairs[:, 1],
+        **leading.as_columns(gaits),
         **attributes(gaits, "speed", "cost_of_transport"),
     }
 

@@ -92,14 +92,12 @@ def measure(runner: Runner) -> Data:
     )
     rows = [*found, *alike]
     gaits = [gait for _, _, gait in rows]
-    pairs = leading.leading(gaits)
     return {
         "friction": [friction for friction, _, _ in rows],
         "matched": [row >= len(found) for row in range(len(rows))],
         "slope_degrees": [float(np.degrees(slope)) for _, slope, _ in rows],
         **attributes(gaits, "word", "stable", "speed", "cost_of_transport"),
-        "greater_eigenvalue": pairs[:, 0],
-        "other_eigenvalue": pairs[:, 1],
+        **leading.as_columns(gaits),
     }
 
 

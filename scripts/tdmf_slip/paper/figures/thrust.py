@@ -47,7 +47,6 @@ def measure(runner: Runner) -> Data:
         hip = _both_ways(first, TORQUE, HIGHEST_TORQUE)
         added = _branch(first, THRUST, HIGHEST_THRUST)
         gaits += (*hip.gaits, *added.gaits[1:], *_leg_alone(first), *matched(hip.gaits))
-    pairs = leading.leading(gaits)
     return {
         **attributes(gaits, "friction"),
         "touchdown_angle": [gait.runner[ANGLE] for gait in gaits],
@@ -55,8 +54,7 @@ def measure(runner: Runner) -> Data:
         "thrust": [gait.runner[THRUST] for gait in gaits],
         **attributes(gaits, "word", "stable", "speed", "cost_of_transport"),
         "slip_per_length": [gait.stride["slip_distance"] / gait.stride["length"] for gait in gaits],
-        "greater_eigenvalue": pairs[:, 0],
-        "other_eigenvalue": pairs[:, 1],
+        **leading.as_columns(gaits),
     }
 
 
