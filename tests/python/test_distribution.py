@@ -7,7 +7,7 @@ import sys
 import tarfile
 
 import pytest
-from conftest import ROOT, locked, succeed, unit_reference
+from conftest import ROOT, locked, release, succeed, unit_reference
 
 UNITS = ("TDMF_SLIP.fmu", "TDMF_SLIP_FMI3.fmu")
 
@@ -41,6 +41,7 @@ def test_the_wheel_installs_and_runs_without_a_compiler(environment, wheel):
     assert_runs(environment, variables)
 
 
+@release
 def test_the_source_distribution_installs_and_runs(environment, sources):
     """By the compiler of the machine; CVODE comes along where SUNDIALS is found."""
     assert_runs(environment, environment.install(sources, path=os.environ["PATH"]))

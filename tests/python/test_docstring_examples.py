@@ -17,8 +17,8 @@ FUNCTIONS = {
 }
 WITH_EXAMPLE = {name for name, thing in FUNCTIONS.items() if ">>>" in (inspect.getdoc(thing) or "")}
 OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
-SLOW = {"continue_curves", "prove_border", "validate"}
-"""They take up to a minute; `scripts/test --release` runs them."""
+SLOW = {"continue_curves", "prove", "prove_attraction", "prove_border", "rare_falls", "validate"}
+"""They take seconds or a minute; `scripts/test --release` runs them."""
 
 
 def test_every_function_has_an_example():
@@ -35,7 +35,7 @@ def build_once(monkeypatch):
 @pytest.mark.parametrize("name", sorted(WITH_EXAMPLE))
 def test_an_example_prints_what_it_says(name, tmp_path, monkeypatch, request):
     if name in SLOW and not RELEASE:
-        pytest.skip("takes a minute or more")
+        pytest.skip("takes long: scripts/test --release")
     if name.startswith("prove"):
         pytest.importorskip("flint", reason="NOT TESTED: examples of proofs, python-flint is missing")
     monkeypatch.chdir(tmp_path)

@@ -1,21 +1,24 @@
 """Other importers: each runs the default unit in Co-Simulation for ten strides and sees the reference gait.
 
-The tools are the optional dependency `importers`; one that is not installed is skipped. Each runs in a
-process of its own, because they bring native libraries, and some print what they like.
+The tools are the optional dependency `importers`, or `scripts/test --release` fetches them; one that is not
+there is skipped. Each runs in a process of its own, because they bring native libraries, and some print what
+they like.
 """
 
+import csv
 import json
 import shutil
 import subprocess
 import sys
 
 import fmpy
+import own_pages
 import pytest
 import tdmf_slip
-from conftest import HANGS, QUANTITIES, unit_reference
-from own_pages import loaded
+from conftest import HANGS, QUANTITIES, ROOT, unit_reference
 
 REFERENCE = unit_reference()
+VALUES = [REFERENCE[name] for name in QUANTITIES]
 
 # The programs get the unit's path and the value references of the quantities and of stride.count.
 LIBCOSIM = """
@@ -68,15 +71,19 @@ print("RESULT " + json.dumps([count, *values]), flush=True)
 """
 
 
+def result_of(*command):
+    """What a program reports: the number of strides, and the quantities of the last one."""
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=HANGS)
+    lines = [line for line in done.stdout.splitlines() if line.startswith("RESULT ")]
+    assert lines, done.stdout[-2000:] + done.stderr[-2000:]
+    return json.loads(lines[-1].removeprefix("RESULT "))
+
+
 def run(program, unit, description):
     references = {variable.name: variable.valueReference for variable in description.modelVariables}
     names = [f"stride.{name}" for name in QUANTITIES]
     source = PROGRAM.format(program=program)
-    command = [sys.executable, "-c", source, str(unit), json.dumps(references), json.dumps(names)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=HANGS)
-    lines = [line for line in done.stdout.splitlines() if line.startswith("RESULT ")]
-    assert lines, done.stdout[-2000:] + done.stderr[-2000:]
-    return json.loads(lines[-1].removeprefix("RESULT "))
+    return result_of(sys.executable, "-c", source, unit, json.dumps(references), json.dumps(names))
 
 
 @pytest.mark.parametrize(
@@ -89,13 +96,13 @@ def test_ten_strides(fmu_file, description, tmp_path, module, program):
     unit = shutil.copy(fmu_file, tmp_path / "TDMF_SLIP.fmu")
     count, *values = run(program, unit, description)
     assert count == 10
-    assert values == pytest.approx([REFERENCE[name] for name in QUANTITIES], rel=1e-8)
+    assert values == pytest.approx(VALUES, rel=1e-8)
 
 
 @pytest.mark.parametrize("module", ["libcosimpy", "ecospy"])
 def test_a_unit_of_one_s_own_gives_what_the_engine_gives(tmp_path, module):
     pytest.importorskip(module, exc_type=ImportError)
-    model = loaded(tdmf_slip.new(tmp_path / "my_runner") / "page.py", unit=True)
+    model = own_pages.my_runner()
     unit = shutil.copy(model.unit, tmp_path / "MyRunner.fmu")
     program = {"libcosimpy": LIBCOSIM, "ecospy": ECOS}[module]
     count, *values = run(program, unit, fmpy.read_model_description(unit))
@@ -112,3 +119,95 @@ def test_toolbox_finds_no_fault(fmu_file):
     done = subprocess.run([tool, "-input", fmu_file, "-check"], capture_output=True, text=True, timeout=HANGS)
     said = done.stdout + done.stderr
     assert "compliant with FMI-2.0" in said and "No semantic error" in said, said
+
+
+# ---- in Java: FMI4j imports the unit, VDMCheck checks it
+
+
+JARS = ROOT / "build/importers/java"
+in_java = pytest.mark.skipif(
+    shutil.which("java") is None or not (JARS / "vdmcheck2.jar").is_file(),
+    reason="NOT TESTED: FMI4j and VDMCheck are missing; ./scripts/test --release fetches them",
+)
+
+
+@in_java
+def test_fmi4j_runs_ten_strides(fmu_file, description):
+    references = {variable.name: variable.valueReference for variable in description.modelVariables}
+    wanted = [references[f"stride.{name}"] for name in QUANTITIES]
+    program = ROOT / "tests/importers/TenStrides.java"
+    count, *values = result_of(
+        "java", "-cp", f"{JARS}/*", program, fmu_file, references["stride.count"], *wanted
+    )
+    assert count == 10
+    assert values == pytest.approx(VALUES, rel=1e-8)
+
+
+@in_java
+def test_vdmcheck_finds_no_fault(fmu_file):
+    command = ["java", "-jar", JARS / "vdmcheck2.jar", fmu_file]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=HANGS)
+    assert "No errors found." in done.stdout, done.stdout[-2000:] + done.stderr[-2000:]
+
+
+# ---- in Rust: fmi-sim runs the FMI 3.0 unit
+
+
+FMI_SIM = ROOT / "build/importers/bin/fmi-sim"
+in_rust = pytest.mark.skipif(
+    not FMI_SIM.is_file(), reason="NOT TESTED: fmi-sim is missing; ./scripts/test --release builds it"
+)
+
+
+def rows_of(folder, fmi, interface, stop_time, *options, unit=None):
+    output = folder / f"fmi{fmi}.csv"
+    unit = unit or tdmf_slip.fmu_path(fmi)
+    command = [FMI_SIM, "--quiet", "--model", unit, "--output-file", output, interface]
+    done = subprocess.run(
+        [*map(str, command), "-f", str(stop_time), *options], capture_output=True, text=True, timeout=HANGS
+    )
+    assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
+    with output.open(newline="") as file:
+        return list(csv.DictReader(file))
+
+
+@in_rust
+@pytest.mark.parametrize(
+    "options",
+    [(), ("--event-mode-used",), ("--event-mode-used", "--early-return-allowed")],
+    ids=["plain", "event mode", "early return"],
+)
+def test_fmi_sim_in_co_simulation(tmp_path, options):
+    rows = rows_of(tmp_path, 3, "co-simulation", 251.0, *options)
+    last = rows[-1]
+    assert last["stride.count"] == "10" and last["stride.word"] == REFERENCE["word"]
+    for name in QUANTITIES:
+        assert float(last[f"stride.{name}"]) == pytest.approx(REFERENCE[name], rel=1e-8), name
+    # Only with early return is there a row more for each event.
+    assert (len(rows) > 2550) == ("--early-return-allowed" in options)
+
+
+@in_rust
+def test_fmi_sim_runs_a_unit_of_one_s_own(tmp_path):
+    model = own_pages.my_runner()
+    unit = model.unit.with_name("MyRunner_FMI3.fmu")
+    last = rows_of(tmp_path, 3, "co-simulation", 251.0, unit=unit)[-1]
+    end = tdmf_slip.trajectory(model, times=[251.0]).isel(time=0)
+    assert int(last["stride.count"]) == end["stride.count"] >= 8
+    for name in QUANTITIES:
+        assert float(last[f"stride.{name}"]) == pytest.approx(float(end[f"stride.{name}"]), rel=1e-8), name
+    rows = rows_of(tmp_path, 3, "model-exchange", 25.0, "--output-interval", "0.001", unit=unit)
+    at = tdmf_slip.trajectory(model, times=[float(rows[-1]["time"])]).isel(time=0)
+    assert float(rows[-1]["com.x"]) == pytest.approx(float(at["com.x"]), rel=5e-3)
+
+
+@in_rust
+def test_fmi_sim_in_model_exchange(tmp_path):
+    """It has forward Euler only: good to some thousandths, and the same rows from both versions."""
+    two, three = (
+        rows_of(tmp_path, fmi, "model-exchange", 25.1, "--output-interval", "0.001") for fmi in (2, 3)
+    )
+    assert three[-1]["stride.count"] == "1" and three[-1]["stride.word"] == REFERENCE["word"]
+    for name in QUANTITIES:
+        assert float(three[-1][f"stride.{name}"]) == pytest.approx(REFERENCE[name], rel=5e-3), name
+    assert [row["foot.x"] for row in two] == [row["foot.x"] for row in three]

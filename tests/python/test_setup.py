@@ -9,7 +9,7 @@ import sys
 import tomllib
 
 import pytest
-from conftest import HANGS, ROOT
+from conftest import HANGS, ROOT, succeed
 
 packaging = pytest.importorskip("packaging.requirements")
 utils = pytest.importorskip("packaging.utils")
@@ -167,9 +167,7 @@ def test_without_a_terminal_nobody_is_asked_and_sudo_is_not_used(need, stdin):
 
 
 @POSIX_ONLY
-@pytest.mark.parametrize(
-    ("answer", "does"), [("y", True), ("Yes", True), ("n", False), ("", False), ("\4", False)]
-)
+@pytest.mark.parametrize(("answer", "does"), [("Yes", True), ("n", False), ("\4", False)])
 def test_at_a_terminal_sudo_is_used_after_asking_only(need, answer, does):
     terminal, other = os.openpty()
     process, calls = need(1000, other, other)
@@ -195,7 +193,16 @@ def test_at_a_terminal_sudo_is_used_after_asking_only(need, answer, does):
         assert calls() == [] and b"please install" in said
 
 
-# ---- what CONTRIBUTING says ----
+# ---- what CONTRIBUTING and the development guide say ----
+
+
+def test_the_development_guide_names_files_that_there_are():
+    files = "\n".join(f"/{name}" for name in succeed("git", "ls-files", cwd=ROOT).splitlines())
+    for page in ("architecture", "pages"):
+        text = (ROOT / f"documentation/development/{page}.md").read_text(encoding="utf-8")
+        named = set(re.findall(r"`([\w/]+\.(?:c|h|py|json))`", text)) - {"sources/unit_names.h"}
+        assert len(named) > 5
+        assert [name for name in named if f"/{name}\n" not in files] == []
 
 
 def test_contributing_names_scripts_and_presets_that_there_are():
