@@ -44,8 +44,8 @@ class Gait:
     liftoff_angle: float
     """Leg angle at lift-off, rad."""
     stride: Mapping[str, float]
-    """Quantities by the names in `STRIDE_QUANTITIES`, `LEDGER` and, in the full model, `quantities.MEASURES`.
-    `positive_work` is the work of hip and leg, in the reduced map the work of the hip."""
+    """Quantities by the names in `STRIDE_QUANTITIES`, `LEDGER` and, in the full model, `quantities.MEASURES`,
+    in the reduced map those of the apex. There `positive_work` is that of the hip, else of hip and leg."""
     jacobian: NDArray[np.float64]
     """Jacobian of the map, shape (n, n); [i, k] is the change of coordinate i by coordinate k."""
     along: Along | None
