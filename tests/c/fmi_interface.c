@@ -4,6 +4,9 @@
 #include "guid.h"
 #include "variables.h"
 
+#include <stdio.h>
+#include <string.h>
+
 void *new_of_kind(const fmi_interface *fmi, fmi_kind kind) {
     clear_messages();
     void *instance = fmi->instantiate(kind, "runner", FMU_GUID, true, true);
@@ -18,6 +21,19 @@ void *new_of_kind(const fmi_interface *fmi, fmi_kind kind) {
 fmi_status set_value(const fmi_interface *fmi, void *instance, const char *name, double value) {
     const uint32_t reference = reference_of(name);
     return fmi->set_reals(instance, &reference, 1, &value);
+}
+
+void set_values(const fmi_interface *fmi, void *instance, const char *values) {
+    char name[64];
+    double value;
+    for (int length = 0; sscanf(values, " %63[^=]=%lf%n", name, &value, &length) == 2; values += length) {
+        const uint32_t reference = reference_of(name);
+        const fmi_status status = fmu_variables[reference].type == VARIABLE_BOOLEAN
+                                      ? fmi->set_truth(instance, reference, value != 0.0)
+                                      : fmi->set_reals(instance, &reference, 1, &value);
+        assert_int_equal(status, FMI_OK);
+    }
+    assert_int_equal(strlen(values), 0);
 }
 
 double value_of(const fmi_interface *fmi, void *instance, const char *name) {

@@ -98,6 +98,9 @@ void *new_of_kind(const fmi_interface *fmi, fmi_kind kind);
 
 fmi_status set_value(const fmi_interface *fmi, void *instance, const char *name, double value);
 
+/* Sets Reals and Booleans, written as name=value with spaces between; asserts that none is refused. */
+void set_values(const fmi_interface *fmi, void *instance, const char *values);
+
 /* Of an Integer or an enumeration too; assert that it can be read. */
 double value_of(const fmi_interface *fmi, void *instance, const char *name);
 int integer_of(const fmi_interface *fmi, void *instance, const char *name);

@@ -156,11 +156,7 @@ TEST(a_thrust_from_the_start_is_read_before_the_run_begins) {
     double x[TDMF_STATE_COUNT];
     assert_int_equal(set_real(component, "leg.thrust", thrust), fmi2OK);
     assert_int_equal(set_real(component, "leg.length", length), fmi2OK);
-    assert_int_equal(set_real(component, "leg.length_rate", 0.1), fmi2OK);
-    assert_int_equal(set_real(component, "leg.angle", -0.2), fmi2OK);
-    assert_int_equal(set_real(component, "foot.y", 0.0), fmi2OK);
-    assert_int_equal(set_real(component, "foot.vx", 0.0), fmi2OK);
-    assert_int_equal(set_real(component, "foot.vy", 0.0), fmi2OK);
+    set_values(&fmi2, component, "leg.length_rate=0.1 leg.angle=-0.2 foot.y=0.0 foot.vx=0.0 foot.vy=0.0");
     assert_close(get_real(component, "leg.work"), gained, 1e-15);
     assert_int_equal(fmi2EnterInitializationMode(component), fmi2OK);
     const double before = get_real(component, "leg.work");

@@ -278,9 +278,7 @@ TEST(every_guard_gives_its_event_its_name) {
         assert_int_equal(set_real(component, "foot.y", cases[i].foot_y), fmi2OK);
         assert_int_equal(set_real(component, "foot.vx", cases[i].foot_vx), fmi2OK);
         assert_int_equal(set_real(component, "foot.vy", cases[i].foot_vy), fmi2OK);
-        assert_int_equal(set_real(component, "leg.length", 0.8), fmi2OK);
-        assert_int_equal(set_real(component, "leg.angle", 0.2), fmi2OK);
-        assert_int_equal(set_real(component, "leg.angle_rate", -0.1), fmi2OK);
+        set_values(&fmi2, component, "leg.length=0.8 leg.angle=0.2 leg.angle_rate=-0.1");
         start_running(component);
         update_with(component, cases[i].changed, cases[i].value);
         if (message_count != 1 || strncmp(last_message, cases[i].name, strlen(cases[i].name)) != 0) {
@@ -298,10 +296,7 @@ TEST(what_is_an_event_does_not_go_by_the_modes_alone) {
         assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 1, events_category), fmi2OK);
         assert_int_equal(set_real(component, "foot.y", 0.5), fmi2OK);
         assert_int_equal(set_real(component, "foot.vy", vy), fmi2OK);
-        assert_int_equal(set_real(component, "leg.length", 1.5), fmi2OK);
-        assert_int_equal(set_real(component, "leg.angle", 0.1), fmi2OK);
-        assert_int_equal(set_real(component, "leg.angle_rate", 0.0), fmi2OK);
-        assert_int_equal(set_real(component, "leg.length_rate", -0.5), fmi2OK);
+        set_values(&fmi2, component, "leg.length=1.5 leg.angle=0.1 leg.angle_rate=0.0 leg.length_rate=-0.5");
         start_running(component);
         assert_int_equal(get_integer(component, "hip.phase"), TDMF_PHASE_PLACE);
         update_with(component, "foot.y", i == 0 ? -1e-12 : -1e-11);

@@ -122,12 +122,9 @@ TEST(only_continuous_inputs_have_rates) {
 /* ---- in force at once --------------------------------------------------------------------------------- */
 
 static void put_on_the_ground(fmi2Component component) {
-    static const char *const names[] = {"foot.y",    "foot.vx",         "foot.vy",       "leg.length",
-                                        "leg.angle", "leg.length_rate", "leg.angle_rate"};
-    static const double values[] = {0.0, 0.0, 0.0, 0.9, 0.3, 0.0, -0.1};
-    for (int i = 0; i < 7; ++i) {
-        assert_int_equal(set_real(component, names[i], values[i]), fmi2OK);
-    }
+    set_values(&fmi2, component,
+               "foot.y=0 foot.vx=0 foot.vy=0 leg.length=0.9 leg.angle=0.3 leg.length_rate=0 "
+               "leg.angle_rate=-0.1");
 }
 
 TEST(a_setting_is_in_force_at_once) {
@@ -143,45 +140,37 @@ TEST(a_setting_is_in_force_at_once) {
 }
 
 /* The library's run, another set of laws from `change` on. */
-static void run_of_the_library(double change, double end, tdmf_motion *motion) {
+static simulation run_of_the_library(double change, double end) {
     tdmf_parameters parameters = tdmf_default_parameters();
-    tdmf_inputs inputs = tdmf_default_inputs();
-    tdmf_solver solver = tdmf_solver_default();
-    memset(motion, 0, sizeof *motion);
-    tdmf_default_state(motion->state);
-    tdmf_model model = accepted_model(&parameters);
-    assert_null(tdmf_start((tdmf_system){&model, &inputs}, motion).variable);
-    assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&model, &inputs}, NULL, change, motion),
-                     TDMF_ARRIVED);
+    const tdmf_inputs inputs = tdmf_default_inputs();
+    double state[TDMF_STATE_COUNT];
+    tdmf_default_state(state);
+    simulation run = simulation_in(&parameters, &inputs, state, tdmf_solver_default().relative_tolerance);
+    assert_int_equal(simulation_advance(&run, change), TDMF_ARRIVED);
     parameters.hip.touchdown_angle = 0.72;
     parameters.hip.kp = 0.12;
     parameters.hip.kd = 0.11;
     parameters.hip.stance_torque = 0.21;
     parameters.hip.liftoff_angle_factor = 1.25;
     parameters.hip.retraction_rate = 0.01;
-    inputs.control.touchdown_angle = -0.01;
-    model = accepted_model(&parameters);
-    assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&model, &inputs}, NULL, end, motion),
-                     TDMF_ARRIVED);
+    run.inputs.control.touchdown_angle = -0.01;
+    run.model = accepted_model(&parameters);
+    assert_int_equal(simulation_advance(&run, end), TDMF_ARRIVED);
+    return run;
 }
 
 TEST(co_simulation_goes_on_with_what_was_set) {
-    static const char *const names[] = {
-        "hip.touchdown_angle",     "hip.kp", "hip.kd", "hip.stance_torque", "hip.retraction_rate",
-        "hip.liftoff_angle_factor"};
-    static const double values[] = {0.72, 0.12, 0.11, 0.21, 0.01, 1.25};
+    static const char laws[] = "hip.touchdown_angle=0.72 hip.kp=0.12 hip.kd=0.11 hip.stance_torque=0.21 "
+                               "hip.retraction_rate=0.01 hip.liftoff_angle_factor=1.25 "
+                               "control.touchdown_angle=-0.01";
     for (int k = 0; k < 4; ++k) { /* in place, in contact, in retract, and in place again */
         const double change = 5.0 + 6.0 * k, end = 60.0;
         fmi2Component component = new_slave();
-        tdmf_motion expected;
         initialize(component);
         assert_int_equal(fmi2DoStep(component, 0.0, change, fmi2True), fmi2OK);
-        for (int i = 0; i < 6; ++i) {
-            assert_int_equal(set_real(component, names[i], values[i]), fmi2OK);
-        }
-        assert_int_equal(set_real(component, "control.touchdown_angle", -0.01), fmi2OK);
+        set_values(&fmi2, component, laws);
         assert_int_equal(fmi2DoStep(component, change, end - change, fmi2True), fmi2OK);
-        run_of_the_library(change, end, &expected);
+        const tdmf_motion expected = run_of_the_library(change, end).motion;
         /* The library runs the plain page up to the change, whose sums are rounded otherwise. */
         assert_close(get_real(component, "leg.angle"), expected.state[TDMF_LEG_ANGLE], 1e-10);
         assert_close(get_real(component, "foot.x"), expected.state[TDMF_FOOT_X], 1e-10);
@@ -211,14 +200,11 @@ TEST(in_a_run_they_are_knowns_of_derivatives) {
     list_settings(settings);
     for (int k = 0; k < 3; ++k) { /* drive, place, and retract with the clamp open */
         fmi2Component component = new_instance();
-        assert_int_equal(set_real(component, "leg.thrust", 0.01), fmi2OK);
-        assert_int_equal(set_real(component, "hip.kd", 0.2), fmi2OK);
+        set_values(&fmi2, component, "leg.thrust=0.01 hip.kd=0.2");
         if (k == 0) {
             put_on_the_ground(component);
         } else if (k == 2) {
-            assert_int_equal(set_real(component, "foot.vy", 1.0), fmi2OK);
-            assert_int_equal(set_real(component, "leg.angle", -0.6), fmi2OK);
-            assert_int_equal(set_real(component, "leg.angle_rate", -1.0), fmi2OK);
+            set_values(&fmi2, component, "foot.vy=1.0 leg.angle=-0.6 leg.angle_rate=-1.0");
         }
         initialize(component);
         for (int i = 0; i < EITHER; ++i) {

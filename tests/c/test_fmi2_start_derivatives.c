@@ -107,32 +107,15 @@ static double off_minimum(const fmu_variable *variable) {
     return variable->minimum + 0.2;
 }
 
-static void set_start_value(const fmi_interface *fmi, void *instance, const char *name, double value) {
-    const uint32_t reference = reference_of(name);
-    const fmi_status status = fmu_variables[reference].type == VARIABLE_BOOLEAN
-                                  ? fmi->set_truth(instance, reference, value != 0.0)
-                                  : fmi->set_reals(instance, &reference, 1, &value);
-    assert_int_equal(status, FMI_OK);
-}
-
-/* Values as name=value with spaces between. */
-static void set_listed(const fmi_interface *fmi, void *instance, const char *values) {
-    char name[64];
-    double value;
-    for (int length = 0; sscanf(values, " %63[^=]=%lf%n", name, &value, &length) == 2; values += length) {
-        set_start_value(fmi, instance, name, value);
-    }
-    assert_int_equal(strlen(values), 0);
-}
-
 static void set_start_values(const fmi_interface *fmi, void *instance, const start *start) {
     for (size_t i = 0; i < fmu_variable_count; ++i) {
         if (starts_at_minimum(&fmu_variables[i])) {
-            set_start_value(fmi, instance, fmu_variables[i].name, off_minimum(&fmu_variables[i]));
+            const double value = off_minimum(&fmu_variables[i]);
+            assert_int_equal(set_value(fmi, instance, fmu_variables[i].name, value), FMI_OK);
         }
     }
-    set_listed(fmi, instance, always);
-    set_listed(fmi, instance, start->values);
+    set_values(fmi, instance, always);
+    set_values(fmi, instance, start->values);
 }
 
 static fmi2Component begun(const start *start, double time) {

@@ -171,12 +171,8 @@ TEST(event_mode_is_entered_with_the_force_noted) {
     fmi2Component component = new_instance();
     const instance *inside = component;
     bool is_noted = false;
-    assert_int_equal(set_real(component, "foot.y", 0.0), fmi2OK);
-    assert_int_equal(set_real(component, "foot.vx", 0.0), fmi2OK);
-    assert_int_equal(set_real(component, "foot.vy", 0.0), fmi2OK);
-    assert_int_equal(set_real(component, "leg.angle", 0.1), fmi2OK);
-    assert_int_equal(set_real(component, "leg.length", 0.9), fmi2OK);
-    assert_int_equal(set_real(component, "ground.friction", 10.0), fmi2OK);
+    set_values(&fmi2, component,
+               "foot.y=0.0 foot.vx=0.0 foot.vy=0.0 leg.angle=0.1 leg.length=0.9 ground.friction=10.0");
     start_running(component);
     assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_STICK);
     assert_int_equal(fmi2GetContinuousStates(component, states, TDMF_STATE_COUNT), fmi2OK);

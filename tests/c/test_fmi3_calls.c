@@ -139,10 +139,7 @@ TEST(indicators_are_variables_too) {
 /* A Model Exchange instance that slips on the ground. */
 static fmi3Instance slipping(void) {
     fmi3Instance instance = new_exchange();
-    assert_int_equal(set_float(instance, "foot.y", 0.0), fmi3OK);
-    assert_int_equal(set_float(instance, "foot.vy", 0.0), fmi3OK);
-    assert_int_equal(set_float(instance, "leg.length", 0.8), fmi3OK);
-    assert_int_equal(set_float(instance, "leg.angle", 0.4), fmi3OK);
+    set_values(&fmi3, instance, "foot.y=0.0 foot.vy=0.0 leg.length=0.8 leg.angle=0.4");
     initialize3(instance);
     assert_int_equal(fmi3EnterContinuousTimeMode(instance), fmi3OK);
     assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_SLIP_POSITIVE);

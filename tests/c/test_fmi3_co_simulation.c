@@ -253,8 +253,7 @@ TEST(an_apex_taken_anew_has_the_time_of_its_event) {
     static const double starts[] = {0.0, 1.0, 1e3};
     for (size_t i = 0; i < sizeof starts / sizeof starts[0]; ++i) {
         fmi3Instance instance = new_stepper(true, true);
-        assert_int_equal(set_float(instance, "gravity", 10.0), fmi3OK);
-        assert_int_equal(set_float(instance, "foot.vy", 5.0), fmi3OK);
+        set_values(&fmi3, instance, "gravity=10.0 foot.vy=5.0");
         const step_answer step = step_from(started(instance, starts[i]), starts[i], 30.0);
         assert_true(step.event && step.time > starts[i]);
         assert_int_equal(get_enumeration(instance, "hip.phase"), TDMF_PHASE_RETRACT);
@@ -353,8 +352,7 @@ TEST(a_saved_pending_event_knows_its_settings) {
     fmi3Instance one = stand_at_lift_off(), other = new_stepper(true, true);
     fmi3Byte bytes[SERIALIZED_BYTES];
     update_answer updated;
-    assert_int_equal(set_float(one, "hip.kp", 0.0), fmi3OK);
-    assert_int_equal(set_float(one, "hip.kd", 0.0), fmi3OK);
+    set_values(&fmi3, one, "hip.kp=0.0 hip.kd=0.0");
     const size_t size = save_bytes(&fmi3, one, bytes);
     assert_int_equal(restore_bytes(&fmi3, other, bytes, size), FMI_OK);
     assert_true(get_float(other, "hip.kp") == 0.0);

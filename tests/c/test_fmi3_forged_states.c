@@ -213,8 +213,7 @@ static void replace_number(serialized *state, double from, double to) {
 TEST(a_parameter_out_of_range_is_refused) {
     serialized state;
     fmi3Instance instance = new_stepper(false, false);
-    assert_int_equal(set_float(instance, "body.mass", 1.25), fmi3OK);
-    assert_int_equal(set_float(instance, "leg.min_length", 0.0625), fmi3OK);
+    set_values(&fmi3, instance, "body.mass=1.25 leg.min_length=0.0625");
     initialize3(instance);
     serialize(instance, &state);
     serialized bad = state;

@@ -235,13 +235,10 @@ FMI_TEST(a_fall_freezes_and_stays_readable) {
 
 /* In stance, the leg shorter than it may be: contact, phase and forces are those of the last moment. */
 FMI_TEST(a_fall_leaves_the_last_contact_as_it_was) {
-    static const char *const names[] = {"foot.y",    "foot.vx",         "foot.vy",        "leg.length",
-                                        "leg.angle", "leg.length_rate", "ground.friction"};
-    static const double values[] = {0.0, 0.0, 0.0, 0.06, 0.1, -1.0, 10.0};
     void *instance = new_of_kind(fmi, STEPS);
-    for (int i = 0; i < 7; ++i) {
-        assert_int_equal(set_value(fmi, instance, names[i], values[i]), FMI_OK);
-    }
+    set_values(fmi, instance,
+               "foot.y=0 foot.vx=0 foot.vy=0 leg.length=0.06 leg.angle=0.1 leg.length_rate=-1 "
+               "ground.friction=10");
     initialize_unit(fmi, instance);
     run(fmi, instance, 0.0, 1.0, 1.0);
     assert_true(truth_of(fmi, instance, "status.fallen"));

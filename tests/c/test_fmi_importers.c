@@ -28,8 +28,7 @@ FMI_TEST(all_is_read_before_initialization) {
     }
     assert_int_equal(starts, START_VALUES);
     assert_int_equal(integer_of(fmi, instance, "solver.method"), SOLVER_NATIVE);
-    assert_int_equal(set_value(fmi, instance, "gravity", 0.02), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "foot.vy", -0.1), FMI_OK);
+    set_values(fmi, instance, "gravity=0.02 foot.vy=-0.1");
     for (int pass = 0; pass < 2; ++pass) {
         for (size_t i = 0; i < fmu_variable_count; ++i) {
             if (fmu_variables[i].type == VARIABLE_REAL) {

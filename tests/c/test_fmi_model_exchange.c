@@ -85,8 +85,7 @@ FMI_TEST(sets_all_or_nothing) {
 
 FMI_TEST(checks_across_variables_wait_for_the_end_of_initialization) {
     void *instance = new_of_kind(fmi, EXCHANGE);
-    assert_int_equal(set_value(fmi, instance, "leg.length", 0.5), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "leg.min_length", 0.6), FMI_OK);
+    set_values(fmi, instance, "leg.length=0.5 leg.min_length=0.6");
     assert_int_equal(fmi->enter_initialization(instance, &from_zero), FMI_OK);
     assert_int_equal(fmi->exit_initialization(instance), FMI_ERROR);
     assert_non_null(strstr(last_message, "leg.length = 0.5 m is refused: it must be at least"));
@@ -95,8 +94,7 @@ FMI_TEST(checks_across_variables_wait_for_the_end_of_initialization) {
 
 FMI_TEST(refuses_a_body_below_the_ground) {
     void *instance = new_of_kind(fmi, EXCHANGE);
-    assert_int_equal(set_value(fmi, instance, "leg.angle", 3.0), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "foot.y", 0.0), FMI_OK);
+    set_values(fmi, instance, "leg.angle=3.0 foot.y=0.0");
     assert_int_equal(fmi->enter_initialization(instance, &from_zero), FMI_OK);
     assert_int_equal(fmi->exit_initialization(instance), FMI_ERROR);
     assert_non_null(strstr(last_message, "body.y"));
@@ -254,9 +252,7 @@ FMI_TEST(nominals_follow_the_parameters) {
     for (int early = 0; early < 2; ++early) { /* in initialization mode, and after it */
         double nominals[TDMF_STATE_COUNT];
         void *instance = in_initialization(fmi);
-        assert_int_equal(set_value(fmi, instance, "body.mass", 4.0), FMI_OK);
-        assert_int_equal(set_value(fmi, instance, "leg.stiffness", 100.0), FMI_OK);
-        assert_int_equal(set_value(fmi, instance, "leg.free_length", 2.0), FMI_OK);
+        set_values(fmi, instance, "body.mass=4.0 leg.stiffness=100.0 leg.free_length=2.0");
         if (early == 0) {
             assert_int_equal(fmi->exit_initialization(instance), FMI_OK);
         }

@@ -257,11 +257,9 @@ static void take_event(const fmi_interface *fmi, void *instance, fmi_kind kind) 
 /* ---- as fmusim resumes a run: restore, then start values, then on without initialization --------------- */
 
 static void change(const fmi_interface *fmi, void *instance) {
-    assert_int_equal(fmi->set_truth(instance, reference_of("hip.swing_clamp"), true), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "body.mass", 1.25), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "leg.damping", 0.3), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "solver.relative_tolerance", 1e-8), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "ground.friction", 0.4), FMI_OK);
+    set_values(fmi, instance,
+               "hip.swing_clamp=1 body.mass=1.25 leg.damping=0.3 solver.relative_tolerance=1e-8 "
+               "ground.friction=0.4");
 }
 
 static void assert_changed(const fmi_interface *fmi, void *instance) {
@@ -357,8 +355,7 @@ FMI_TEST(restoring_replaces_parameters_and_what_follows_from_them) {
     initialize_unit(fmi, light);
     step_by(fmi, light, 13.0);
     assert_int_equal(fmi->save(light, &saved), FMI_OK);
-    assert_int_equal(set_value(fmi, heavy, "body.mass", 2.0), FMI_OK);
-    assert_int_equal(set_value(fmi, heavy, "ground.friction", 10.0), FMI_OK);
+    set_values(fmi, heavy, "body.mass=2.0 ground.friction=10.0");
     assert_int_equal(fmi->enter_initialization(heavy, &coarse), FMI_OK);
     assert_int_equal(fmi->exit_initialization(heavy), FMI_OK);
     step_by(fmi, heavy, 13.0);

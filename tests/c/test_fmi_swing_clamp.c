@@ -24,10 +24,7 @@ static void set_clamp(const fmi_interface *fmi, void *instance, bool clamp) {
 static void *new_rising(const fmi_interface *fmi, fmi_kind kind, bool clamp) {
     void *instance = new_of_kind(fmi, kind);
     set_clamp(fmi, instance, clamp);
-    assert_int_equal(set_value(fmi, instance, "foot.y", 1.0), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "foot.vy", 0.3), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "leg.angle", -0.6), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "leg.angle_rate", 0.5), FMI_OK);
+    set_values(fmi, instance, "foot.y=1.0 foot.vy=0.3 leg.angle=-0.6 leg.angle_rate=0.5");
     begin(fmi, instance, kind);
     assert_int_equal(integer_of(fmi, instance, "hip.phase_index"), TDMF_PHASE_RETRACT);
     return instance;
