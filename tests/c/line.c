@@ -30,16 +30,11 @@ runner line_at(const line *line, double t) {
     }
     moved.model = model_of(&parameters);
     moved.motion.mode.liftoff_angle += t * line->variation.liftoff_angle;
-    moved.inputs.ground.friction += t * line->seed.inputs.ground.friction;
-    moved.inputs.hip.external_torque += t * line->seed.inputs.hip.external_torque;
-    moved.inputs.leg.extension += t * line->seed.inputs.leg.extension;
-    moved.inputs.body.external_fx += t * line->seed.inputs.body.external_fx;
-    moved.inputs.body.external_fy += t * line->seed.inputs.body.external_fy;
-    moved.inputs.control.thrust += t * line->seed.inputs.control.thrust;
-    moved.inputs.control.stance_torque += t * line->seed.inputs.control.stance_torque;
-    moved.inputs.control.touchdown_angle += t * line->seed.inputs.control.touchdown_angle;
-    moved.inputs.ground.height += t * line->seed.inputs.ground.height;
-    moved.inputs.ground.slope += t * line->seed.inputs.ground.slope;
+    double *inputs = (double *)&moved.inputs;
+    const double *of_inputs = (const double *)&line->seed.inputs;
+    for (size_t i = 0; i < sizeof moved.inputs / sizeof *inputs; ++i) {
+        inputs[i] += t * of_inputs[i];
+    }
     /* The line in force changes with the one that is set, which may be another. */
     moved.motion.mode.ground =
         tdmf_ground_line_of(moved.motion.mode.ground.height + t * line->seed.inputs.ground.height,

@@ -38,6 +38,17 @@ simulation simulation_from(const tdmf_parameters *parameters, const tdmf_inputs 
     return simulation_in(parameters, inputs, state, relative_tolerance);
 }
 
+simulation simulation_of(const runner *runner, double relative_tolerance) {
+    simulation simulation;
+    memset(&simulation, 0, sizeof simulation);
+    simulation.model = runner->model;
+    simulation.inputs = runner->inputs;
+    simulation.solver = solver_to(relative_tolerance);
+    memcpy(simulation.motion.state, runner->motion.state, sizeof simulation.motion.state);
+    simulation_start(&simulation);
+    return simulation;
+}
+
 void simulation_start(simulation *simulation) {
     simulation->motion.time = 0.0;
     assert_null(tdmf_start(SYSTEM_OF(simulation), &simulation->motion).variable);

@@ -3,6 +3,7 @@
 #ifndef TDMF_TESTS_SIMULATION_H
 #define TDMF_TESTS_SIMULATION_H
 
+#include "integrate.h"
 #include "system_of.h"
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/tdmf_slip.h"
@@ -55,6 +56,9 @@ void assert_same_state(const tdmf_motion *a, const tdmf_motion *b, double tolera
 /* At time 0 in a state; asserts that it may start there. */
 simulation simulation_in(const tdmf_parameters *parameters, const tdmf_inputs *inputs,
                          const double state[TDMF_STATE_COUNT], double relative_tolerance);
+
+/* Of a runner, with its model as it is, at time 0 in its state; asserts that it may start there. */
+simulation simulation_of(const runner *runner, double relative_tolerance);
 
 /* The section at the last apex. */
 void read_apex(const tdmf_record *record, double section[TDMF_SECTION_COUNT]);

@@ -15,12 +15,9 @@
 static const double frictions[] = {1e3, 3e3, 1e4, 1e5, 3e5, 1e6};
 enum { FRICTIONS = sizeof frictions / sizeof *frictions, STRIDES = sample_of(300), STEPS_OF_A_STRIDE = 500 };
 
-static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
-
-static runner started(double friction) {
-    runner runner = runner_default(friction);
-    runner_start(&runner);
-    return runner;
+static simulation started(double friction) {
+    const runner runner = runner_default(friction);
+    return simulation_of(&runner, 1e-11);
 }
 
 /* f_y = |f_x|/mu + distance: the guard, mu times the distance, is as exact as the forces on both edges. */
@@ -48,17 +45,14 @@ TEST(the_cones_guard_rounds_like_the_forces) {
 TEST(every_stride_closes_in_few_steps) {
     double periods[FRICTIONS];
     for (int i = 0; i < FRICTIONS; ++i) {
-        const runner runner = started(frictions[i]);
-        tdmf_motion motion = runner.motion;
-        tdmf_solver solver = tdmf_solver_default();
+        simulation run = started(frictions[i]);
         for (int stride = 0; stride < STRIDES; ++stride) {
-            const int64_t steps = solver.steps;
-            const tdmf_stride_outcome outcome = tdmf_native_stride(&solver, SYSTEM_OF(&runner), 1e9, &motion);
-            assert_true(outcome.closed);
-            assert_true(solver.steps - steps < STEPS_OF_A_STRIDE);
-            assert_string_equal(motion.record.stride.word, "0+");
+            const int64_t steps = run.solver.steps;
+            simulation_stride(&run);
+            assert_true(run.solver.steps - steps < STEPS_OF_A_STRIDE);
+            assert_string_equal(run.motion.record.stride.word, "0+");
         }
-        periods[i] = motion.record.stride.period;
+        periods[i] = run.motion.record.stride.period;
     }
     for (int i = 0; i < FRICTIONS; ++i) {
         assert_relatively_close(periods[i], periods[FRICTIONS - 1], 1e-9 + 1e-3 / frictions[i]);
@@ -66,21 +60,14 @@ TEST(every_stride_closes_in_few_steps) {
 }
 
 TEST(the_two_solvers_agree) {
-    if (!tdmf_cvode_is_available()) {
-        return;
-    }
-    for (int i = 0; i < FRICTIONS; ++i) {
-        const runner runner = started(frictions[i]);
-        tdmf_motion native = runner.motion, cvode = native;
-        tdmf_solver solver = tdmf_solver_default();
-        assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 110.0, &native),
-                         TDMF_ARRIVED);
-        assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&runner), &no_rates, 110.0, &cvode),
-                         TDMF_ARRIVED);
-        assert_int_equal(native.record.event_count, cvode.record.event_count);
-        assert_int_equal(native.record.stride.count, 4);
+    for (int i = 0; i < FRICTIONS && tdmf_cvode_is_available(); ++i) {
+        simulation native = started(frictions[i]), cvode = native;
+        assert_int_equal(simulation_advance(&native, 110.0), TDMF_ARRIVED);
+        assert_int_equal(simulation_advance_by(tdmf_cvode_advance, &cvode, 110.0), TDMF_ARRIVED);
+        assert_int_equal(native.motion.record.event_count, cvode.motion.record.event_count);
+        assert_int_equal(native.motion.record.stride.count, 4);
         for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
-            assert_close(native.state[k], cvode.state[k], 1e-6);
+            assert_close(native.motion.state[k], cvode.motion.state[k], 1e-6);
         }
     }
 }

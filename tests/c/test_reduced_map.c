@@ -387,9 +387,9 @@ TEST(a_search_tells_what_ends_the_stride_from_its_guess) {
     const tdmf_model model = accepted_model(&scene.parameters);
     tdmf_solver solver = tdmf_solver_default();
     scene.apex[0] = 0.5;
-    assert_int_equal(orbit_from(&scene, 1e-10).outcome, TDMF_ORBIT_NO_START);
+    assert_int_equal(orbit_from(&scene, 1e-11).outcome, TDMF_ORBIT_NO_START);
     scene.apex[0] = 200.0;
-    assert_int_equal(orbit_from(&scene, 1e-10).outcome, TDMF_ORBIT_FELL);
+    assert_int_equal(orbit_from(&scene, 1e-11).outcome, TDMF_ORBIT_FELL);
     assert_int_equal(tdmf_settle_reduced(&solver, (tdmf_system){&model, &scene.inputs}, 10, scene.apex), 0);
     scene = at_gait(&reduced_gaits[2]);
     scene.apex[0] += 0.05;

@@ -9,20 +9,10 @@
 #include <math.h>
 #include <string.h>
 
-static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
-
 static runner runner_of(const tdmf_parameters *parameters) {
     runner runner = runner_default(0.6);
     runner.model = accepted_model(parameters);
     return runner;
-}
-
-static double energy_missing(const runner *runner, const tdmf_motion *motion) {
-    const double change =
-        tdmf_mechanical_energy(SYSTEM_OF(runner), &motion->mode, motion->state).total -
-        tdmf_mechanical_energy(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).total;
-    return change - motion->state[TDMF_HIP_WORK] + motion->state[TDMF_ENERGY_DAMPER_LOSS] +
-           motion->state[TDMF_ENERGY_FRICTION_LOSS] + motion->record.impact_loss;
 }
 
 /* One value of Table 1 made so large, or the foot so light, that no step is long enough. */
@@ -36,21 +26,20 @@ static tdmf_parameters stiff_parameters(int kind) {
 }
 
 static void assert_given_up_at_once(const runner *runner) {
-    tdmf_motion motion = runner->motion;
-    tdmf_solver solver = tdmf_solver_default();
-    const tdmf_outcome outcome = tdmf_native_advance(&solver, SYSTEM_OF(runner), &no_rates, 0.1, &motion);
+    simulation run = simulation_of(runner, 1e-11);
+    const tdmf_motion before = run.motion;
+    const tdmf_outcome outcome = simulation_advance(&run, 0.1);
     assert_int_equal(outcome, TDMF_TOO_STIFF);
-    assert_true(solver.steps <= 1);
+    assert_true(run.solver.steps <= 1);
     assert_non_null(strstr(tdmf_outcome_text(outcome), "CVODE"));
-    assert_false(motion.mode.fallen);
-    assert_memory_equal(motion.state, runner->motion.state, sizeof motion.state);
+    assert_false(run.motion.mode.fallen);
+    assert_memory_equal(run.motion.state, before.state, sizeof before.state);
 }
 
 TEST(coefficients_tell_a_stiff_runner_at_once) {
     for (int kind = 0; kind < STIFF_KINDS; ++kind) {
         const tdmf_parameters parameters = stiff_parameters(kind);
-        runner flying = runner_of(&parameters);
-        runner_start(&flying);
+        const runner flying = runner_of(&parameters);
         assert_given_up_at_once(&flying);
     }
     tdmf_parameters parameters = tdmf_default_parameters();
@@ -59,8 +48,6 @@ TEST(coefficients_tell_a_stiff_runner_at_once) {
     memset(standing.motion.state, 0, sizeof standing.motion.state);
     standing.motion.state[TDMF_LEG_LENGTH] = 0.99;
     standing.motion.state[TDMF_LEG_ANGLE] = -0.1;
-    runner_start(&standing);
-    scene_assert_mode(&standing, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
     assert_given_up_at_once(&standing);
 }
 
@@ -75,18 +62,16 @@ TEST(no_call_makes_more_steps_than_the_limit) {
         parameters.foot.mass = random_magnitude(&source, 1e-7, 0.1);
         runner runner = runner_of(&parameters);
         runner.motion.state[TDMF_FOOT_Y] = random_uniform(&source, 0.9, 1.1);
-        runner_start(&runner);
-        tdmf_motion motion = runner.motion;
-        tdmf_solver solver = tdmf_solver_default();
-        const tdmf_outcome outcome =
-            tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 1.0, &motion);
+        simulation run = simulation_of(&runner, 1e-11);
+        const tdmf_outcome outcome = simulation_advance(&run, 1.0);
+        const int64_t steps = run.solver.steps;
         assert_true(outcome == TDMF_ARRIVED || outcome == TDMF_TOO_STIFF);
-        assert_true(solver.steps <= TDMF_STIFFNESS_LIMIT);
-        assert_true(outcome == TDMF_ARRIVED || solver.steps <= 1 || solver.steps == TDMF_STIFFNESS_LIMIT);
-        assert_close(energy_missing(&runner, &motion), 0.0, 1e-9);
+        assert_true(steps <= TDMF_STIFFNESS_LIMIT);
+        assert_true(outcome == TDMF_ARRIVED || steps <= 1 || steps == TDMF_STIFFNESS_LIMIT);
+        assert_close(simulation_ledger_error(&run), 0.0, 1e-9);
         arrived += outcome == TDMF_ARRIVED;
-        by_counting += outcome == TDMF_TOO_STIFF && solver.steps > 1;
-        at_once += outcome == TDMF_TOO_STIFF && solver.steps <= 1;
+        by_counting += outcome == TDMF_TOO_STIFF && steps > 1;
+        at_once += outcome == TDMF_TOO_STIFF && steps <= 1;
     }
     assert_true(arrived > 5 && at_once > 5);
     assert_int_equal(arrived + by_counting + at_once, RUNS);
@@ -102,24 +87,20 @@ TEST(in_slip_the_steps_are_counted) {
     runner.motion.state[TDMF_LEG_LENGTH] = 0.9;
     runner.motion.state[TDMF_LEG_ANGLE] = -0.5;
     runner.motion.state[TDMF_FOOT_VX] = -0.1;
-    runner_start(&runner);
-    scene_assert_mode(&runner, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
-    tdmf_motion motion = runner.motion;
-    tdmf_solver solver = tdmf_solver_default();
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 100.0, &motion),
-                     TDMF_TOO_STIFF);
-    assert_int_equal(solver.steps, TDMF_STIFFNESS_LIMIT);
-    assert_true(motion.time > 0.0 && motion.time < 1.0);
-    assert_close(energy_missing(&runner, &motion), 0.0, 1e-9);
+    simulation run = simulation_of(&runner, 1e-11);
+    assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_SLIP_NEGATIVE);
+    assert_int_equal(simulation_advance(&run, 100.0), TDMF_TOO_STIFF);
+    assert_int_equal(run.solver.steps, TDMF_STIFFNESS_LIMIT);
+    assert_true(run.motion.time > 0.0 && run.motion.time < 1.0);
+    assert_close(simulation_ledger_error(&run), 0.0, 1e-9);
 }
 
 /* Over many times of sqrt(m/k), as many steps as a call allows. */
 TEST(long_calls_may_make_more_steps) {
     const runner runner = runner_at_reference_apex(&reference_gaits[DEFAULT_GAIT]);
-    tdmf_motion motion = runner.motion;
-    tdmf_solver solver = solver_to(1e-14);
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 3e4, &motion), TDMF_ARRIVED);
-    assert_true(solver.steps > 2 * TDMF_STIFFNESS_LIMIT);
+    simulation run = simulation_of(&runner, 1e-14);
+    assert_int_equal(simulation_advance(&run, 3e4), TDMF_ARRIVED);
+    assert_true(run.solver.steps > 2 * TDMF_STIFFNESS_LIMIT);
 }
 
 TEST(cvode_takes_stiff_runners) {
@@ -129,12 +110,9 @@ TEST(cvode_takes_stiff_runners) {
     const tdmf_parameters parameters = stiff_parameters(0);
     runner runner = runner_of(&parameters);
     runner.motion.state[TDMF_LEG_ANGLE] = 1.2; /* so much damping holds it there: the foot stays in the air */
-    runner_start(&runner);
-    tdmf_motion motion = runner.motion;
-    tdmf_solver solver = tdmf_solver_default();
-    assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&runner), &no_rates, 100.0, &motion),
-                     TDMF_ARRIVED);
-    assert_close(energy_missing(&runner, &motion), 0.0, 1e-8);
+    simulation run = simulation_of(&runner, 1e-11);
+    assert_int_equal(simulation_advance_by(tdmf_cvode_advance, &run, 100.0), TDMF_ARRIVED);
+    assert_close(simulation_ledger_error(&run), 0.0, 1e-8);
 }
 
 TEST(no_gait_is_said_not_to_be_found_for_a_fall) {
