@@ -11,9 +11,9 @@ from ..fmu.simulation import run_unit
 from ..library.engine import instruction_sets
 from ..library.gait import Gait
 from ..library.runner import Runner
+from ..library.section import COORDINATES
 from ..library.strides import strides_from
 from .proof import Proof
-from .starts import COORDINATES
 
 QUANTITIES = ("period", "speed", "cost_of_transport", "slip_distance")
 FINEST = 1e-12

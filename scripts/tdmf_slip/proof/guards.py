@@ -108,7 +108,6 @@ class Guard:
         return root
 
 
-FALLS = ("the body's height", "the leg's length", "the foot's lever in graze")
 EVENTS = {
     "touchdown": "touchdown",
     "apex": "apex",

@@ -9,11 +9,12 @@ from fractions import Fraction
 import flint
 from flint import acb, arb
 
+from ..library.section import COORDINATES
 from ..record import origin_of
 from ..variables.table import FRICTION, VARIABLES
 from ..version import __version__
 from .given import Exact, ball_of, default_value
-from .starts import COORDINATES, Starts
+from .starts import Starts
 
 CLAMP = "hip.swing_clamp"
 """Parameter that chooses between the two readings of (12)."""

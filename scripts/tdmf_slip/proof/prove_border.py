@@ -15,6 +15,7 @@ from ..checks import checked_flag, checked_whole, number_of, refusal
 from ..library.gait import Gait
 from ..library.members import check_varied
 from ..library.runner import Runner
+from ..library.section import COORDINATES
 from ..library.shared_steps import shares_steps
 from ..variables.table import FRICTION, full_name
 from ..version import __version__
@@ -24,7 +25,7 @@ from .krawczyk import COARSE_BITS, Inclusion, middle_of, refined, slopes_of, uni
 from .parameters import Forced, Parameters
 from .proof import Box, Proof, Proved, decimal, exactly, reported, short, text_of
 from .prove import BEYOND, BOXES, DEFAULT_DIGITS, bits_for, prove_exactly
-from .starts import COORDINATES, Fineness, Starts
+from .starts import Fineness, Starts
 from .stride import Stride, Traveller
 from .travelling_set import SetTraveller
 
@@ -210,14 +211,11 @@ def _sides(proof: BorderProof, runner: Runner, step: float) -> tuple[Proof, ...]
     assert proof.value is not None
     decimals = 1 - math.floor(math.log10(step))
     middle = round(exactly(proof.value) * 10**decimals)
-    values = [Fraction(middle + by, 10**decimals) for by in (-20, 20)]
-    return tuple(prove_at(proof.values, proof.name, value, runner) for value in values)
-
-
-def prove_at(values: Mapping[str, Exact], name: str, value: Fraction, runner: Runner) -> Proof:
-    """The gait of a runner with exact values, at a value of one of them."""
-    gait = periodic_gait(runner.replace({name: float(value)}))
-    return prove_exactly(gait, {**values, name: Exact(value)}, 6, None, given=False)
+    found = []
+    for value in (Fraction(middle + by, 10**decimals) for by in (-20, 20)):
+        gait = periodic_gait(runner.replace({proof.name: float(value)}))
+        found.append(prove_exactly(gait, {**proof.values, proof.name: Exact(value)}, 6, None, given=False))
+    return tuple(found)
 
 
 def _distinguished(one: tuple[Gait, Stride], other: tuple[Gait, Stride]) -> tuple[Forced, Gait]:

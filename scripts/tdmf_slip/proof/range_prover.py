@@ -35,7 +35,6 @@ from .parameters import Parameters
 from .proof import texts_of
 from .range_proof import BITS, RangeProof, Subinterval
 from .starts import Fineness, Starts
-from .stride import Stride
 
 FIRST = Fraction(1, 4)
 """Share of a subinterval that is too wide which is tried next, until the first one is proved."""
@@ -135,16 +134,12 @@ def proved_subinterval(parameters: Parameters, subinterval: Subinterval) -> tupl
             centre, [*(arb(r) for r in subinterval.box), radius], [arb(t) for t in subinterval.tilt]
         )
     inside = Inclusion(parameters, starts, fine)
-    stride = inside.stride
-    enclosure = [at_least(size) for size in inside.image]
-    return replace(subinterval, word=stride.word, stable=_is_stable(stride), enclosure=enclosure), inside
-
-
-def _is_stable(stride: Stride) -> bool | None:
-    """Whether every gait of a subinterval is, or none; None where that is open."""
     with ctx.workprec(BITS):
-        square = arb_mat(6, 6, [stride.derivative[i, j] for i in range(6) for j in range(6)])
-        return stability(square)
+        entries = inside.stride.derivative
+        square = arb_mat(6, 6, [entries[i, j] for i in range(6) for j in range(6)])
+        stable = stability(square)
+    enclosure = [at_least(size) for size in inside.image]
+    return replace(subinterval, word=inside.stride.word, stable=stable, enclosure=enclosure), inside
 
 
 def short_decimal(width: Fraction, digits: int = 2) -> Fraction:

@@ -10,8 +10,6 @@ from ..hybrid import cos
 from .dual import Dual, Number
 from .parameters import PARAMETER
 
-COORDINATES = ("com_height", "com_speed", "leg_length", "leg_angle", "leg_length_rate", "leg_angle_rate")
-
 
 def motion_at(runner: Any, apex: Sequence[Number], parameter: Number | None = None) -> dict[str, Number]:
     """The numbers of the motion in flight at an apex."""
@@ -42,9 +40,9 @@ def apex_of(runner: Any, values: Mapping[str, Number]) -> list[Number]:
     ]
 
 
-def seeds(values: Sequence[arb], names: Sequence[str]) -> list[Dual]:
+def seeded(values: Mapping[str, Number]) -> dict[str, Dual]:
     """Numbers as duals, each by itself."""
-    return [Dual(value, {name: arb(1)}) for value, name in zip(values, names, strict=True)]
+    return {name: Dual(value, {name: arb(1)}) for name, value in values.items()}
 
 
 DEGREE_PER_BIT = 0.36

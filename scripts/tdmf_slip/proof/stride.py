@@ -7,11 +7,12 @@ from typing import Any
 from flint import arb, arb_mat, ctx
 
 from ..hybrid import cos
+from ..library.section import COORDINATES
 from .dual import Number, UndecidedError, slope_of, value_of
 from .flow import Flow, Tube, Values, speeds, with_direction
 from .guards import Guard, guard_of, watched
 from .parameters import Forced, Mode, Parameters, at, names_of
-from .starts import COORDINATES, Fineness, apex_of, motion_at, seeds
+from .starts import Fineness, apex_of, motion_at, seeded
 from .transitions import Entered, Transition
 
 
@@ -192,7 +193,8 @@ class Traveller:
 
     def _go(self, thin: Flow, flow: Flow) -> bool:
         """As far as a step reaches, or to the first event; whether that ends the stride."""
-        guards, end = self._guards(flow), flow.reach
+        motion, end = flow.motion(self.wide), flow.reach
+        guards = [Guard(name, guard_of(name, motion), self.zeros.get(name, 0)) for name in watched(motion)]
         while True:
             first, times = self._first(guards, flow, end)
             if first is not None:
@@ -205,11 +207,6 @@ class Traveller:
                 return False
             end = times
 
-    def _guards(self, flow: Flow) -> list[Guard]:
-        motion = flow.motion(self.wide)
-        names = watched(motion)
-        return [Guard(name, guard_of(name, motion), self.zeros.get(name, 0)) for name in names]
-
     def _first(self, guards: list[Guard], flow: Flow, end: arb) -> tuple[Guard | None, arb | None]:
         """The guard that is first to fall through zero, and when; else up to where to go in this step.
 
@@ -220,7 +217,8 @@ class Traveller:
         open_ones = [(guard, until) for guard, until in reached if until is not None]
         if not open_ones:
             return None, None
-        rival = self._rival()
+        forced = self._now()
+        rival = forced.rival if forced is not None else ""
         candidates = [pair for pair in open_ones if pair[0].name != rival] or open_ones
         first, from_here = min(candidates, key=lambda pair: float(pair[1]))
         times = first.zero_after(from_here, end)
@@ -241,10 +239,6 @@ class Traveller:
         """Constraint on the next event, if it is forced."""
         forced = self.forced
         return forced if forced is not None and forced.index == len(self.events) else None
-
-    def _rival(self) -> str:
-        forced = self._now()
-        return forced.rival if forced is not None else ""
 
     def _vanishes_with(self, guard: Guard, flow: Flow, latest: arb) -> bool:
         """Whether it is positive before an event at which it is zero: it falls from where it is positive."""
@@ -311,8 +305,7 @@ class Traveller:
 
 def gradient_of_guard(runner: Any, mode: Mode, name: str, values: Values) -> list[arb]:
     """Gradient of a guard by the numbers of the motion, in their order."""
-    numbers = dict(zip(values, seeds(list(values.values()), list(values)), strict=True))
-    found = guard_of(name, at(runner, mode, with_direction(runner, numbers)))
+    found = guard_of(name, at(runner, mode, with_direction(runner, seeded(values))))
     return [arb(slope_of(found, of)) for of in values]
 
 

@@ -179,9 +179,7 @@ class Transition:
 
     def _mid_stance(self) -> Entered:
         self.values = with_direction(self.runner, {**self.values, "angle": arb(0)})
-        mode = self.mode = replace(self.mode, drives=False)
-        if mode.contact == "graze":
-            return self._resume()
+        self.mode = replace(self.mode, drives=False)
         return self._after_jump()
 
     def _thrust(self) -> Entered:
@@ -189,10 +187,10 @@ class Transition:
         return self._after_jump()
 
     def _after_jump(self) -> Entered:
-        """A force has jumped: the foot may leave, or begin to slip."""
+        """A force has jumped: the foot may leave, or begin to slip. In graze it may be loaded."""
         if self.is_positive("lift-off", self.mode, "the normal force after a jump"):
-            return self._stand(moves=self.mode.contact == "slip")
-        return self._leave()
+            return self._stand(moves=self.mode.contact != "stick")
+        return self._enter(self.mode) if self.mode.contact == "graze" else self._leave()
 
     def _load(self) -> Entered:
         self.zeros["lift-off"] = 1
@@ -286,12 +284,6 @@ class Transition:
     def _clamp(self) -> Entered:
         self.zeros["clamp"] = 1
         return self._enter(replace(self.mode, clamped=not self.mode.clamped))
-
-    def _resume(self) -> Entered:
-        """In graze the stance law has lost its drive: contact, flight or graze."""
-        if self.is_positive("lift-off", self.mode, "the normal force after a jump"):
-            return self._stand(moves=True)
-        return self._enter(self.mode)
 
     # ---- the numbers of a mode -------------------------------------------------------------------------
 

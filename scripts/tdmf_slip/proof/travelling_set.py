@@ -34,12 +34,13 @@ from typing import Any
 import numpy as np
 from flint import arb, arb_mat, arb_poly, ctx
 
+from ..library.section import COORDINATES
 from .dual import Dual, Number, UndecidedError, identity, norm, slope_of, value_of
 from .flow import Flow, Tube, Values, fades, rates, speeds
 from .given import Radius, RunnerLike, ball_of, gait_of, radius_of
 from .guards import Guard, guard_of
 from .parameters import BALLISTIC, PARAMETER, Forced, Parameters, at, kept_names, moving_names
-from .starts import COORDINATES, Fineness, Starts, apex_of, motion_at, seeds
+from .starts import Fineness, Starts, apex_of, motion_at, seeded
 from .stride import Ledger, Met, Stride, Traveller, gradient_of_guard
 from .transitions import Entered, Transition
 
@@ -136,10 +137,7 @@ class VariedFlow(Flow):
     def _matrices(self) -> tuple[list[arb_mat], arb]:
         """Coefficients of A, the derivative of the rates, and a bound of its remainder's norm."""
         tubes, one = self.tubes, arb(1)
-        numbers: dict[str, Any] = {
-            name: Dual(tubes[name], {name: one}) for name in moving_names(self.runner, self.mode)
-        }
-        numbers |= {name: Dual(value, {name: one}) for name, value in self.kept.items()}
+        numbers = seeded({name: tubes.get(name, self.kept.get(name)) for name in self.active})
         slope = slope_of(self.dual_runner.slope, PARAMETER)
         turn = {"angle": one} if slope == 0 else {"angle": one, PARAMETER: -slope}
         numbers["sine"] = Dual(tubes["sine"], {name: tubes["cosine"] * by for name, by in turn.items()})
@@ -235,22 +233,18 @@ class SetTraveller(Traveller):
             self.wide = parameters.balls(whole)
             self.dual = parameters.balls(whole, dual=True)
             self.ledger = Ledger(self.wide)
-            numbers = seeds(balls, self.columns)
-            for number, slope in zip(numbers, starts.tilt, strict=False):
-                number.gradient = {**number.gradient, PARAMETER: slope}
-            begun = motion_at(self.dual, numbers[:6], numbers[6] if self.varied else None)
+            numbers = seeded(dict(zip(self.columns, balls, strict=True)))
+            for name, slope in zip(COORDINATES, starts.tilt, strict=False):
+                numbers[name].gradient = {**numbers[name].gradient, PARAMETER: slope}
+            begun = motion_at(self.dual, [numbers[name] for name in COORDINATES], numbers.get(PARAMETER))
             self.offset = arb_mat(len(balls), 1, [arb(0, radius) for radius in starts.radii])
             self.spread = Spread(self._slopes(begun, self.names, self.columns))
             self.set = {name: arb(value_of(begun[name])) for name in self.names}
-            self._check_gravity()
+            fall = self.wide.fall()
+            if not self.wide.in_world(fall.along, fall.off, 0, 0).y < 0:
+                raise UndecidedError("whether the centre of mass falls in flight", 0.0)
             self.drift = Drift(len(self.names))
             self._begin_at(self.centre, None)
-
-    def _check_gravity(self) -> None:
-        """In flight the centre of mass falls."""
-        fall = self.wide.fall()
-        if not self.wide.in_world(fall.along, fall.off, 0, 0).y < 0:
-            raise UndecidedError("whether the centre of mass falls in flight", 0.0)
 
     @staticmethod
     def _slopes(numbers: Mapping[str, object], rows: Sequence[str], columns: Sequence[str]) -> arb_mat:
@@ -298,7 +292,7 @@ class SetTraveller(Traveller):
             delays, derivative = self._saltated(met, flow.matrix(met.times), flow.names)
             met = self._sharpened(met, own, derivative, delays)
         names = flow.names
-        numbers = dict(zip(names, seeds([met.values[name] for name in names], names), strict=True))
+        numbers = seeded({name: met.values[name] for name in names})
         reset = Transition(self.dual, met.before, numbers, met.forced).take(met.guard.name)
         if reset.margin is not None:
             self._note_margin(reset.margin, landed, derivative, names)
@@ -353,7 +347,7 @@ class SetTraveller(Traveller):
     def _close(self) -> Stride:
         drifts = zip(self.names, self.drift.balls(), strict=True)
         centre = apex_of(self.thin, {name: self.centre[name] + ball for name, ball in drifts})
-        numbers = dict(zip(self.names, seeds([self.set[n] for n in self.names], self.names), strict=True))
+        numbers = seeded({name: self.set[name] for name in self.names})
         apexes = dict(zip(COORDINATES, apex_of(self.dual, numbers), strict=True))
         derivative = self._slopes(apexes, COORDINATES, self.names) * self.spread.product
         return self._closed(centre, derivative)
