@@ -109,7 +109,7 @@ def test_a_file_of_another_runner_is_not_gone_on_with(span, tmp_path):
 def test_pieces_of_the_published_table_are_proved_again(table):
     _, values = gait_of({"ground.friction": "0.47"})
     parameters = Parameters(values, "ground.friction")
-    for subinterval in table[1][:: len(table[1]) // 2]:
+    for subinterval in table[1][:: len(table[1]) - 1]:
         again, _ = proved_subinterval(parameters, subinterval)
         assert (again.word, again.stable) == (subinterval.word, subinterval.stable)
         assert all(a < b for a, b in zip(again.enclosure, subinterval.box, strict=True))

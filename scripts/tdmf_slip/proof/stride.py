@@ -23,8 +23,8 @@ class Ledger:
         """At its beginning."""
         self.runner = runner
         self.along, self.hip_work, self.leg_work, self.slid = arb(0), arb(0), arb(0), arb(0)
-        self.stance_time, self.touchdowns = arb(0), 0
-        self.liftoff_angle: arb | None = None
+        self.stance_time = arb(0)
+        self.at_liftoff: dict[str, arb] = {}
 
     def add(self, flow: Flow, end: arb) -> None:
         """A part of a step."""
@@ -44,15 +44,14 @@ class Ledger:
         torque = motion.torque()
         if isinstance(torque, Tube):
             self.hip_work += integral(torque * motion.angle_rate, end)
-        elif not (mode.contact == "flight" and torque == 0):
+        else:
             self.hip_work += torque * (flow.at(end)["angle"] - flow.start["angle"])
 
-    def record(self, before: Mode, entered: Entered, values: Values) -> None:
+    def record(self, before: Mode, entered: Entered) -> None:
         """An event."""
         after = entered.mode
-        self.touchdowns += entered.impact
         if (before.touches or entered.impact) and not after.touches:
-            self.liftoff_angle = arb(value_of(entered.values["angle"]))
+            self.at_liftoff = {"liftoff_angle": arb(value_of(entered.values["angle"]))}
         if before.thrusts != after.thrusts:
             jumping = at(self.runner, before, {"length": entered.values["length"]})
             self.leg_work += value_of(jumping.work_of_thrust(after.thrusts))
@@ -63,7 +62,7 @@ class Ledger:
         length = self.along * cos(runner.slope)
         weight = (runner.body_mass + runner.foot_mass) * runner.gravity
         work = self.hip_work + self.leg_work
-        found = {
+        return {
             "period": period,
             "length": length,
             "speed": length / period,
@@ -74,10 +73,8 @@ class Ledger:
             "slip_distance": self.slid,
             "stance_time": self.stance_time,
             "duty_factor": self.stance_time / period,
+            **self.at_liftoff,
         }
-        if self.liftoff_angle is not None:
-            found["liftoff_angle"] = self.liftoff_angle
-        return found
 
 
 def integral(tube: Tube, end: arb) -> arb:
@@ -277,7 +274,7 @@ class Traveller:
     def _note(self, name: str, entered: Entered) -> None:
         before, mode = self.mode, entered.mode
         self.events.append(Event(name, self.time, mode))
-        self.ledger.record(before, entered, self.set)
+        self.ledger.record(before, entered)
         if not mode.letter:
             self.flew = self.flew or mode.contact == "flight"
             return
