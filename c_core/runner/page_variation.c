@@ -7,16 +7,18 @@
 #include <float.h>
 #include <string.h>
 
-/* The plain page lacks these numbers, so that a direction must not change them. */
+/* Whether the plain page has all that changes along a seed: nothing is lost on the way there and back. */
 static bool varies_plain_page(const tdmf_seed *seed) {
-    const tdmf_parameters *p = &seed->parameters;
-    const tdmf_inputs *i = &seed->inputs;
-    return p->leg.thrust == 0.0 && p->ground.static_friction_ratio == 0.0 &&
-           p->ground.stribeck_velocity == 0.0 && p->ground.patch_begin == 0.0 && p->ground.patch_end == 0.0 &&
-           p->ground.patch_friction == 0.0 && p->hip.retraction_rate == 0.0 && i->ground.height == 0.0 &&
-           i->ground.slope == 0.0 && i->leg.extension == 0.0 && i->body.external_fx == 0.0 &&
-           i->body.external_fy == 0.0 && i->control.touchdown_angle == 0.0 &&
-           i->control.stance_torque == 0.0 && i->control.thrust == 0.0;
+    const tdmf_page_part *part = &tdmf_plain_runner_part;
+    const tdmf_page_direction d = tdmf_direction_of_seed(seed);
+    tdmf_page_direction back;
+    double p[TDMF_PAGE_PARAMETER_COUNT], x[TDMF_PAGE_STATE_COUNT];
+    memset(&back, 0, sizeof back);
+    tdmf_take_parameters(part, &d.p, p);
+    tdmf_take_states(part, &d.x, x);
+    tdmf_give_parameters(part, p, &back.p);
+    tdmf_give_states(part, x, &back.x);
+    return memcmp(&back, &d, sizeof d) == 0;
 }
 
 bool tdmf_suits_plain_page_varied(const tdmf_page_point *point, const tdmf_seed *seeds, int count) {
