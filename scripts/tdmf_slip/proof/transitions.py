@@ -4,7 +4,7 @@ A chain of events at one instant is followed as the model orders it: impact, thr
 or graze or flight, stick or slip. Guards of the new mode that are exactly zero are reported with their order.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -12,7 +12,7 @@ from flint import arb
 
 from .dual import Number, UndecidedError, value_of
 from .flow import with_direction
-from .guards import guard_of
+from .guards import EVENTS, guard_of
 from .parameters import Forced, Mode, at, names_of
 
 NARROWEST_GRAZE = arb(10) ** -10
@@ -71,23 +71,11 @@ class Transition:
         return positive(guard_of(event, self.motion(mode)), what)
 
     def take(self, event: str) -> Entered:
-        """The mode after an event of a name in `guards.EVENTS`."""
-        steps: dict[str, Callable[[], Entered]] = {
-            "touchdown": self._touchdown,
-            "apex": self._apex,
-            "clamp": self._clamp,
-            "lift-off": self._lift_off,
-            "slip onset forwards": lambda: self._onset(1),
-            "slip onset backwards": lambda: self._onset(-1),
-            "end of slip": self._end_of_slip,
-            "mid-stance": self._mid_stance,
-            "greatest compression": self._thrust,
-            "load": self._load,
-            "flight": self._flight,
-        }
-        if event not in steps:
+        """The mode after an event of a name in `guards.EVENTS`, by the rule that the page's event names."""
+        rule = getattr(self, f"_{EVENTS[event]}", None)
+        if rule is None:
             raise UndecidedError(event)
-        entered = steps[event]()
+        entered: Entered = rule()
         entered.impact, entered.margin = self.touched, self.margin
         return entered
 
@@ -173,7 +161,13 @@ class Transition:
         self.values["foot_vx"] = arb(0)
         return self._enter(replace(self.mode, contact="slip", sign=sign))
 
-    def _end_of_slip(self) -> Entered:
+    def _slips_forward(self) -> Entered:
+        return self._onset(1)
+
+    def _slips_backward(self) -> Entered:
+        return self._onset(-1)
+
+    def _comes_to_rest(self) -> Entered:
         self.values["foot_vx"] = arb(0)
         return self._stand(moves=False)
 
@@ -182,7 +176,7 @@ class Transition:
         self.mode = replace(self.mode, drives=False)
         return self._after_jump()
 
-    def _thrust(self) -> Entered:
+    def _greatest_compression(self) -> Entered:
         self.mode = replace(self.mode, thrusts=True)
         return self._after_jump()
 
@@ -192,7 +186,7 @@ class Transition:
             return self._stand(moves=self.mode.contact != "stick")
         return self._enter(self.mode) if self.mode.contact == "graze" else self._leave()
 
-    def _load(self) -> Entered:
+    def _graze_to_contact(self) -> Entered:
         self.zeros["lift-off"] = 1
         self.mode = replace(self.mode, thrusts=self._is_thrusting())
         if self.runner.has_thrust and self.mode.thrusts:
@@ -252,7 +246,7 @@ class Transition:
             raise UndecidedError("an apex in graze, after the hip has begun to place the leg")
         return self._enter(mode)
 
-    def _flight(self) -> Entered:
+    def _graze_to_flight(self) -> Entered:
         self.zeros["touchdown"] = self._order_of_rise()
         return self._fly(self.mode)
 
