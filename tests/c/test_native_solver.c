@@ -12,31 +12,31 @@
 
 static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
 
-static void assert_arrives(tdmf_solver *solver, const runner *runner, double until, tdmf_motion *motion) {
-    assert_int_equal(tdmf_native_advance(solver, SYSTEM_OF(runner), &no_rates, until, motion), TDMF_ARRIVED);
-    assert_true(motion->time == until);
+static void assert_arrives(simulation *run, double until) {
+    assert_int_equal(simulation_advance(run, until), TDMF_ARRIVED);
+    assert_true(run->motion.time == until);
 }
 
 /* Without them the motion is the same, bit by bit, and the record but for them. */
 TEST(peaks_and_positive_work_are_left_out) {
     for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
         const runner runner = runner_at_reference_apex(&reference_gaits[i]);
-        tdmf_motion with = runner.motion, without = runner.motion;
-        tdmf_solver noting = tdmf_solver_default(), plain = tdmf_solver_default();
-        plain.without_peaks_and_positive_work = true;
+        simulation noting = simulation_of(&runner, 1e-11), plain = noting;
+        const tdmf_stride *with = &noting.motion.record.stride, *without = &plain.motion.record.stride;
+        plain.solver.without_peaks_and_positive_work = true;
         for (int k = 0; k < 3; ++k) {
-            assert_true(tdmf_native_stride(&noting, SYSTEM_OF(&runner), INFINITY, &with).closed);
-            assert_true(tdmf_native_stride(&plain, SYSTEM_OF(&runner), INFINITY, &without).closed);
+            simulation_stride(&noting);
+            simulation_stride(&plain);
         }
-        assert_int_equal(noting.steps, plain.steps);
-        assert_int_equal(noting.events, plain.events);
-        assert_true(with.record.stride.peak_force > 0.0 && with.record.stride.positive_work > 0.0);
-        assert_true(without.record.stride.peak_force == 0.0 && without.record.stride.positive_work == 0.0);
-        assert_true(without.record.stride.work == with.record.stride.work);
-        assert_string_equal(without.record.stride.word, with.record.stride.word);
-        without.state[TDMF_HIP_POSITIVE_WORK] = with.state[TDMF_HIP_POSITIVE_WORK];
-        assert_memory_equal(without.state, with.state, sizeof with.state);
-        assert_true(without.time == with.time);
+        assert_int_equal(noting.solver.steps, plain.solver.steps);
+        assert_int_equal(noting.solver.events, plain.solver.events);
+        assert_true(with->peak_force > 0.0 && with->positive_work > 0.0);
+        assert_true(without->peak_force == 0.0 && without->positive_work == 0.0);
+        assert_true(without->work == with->work);
+        assert_string_equal(without->word, with->word);
+        plain.motion.state[TDMF_HIP_POSITIVE_WORK] = noting.motion.state[TDMF_HIP_POSITIVE_WORK];
+        assert_memory_equal(plain.motion.state, noting.motion.state, sizeof noting.motion.state);
+        assert_true(plain.motion.time == noting.motion.time);
     }
 }
 
@@ -47,17 +47,14 @@ TEST(the_events_of_every_gait) {
     int events = 0;
     for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
         const runner runner = runner_at_reference_apex(&reference_gaits[i]);
-        tdmf_event_log log = {0};
-        tdmf_motion motion = runner.motion;
-        tdmf_solver solver = solver_to(1e-13);
-        solver.log = &log;
-        assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), DBL_MAX, &motion).closed);
-        assert_reference_stride(&motion, &reference_gaits[i], 1e-11);
+        simulation run = simulation_of(&runner, 1e-13);
+        simulation_stride(&run);
+        assert_reference_stride(&run.motion, &reference_gaits[i], 1e-11);
         if (!reference_gaits[i].swing_clamp) {
-            assert_relatively_close(motion.record.stride.positive_work, reference_gaits[i].positive_work,
+            assert_relatively_close(run.motion.record.stride.positive_work, reference_gaits[i].positive_work,
                                     1e-11);
         }
-        events += assert_reference_events(&log, reference_gaits[i].events, 1e-10);
+        events += assert_reference_events(&run.log, reference_gaits[i].events, 1e-10);
     }
     assert_int_equal(events,
                      2 * (6 + 7 + 9 + 7 + 6) + PUBLISHED_GAITS + 9 + 6); /* a release with each clamp */
@@ -111,12 +108,9 @@ TEST(a_touch_that_turns_back_is_found) {
         runner.motion.state[TDMF_LEG_LENGTH] = 0.9; /* swings to 1.1 and back in 1.9 time units */
         const double lowest = 0.2 / 1.1;
         runner.motion.state[TDMF_FOOT_Y] = lowest + clearance;
-        runner_start(&runner);
-        tdmf_motion motion = runner.motion;
-        tdmf_solver solver = tdmf_solver_default();
-        solver.relative_tolerance = 1e-6; /* long steps */
-        assert_arrives(&solver, &runner, 1.8, &motion);
-        assert_int_equal(motion.record.progress.open.touchdowns, clearance < 0.0 ? 1 : 0);
+        simulation run = simulation_of(&runner, 1e-6);
+        assert_arrives(&run, 1.8);
+        assert_int_equal(run.motion.record.progress.open.touchdowns, clearance < 0.0 ? 1 : 0);
     }
 }
 
@@ -173,17 +167,11 @@ TEST(a_spinning_leg_touches_down_in_time) {
         spinning_fall fall;
         const runner runner = spinning_runner(&source, &fall);
         const double touchdown = first_touchdown(&fall);
-        tdmf_event_log log = {0};
-        tdmf_motion motion = runner.motion;
-        tdmf_solver solver = tdmf_solver_default();
-        solver.log = &log;
-        tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, touchdown + 1e-6, &motion);
-        int first = 0;
-        while (first < log.count && log.events[first].guard != TDMF_GUARD_TOUCHDOWN) {
-            ++first;
-        }
-        assert_true(first < log.count);
-        assert_close(log.events[first].time, touchdown, 1e-9);
+        simulation run = simulation_of(&runner, 1e-11);
+        simulation_advance(&run, touchdown + 1e-6);
+        const tdmf_event *first = simulation_event(&run, TDMF_GUARD_TOUCHDOWN);
+        assert_non_null(first);
+        assert_close(first->time, touchdown, 1e-9);
     }
 }
 
@@ -192,21 +180,17 @@ TEST(a_spinning_leg_touches_down_in_time) {
 /* A friction that falls to zero in mid-stance stays there, as if it had been held there from then on. */
 TEST(a_friction_that_falls_ends_at_zero) {
     const double zero = 13.0, until = 20.0;
-    const tdmf_inputs falling = {.ground.friction = -0.6 / zero};
     runner runner = runner_at_reference_apex(&reference_gaits[DEFAULT_GAIT]);
     runner.inputs.ground.friction = 0.6;
-    tdmf_motion at_once = runner.motion;
-    tdmf_motion in_two = at_once;
-    tdmf_solver solver = tdmf_solver_default();
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &falling, until, &at_once),
-                     TDMF_ARRIVED);
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &falling, zero, &in_two), TDMF_ARRIVED);
-    assert_true(tdmf_in_contact(&in_two.mode));
-    runner.inputs.ground.friction = 0.0;
-    assert_arrives(&solver, &runner, until, &in_two);
-    for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
-        assert_close(at_once.state[k], in_two.state[k], 1e-9);
-    }
+    simulation at_once = simulation_of(&runner, 1e-11);
+    at_once.rates.ground.friction = -0.6 / zero;
+    simulation in_two = at_once;
+    assert_arrives(&at_once, until);
+    assert_arrives(&in_two, zero);
+    assert_true(tdmf_in_contact(&in_two.motion.mode));
+    in_two.inputs.ground.friction = in_two.rates.ground.friction = 0.0;
+    assert_arrives(&in_two, until);
+    assert_same_state(&at_once.motion, &in_two.motion, 1e-9);
 }
 
 /* A runner that stands and bounces without loss. */
@@ -228,62 +212,53 @@ static runner bouncing_runner(void) {
 TEST(every_peak_of_the_force_is_met) {
     const double period = 6.283185307179586;
     const runner runner = bouncing_runner();
-    tdmf_motion motion = runner.motion;
-    tdmf_solver solver = tdmf_solver_default();
-    assert_arrives(&solver, &runner, 0.9 * period, &motion);
-    const double first = motion.record.progress.open.peak_force;
-    assert_arrives(&solver, &runner, period, &motion);
-    motion.record.progress.open.peak_force = 0.0;
-    assert_arrives(&solver, &runner, 2.5 * period, &motion);
-    assert_close(motion.record.progress.open.peak_force, first, 1e-9);
+    simulation run = simulation_of(&runner, 1e-11);
+    assert_arrives(&run, 0.9 * period);
+    const double first = run.motion.record.progress.open.peak_force;
+    assert_arrives(&run, period);
+    run.motion.record.progress.open.peak_force = 0.0;
+    assert_arrives(&run, 2.5 * period);
+    assert_close(run.motion.record.progress.open.peak_force, first, 1e-9);
 }
 
 /* The force at the end of a call counts, as an input may jump then. */
 TEST(a_rising_force_is_met_where_a_call_ends) {
     const runner runner = bouncing_runner();
-    tdmf_motion motion = runner.motion;
-    tdmf_solver solver = tdmf_solver_default();
-    assert_arrives(&solver, &runner, 0.2, &motion);
-    const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(&runner), &motion);
-    assert_true(motion.mode.ground_force_rising);
-    assert_close(motion.record.progress.open.peak_force, outputs.contact.fy, 1e-15);
+    simulation run = simulation_of(&runner, 1e-11);
+    assert_arrives(&run, 0.2);
+    const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(&run), &run.motion);
+    assert_true(run.motion.mode.ground_force_rising);
+    assert_close(run.motion.record.progress.open.peak_force, outputs.contact.fy, 1e-15);
 }
 
 /* ---- limits ------------------------------------------------------------------------------------------- */
 
 TEST(limits_end_a_call_and_leave_a_valid_motion) {
     const runner runner = runner_at_reference_apex(&reference_gaits[DEFAULT_GAIT]);
-    tdmf_motion motion = runner.motion;
-    tdmf_solver solver = tdmf_solver_default();
-    solver.step_limit = 10;
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 100.0, &motion),
-                     TDMF_TOO_MANY_STEPS);
-    solver.step_limit = 100000;
-    solver.event_limit = 2;
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 100.0, &motion),
-                     TDMF_TOO_MANY_EVENTS);
-    assert_true(motion.time > 10.0 && motion.time < 100.0);
-    solver.event_limit = 100000;
-    assert_arrives(&solver, &runner, 4.1 * reference_gaits[DEFAULT_GAIT].period, &motion);
-    assert_int_equal(motion.record.stride.count, 4);
+    simulation run = simulation_of(&runner, 1e-11);
+    run.solver.step_limit = 10;
+    assert_int_equal(simulation_advance(&run, 100.0), TDMF_TOO_MANY_STEPS);
+    run.solver.step_limit = 100000;
+    run.solver.event_limit = 2;
+    assert_int_equal(simulation_advance(&run, 100.0), TDMF_TOO_MANY_EVENTS);
+    assert_true(run.motion.time > 10.0 && run.motion.time < 100.0);
+    run.solver.event_limit = 100000;
+    assert_arrives(&run, 4.1 * reference_gaits[DEFAULT_GAIT].period);
+    assert_int_equal(run.motion.record.stride.count, 4);
 }
 
 /* Also where the fall is in the last step, or the last event, that the limits allow. */
 TEST(a_fall_is_a_fall_under_any_limit) {
     runner runner = runner_default(0.6);
     runner.motion.state[TDMF_FOOT_Y] = 100.0;
-    runner_start(&runner);
     for (int i = 0; i < 2; ++i) {
-        tdmf_solver solver = tdmf_solver_default();
-        long *limit = i == 0 ? &solver.event_limit : &solver.step_limit;
-        tdmf_motion motion = runner.motion;
-        for (*limit = 0; !motion.mode.fallen; ++*limit) {
-            motion = runner.motion;
-            const tdmf_outcome outcome =
-                tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 1e4, &motion);
-            assert_int_equal(outcome, motion.mode.fallen ? TDMF_FELL
-                                      : i == 0           ? TDMF_TOO_MANY_EVENTS
-                                                         : TDMF_TOO_MANY_STEPS);
+        const tdmf_outcome given_up = i == 0 ? TDMF_TOO_MANY_EVENTS : TDMF_TOO_MANY_STEPS;
+        tdmf_outcome outcome = given_up;
+        for (long limit = 0; outcome != TDMF_FELL; ++limit) {
+            simulation run = simulation_of(&runner, 1e-11);
+            *(i == 0 ? &run.solver.event_limit : &run.solver.step_limit) = limit;
+            outcome = simulation_advance(&run, 1e4);
+            assert_int_equal(outcome, run.motion.mode.fallen ? TDMF_FELL : given_up);
         }
     }
 }
@@ -307,30 +282,26 @@ TEST(requests_without_sense_are_refused) {
     static const double no_tolerances[] = {0.0, -1e-11, 1.0, INFINITY, NAN};
     static const double no_numbers[] = {NAN, INFINITY, -INFINITY};
     runner runner = runner_at_reference_apex(&reference_gaits[DEFAULT_GAIT]);
+    const tdmf_inputs sound = runner.inputs;
     runner.motion.time = 1.0;
-    for (size_t i = 0; i < sizeof no_tolerances / sizeof no_tolerances[0]; ++i) {
-        assert_refused(&runner, no_tolerances[i], runner.inputs, no_rates, 30.0);
+    for (int i = 0; i < 5; ++i) {
+        assert_refused(&runner, no_tolerances[i], sound, no_rates, 30.0);
     }
-    for (size_t i = 0; i < sizeof no_numbers / sizeof no_numbers[0]; ++i) {
-        tdmf_inputs inputs = runner.inputs;
-        tdmf_inputs rates = no_rates;
-        inputs.ground.friction = no_numbers[i];
-        assert_refused(&runner, 1e-9, inputs, no_rates, 30.0);
-        inputs = runner.inputs;
-        inputs.hip.external_torque = no_numbers[i];
-        assert_refused(&runner, 1e-9, inputs, no_rates, 30.0);
-        rates.ground.friction = no_numbers[i];
-        assert_refused(&runner, 1e-9, runner.inputs, rates, 30.0);
-        rates = no_rates;
-        rates.hip.external_torque = no_numbers[i];
-        assert_refused(&runner, 1e-9, runner.inputs, rates, 30.0);
+    for (int i = 0; i < 3; ++i) {
+        tdmf_inputs friction = sound, torque = sound;
+        friction.ground.friction = torque.hip.external_torque = no_numbers[i];
+        const tdmf_inputs rates[] = {{.ground.friction = no_numbers[i]},
+                                     {.hip.external_torque = no_numbers[i]}};
+        assert_refused(&runner, 1e-9, friction, no_rates, 30.0);
+        assert_refused(&runner, 1e-9, torque, no_rates, 30.0);
+        assert_refused(&runner, 1e-9, sound, rates[0], 30.0);
+        assert_refused(&runner, 1e-9, sound, rates[1], 30.0);
     }
     const tdmf_inputs leaving[] = {{.ground.friction = 1e5}, {.hip.external_torque = 1e17}};
-    for (size_t i = 0; i < sizeof leaving / sizeof leaving[0]; ++i) {
-        assert_refused(&runner, 1e-9, runner.inputs, leaving[i], 30.0); /* by then out of range */
-    }
-    assert_refused(&runner, 1e-9, runner.inputs, no_rates, NAN);
-    assert_refused(&runner, 1e-9, runner.inputs, no_rates, 0.5);
+    assert_refused(&runner, 1e-9, sound, leaving[0], 30.0); /* by then out of range */
+    assert_refused(&runner, 1e-9, sound, leaving[1], 30.0);
+    assert_refused(&runner, 1e-9, sound, no_rates, NAN);
+    assert_refused(&runner, 1e-9, sound, no_rates, 0.5);
     assert_non_null(strstr(tdmf_outcome_text(TDMF_REFUSED), "out of range"));
 }
 
@@ -338,12 +309,11 @@ TEST(a_call_for_no_time_changes_nothing) {
     random_source source = {64};
     for (int i = 0; i < 200; ++i) {
         const runner runner = random_runner_near_the_gait(&source);
-        tdmf_motion motion = runner.motion;
-        tdmf_solver solver = tdmf_solver_default();
+        simulation run = simulation_of(&runner, 1e-11);
         const double until = random_uniform(&source, 0.0, 30.0);
-        tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, until, &motion);
-        const tdmf_motion before = motion;
-        tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, motion.time, &motion);
-        assert_memory_equal(motion.state, before.state, sizeof motion.state);
+        simulation_advance(&run, until);
+        const tdmf_motion before = run.motion;
+        simulation_advance(&run, run.motion.time);
+        assert_memory_equal(run.motion.state, before.state, sizeof run.motion.state);
     }
 }
