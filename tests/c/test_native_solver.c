@@ -40,26 +40,6 @@ TEST(peaks_and_positive_work_are_left_out) {
     }
 }
 
-/* ---- accuracy ----------------------------------------------------------------------------------------- */
-
-/* Event by event, as accurate as the solver can be. */
-TEST(the_events_of_every_gait) {
-    int events = 0;
-    for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
-        const runner runner = runner_at_reference_apex(&reference_gaits[i]);
-        simulation run = simulation_of(&runner, 1e-13);
-        simulation_stride(&run);
-        assert_reference_stride(&run.motion, &reference_gaits[i], 1e-11);
-        if (!reference_gaits[i].swing_clamp) {
-            assert_relatively_close(run.motion.record.stride.positive_work, reference_gaits[i].positive_work,
-                                    1e-11);
-        }
-        events += assert_reference_events(&run.log, reference_gaits[i].events, 1e-10);
-    }
-    assert_int_equal(events,
-                     2 * (6 + 7 + 9 + 7 + 6) + PUBLISHED_GAITS + 9 + 6); /* a release with each clamp */
-}
-
 /* ---- the same events as the plain integrator ---------------------------------------------------------- */
 
 static runner random_runner_near_the_gait(random_source *source) {
