@@ -4,6 +4,7 @@ import math
 
 import live_pages
 import pytest
+from conftest import release
 from live_pages import (
     SCREENS,
     center,
@@ -235,6 +236,7 @@ def test_the_theme_is_remembered_and_shared_with_the_guides(page, address):
         assert applied == (None if theme == "auto" else theme)
 
 
+@release
 def test_a_persons_path(page, address, browsers):
     find_gait(page)
     show_curve(page)
