@@ -67,10 +67,8 @@ class Given:
         self.size = len(self.runner.coordinates)
         self._read_apices(runners, apices, foot_x, inputs)
         self.ground, self.law = LEVEL if ground is None else ground, law
-        self.first_number, self.tolerance = first_number, tolerance
         self.threads, self.instructions, self.step_limit = threads, instructions, step_limit
-        if type(first_number) is not int or first_number != 0:
-            self.first_number = checked_whole("first_number", first_number, 0, LAST_RUNNER)
+        self.first_number = checked_whole("first_number", first_number, 0, LAST_RUNNER)
         if step_limit is not None:
             self.step_limit = checked_whole("step_limit", step_limit, 1, LAST_STRIDE)
         if threads is not None:

@@ -21,14 +21,8 @@ RUNNING = -1
 """Fate of runners that have not come to an end."""
 _FATES = np.full(7, UNSOLVED)
 """Fates of runners, by outcomes of runs."""
-for _outcome, _fate in (
-    (c.TDMF_PAGE_CROSSED, RUNNING),
-    (c.TDMF_PAGE_ENDED, FELL),
-    (c.TDMF_PAGE_TOO_LONG, UNDECIDED),
-    (c.TDMF_PAGE_REFUSED, NO_START),
-    (c.TDMF_PAGE_CANCELLED, STOPPED),
-):
-    _FATES[_outcome] = _fate
+_FATES[[c.TDMF_PAGE_CROSSED, c.TDMF_PAGE_ENDED, c.TDMF_PAGE_TOO_LONG]] = RUNNING, FELL, UNDECIDED
+_FATES[[c.TDMF_PAGE_REFUSED, c.TDMF_PAGE_CANCELLED]] = NO_START, STOPPED
 
 
 class OwnEngine:

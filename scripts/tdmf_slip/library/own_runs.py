@@ -24,16 +24,10 @@ LONGEST = 1e4
 SEEDS = 8
 """Parameters and inputs by which one call differentiates."""
 END, EVENT = dtype_of("tdmf_page_end"), dtype_of("tdmf_page_event")
-CLOSED: int = c.TDMF_RETURN_CLOSED
 OUTCOMES = np.full(7, c.TDMF_RETURN_UNSOLVED)
 """Outcomes of strides, by those of runs."""
-for _page, _own in (
-    (c.TDMF_PAGE_CROSSED, CLOSED),
-    (c.TDMF_PAGE_ENDED, c.TDMF_RETURN_FELL),
-    (c.TDMF_PAGE_TOO_LONG, c.TDMF_RETURN_TOO_LONG),
-    (c.TDMF_PAGE_REFUSED, c.TDMF_RETURN_REFUSED),
-):
-    OUTCOMES[_page] = _own
+OUTCOMES[[c.TDMF_PAGE_CROSSED, c.TDMF_PAGE_ENDED]] = c.TDMF_RETURN_CLOSED, c.TDMF_RETURN_FELL
+OUTCOMES[[c.TDMF_PAGE_TOO_LONG, c.TDMF_PAGE_REFUSED]] = c.TDMF_RETURN_TOO_LONG, c.TDMF_RETURN_REFUSED
 
 
 def seeds_of(model: OwnModel, along: Sequence[Along]) -> NDArray[np.float64]:
