@@ -237,32 +237,21 @@ def claims(found: Map) -> list[Claim]:
     long = float(np.mean(known >= said["slip_distance"]))
     of_slow, of_fast = np.nanmax(borders[slow]), np.nanmax(borders[~slow])
     speeds = found.speeds
+    fast, covered = f"{said['fast']:g} m/s", speeds[0] < said["slowest"] + 0.5 * STEP
+    covered &= speeds[-1] > said["fastest"] - 0.5 * STEP
+    near = abs(of_slow - said["contact_angle"]) <= NEAR
+    slips_up = f"for {100 * short:.0f} %, the largest {100 * np.max(up):.0f} cm"
     said_and_found = [
-        (
-            "speeds",
-            "1.3 to 3.6 m/s",
-            f"{speeds[0]:.1f} to {speeds[-1]:.1f} m/s",
-            bool(speeds[0] < said["slowest"] + 0.5 * STEP and speeds[-1] > said["fastest"] - 0.5 * STEP),
-        ),
-        (
-            "contact angle to stay up",
-            "> 70°",
-            f"> {of_slow - 1:.0f}° up to {said['fast']:g} m/s",
-            bool(abs(of_slow - said["contact_angle"]) <= NEAR),
-        ),
+        ("speeds", "1.3 to 3.6 m/s", f"{speeds[0]:.1f} to {speeds[-1]:.1f} m/s", covered),
+        ("contact angle to stay up", "> 70°", f"> {of_slow - 1:.0f}° up to {fast}", near),
         (
             "falls above 70°",
             "avoided",
             f"{steep:.0f}, and {anyway:.0f} where it is not slippery",
-            bool(steep == 0.0),
+            steep == 0.0,
         ),
-        (f"less above {said['fast']:g} m/s", "tolerated", f"> {of_fast - 1:.0f}°", bool(of_fast < of_slow)),
-        (
-            "slips of those up",
-            "below 10 cm",
-            f"for {100 * short:.0f} %, the largest {100 * np.max(up):.0f} cm",
-            short >= MAXIMUM,
-        ),
+        (f"less above {fast}", "tolerated", f"> {of_fast - 1:.0f}°", of_fast < of_slow),
+        ("slips of those up", "below 10 cm", slips_up, short >= MAXIMUM),
         (
             "slips of those that fall",
             "10 cm or more",
@@ -271,6 +260,6 @@ def claims(found: Map) -> list[Claim]:
         ),
     ]
     return [
-        Claim(f"{patch}: {what}", published, alike(computed, agrees), source=SOURCE)
+        Claim(f"{patch}: {what}", published, alike(computed, bool(agrees)), source=SOURCE)
         for what, published, computed, agrees in said_and_found
     ]
