@@ -182,12 +182,6 @@ def test_a_name_need_not_be_utf_8(one_of_the_writers, command, tmp_path):
     assert (tmp_path / file_of(one_of_the_writers, name)).stat().st_size > 100
 
 
-def test_a_name_may_be_as_long_as_the_disk_allows(command, tmp_path):
-    name = "x" * (255 - len(".csv"))
-    assert command(*arguments("rows as CSV", name))[0] == 0
-    assert (tmp_path / f"{name}.csv").stat().st_size > 100
-
-
 def test_an_error_leaves_the_old_file_and_no_other(tmp_path):
     file = tmp_path / "old.csv"
     file.write_text("old")
@@ -238,18 +232,6 @@ def test_a_file_is_on_the_disk_before_it_has_its_name(monkeypatch, tmp_path):
     with whole.whole(tmp_path / "new.csv") as beside:
         beside.write_text("twelve bytes")
     assert happened == ["file of 12", "renamed", "folder"]
-
-
-@POSIX_ONLY
-def test_the_mask_of_the_process_is_left_alone(monkeypatch, tmp_path):
-    """It is that of all threads, which may be making files, too."""
-    monkeypatch.setattr(os, "umask", lambda mask: pytest.fail("the mask was changed"))
-    with whole.whole(tmp_path / "new.csv") as beside:
-        beside.write_text("new")
-    with whole.whole(tmp_path / "new.csv") as beside:
-        assert stat.S_IMODE(beside.stat().st_mode) == 0o600  # until it hands on the other's
-        beside.write_text("newer")
-    assert (tmp_path / "new.csv").read_text() == "newer"
 
 
 TERMINATED = """

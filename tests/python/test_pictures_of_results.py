@@ -9,11 +9,13 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 import tdmf_slip
+from conftest import release
 from matplotlib.collections import PolyCollection
 from tdmf_slip import Runner
 from tdmf_slip.analysis.first_passage import FirstPassage
 from tdmf_slip.analysis.rare_falls import RareFalls
 from tdmf_slip.paper.reference_gaits import Drift
+from tdmf_slip.pictures import style
 from tdmf_slip.pictures.plot import PICTURES
 
 ANGLE, TORQUE, FRICTION = "hip.touchdown_angle", "hip.stance_torque", "ground.friction"
@@ -117,6 +119,31 @@ def test_runs_sweeps_branches_and_gaits_show_their_numbers(gait):
         assert any(np.array_equal(of, np.column_stack([x, y])) for of in drawn), result
     edges = {tuple(one.get_ydata()) for axes in gait.plot().axes for one in axes.lines}
     assert {(0.6, 0.6), (-0.6, -0.6)} <= edges  # the friction cone's
+
+
+def test_feedbacks_grids_and_fronts_show_their_numbers(gait):
+    law = tdmf_slip.dead_beat(gait, [ANGLE, TORQUE])
+    left, right = tdmf_slip.plot(law).axes
+    for label, values in (("without", gait.eigenvalues), ("with the law", law.eigenvalues)):
+        x, y = line(left, label)
+        assert np.array_equal(x + 1j * y, values)
+    assert len(right.patches) == 2 * 6
+    grid = tdmf_slip.sweep({}, {"leg.damping": [0.2, 0.21], FRICTION: [0.7, 0.43]}).gaits
+    speeds, words, _ = tdmf_slip.plot(grid).axes
+    assert np.array_equal(speeds.collections[0].get_array().reshape(2, 2), grid["speed"])
+    assert len(words.get_legend().get_texts()) == 2
+    sought = {"minimize": ["cost_of_transport"], "maximize": ["speed"], "points": 2, "starts": 1}
+    front = tdmf_slip.pareto_front({}, {TORQUE: (0.15, 0.25)}, **sought)
+    assert np.allclose(tdmf_slip.plot(front).axes[0].lines[0].get_ydata(), front["speed"], rtol=1e-12)
+
+
+@release
+def test_a_proved_gait_shows_its_eigenvalues_and_enclosures():
+    pytest.importorskip("flint")
+    proof = tdmf_slip.prove({FRICTION: 0.6})
+    left, right = tdmf_slip.plot(proof).axes
+    assert len(line(left, style.word(proof.word))[0]) == len(right.patches) == 6
+    assert right.patches[0].get_width() == pytest.approx(float(proof.apex[0].rad()))
 
 
 def test_controllability_shows_modes_beside_the_unit_circle(gait):
