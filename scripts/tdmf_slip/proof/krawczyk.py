@@ -21,7 +21,7 @@ from scipy.linalg import eig
 from .dual import UndecidedError, absolute, floats_above, greatest, identity, row_sums
 from .parameters import Forced, Parameters
 from .proof import Box
-from .starts import Fineness, Starts
+from .starts import Starts
 from .stride import Stride, Traveller
 from .travelling_set import SetTraveller
 
@@ -131,18 +131,18 @@ def refined(
     parameters: Parameters,
     apex: Sequence[arb],
     jacobian: NDArray[Any],
-    fineness: Fineness,
+    bits: int,
     nearness: float,
     forced: Forced | None = None,
 ) -> list[arb]:
     """A point near the fixed point, by Newton's method with one Jacobian; nothing is proved."""
     unknowns = len(jacobian)
     found = list(apex)
-    with ctx.workprec(fineness.bits):
+    with ctx.workprec(bits):
         points = point_inverse(jacobian)
         last = FIRST_ERROR
         for _ in range(MAX_STEPS):
-            left = residual(Traveller(parameters, found, fineness, forced).stride(), found)[:unknowns]
+            left = residual(Traveller(parameters, found, bits, forced).stride(), found)[:unknowns]
             step = points * arb_mat(unknowns, 1, left)
             found[:unknowns] = [(x - dx).mid() for x, dx in zip(found, step.entries(), strict=False)]
             size = float(max(abs(dx).upper() for dx in step.entries()))
@@ -197,11 +197,11 @@ def unique_box(
     """The first of some boxes in which exactly one fixed point is proved to lie."""
     problem = UndecidedError("the inclusion of the fixed point in the box")
     for radius in radii:
-        fine, box = Fineness(max(COARSE_BITS, beyond + round(-math.log2(radius)))), box_of(radius)
-        with ctx.workprec(fine.bits):
+        bits, box = max(COARSE_BITS, beyond + round(-math.log2(radius))), box_of(radius)
+        with ctx.workprec(bits):
             starts = box.starts()
         try:
-            Inclusion(parameters, starts, fine, forced)
+            Inclusion(parameters, starts, bits, forced)
             return box
         except UndecidedError as undecided:
             problem = undecided
@@ -221,11 +221,11 @@ class Inclusion:
     """Krawczyk's operator on a box, and what it proves."""
 
     def __init__(
-        self, parameters: Parameters, starts: Starts, fineness: Fineness, forced: Forced | None = None
+        self, parameters: Parameters, starts: Starts, bits: int, forced: Forced | None = None
     ) -> None:
         """The operator, by the stride of all starts of the box."""
-        self.stride = SetTraveller(parameters, starts, fineness, forced).stride()
-        with ctx.workprec(fineness.bits):
+        self.stride = SetTraveller(parameters, starts, bits, forced).stride()
+        with ctx.workprec(bits):
             self._solve(starts, residual(self.stride, starts.centre), slopes_of(self.stride, starts.tilt))
 
     def _solve(self, starts: Starts, left: list[arb], slopes: arb_mat) -> None:

@@ -27,7 +27,7 @@ from .parameters import Parameters
 from .proof import Box, Proof
 from .range_proof import RangeProof
 from .range_prover import prove_range
-from .starts import Fineness, Starts
+from .starts import Starts
 
 DEFAULT_DIGITS = 20
 BOXES = tuple(Fraction(1, 10**decimals) for decimals in (6, 8, 10, 13, 16))
@@ -198,8 +198,8 @@ class _Prover:
 
     def _near(self, start: Sequence[arb], narrow: int) -> list[arb]:
         """A point near the gait, to more decimal places than those of a narrow box."""
-        jacobian, fine = self.gait.jacobian - np.eye(6), Fineness(bits_for(narrow))
-        return refined(self.parameters, start, jacobian, fine, 10.0 ** -(narrow + 1))
+        jacobian, bits = self.gait.jacobian - np.eye(6), bits_for(narrow)
+        return refined(self.parameters, start, jacobian, bits, 10.0 ** -(narrow + 1))
 
     def _reported(self, box: Box, near: Sequence[arb], narrow: int) -> Proof:
         """With the digits that are asked for: from a smaller box where the map takes too many of them."""
@@ -223,9 +223,9 @@ class _Prover:
 
     def _enclosed(self, box: Box, near: Sequence[arb], narrow: int) -> Proof:
         """All that is reported of the gait, from a box of so many decimal places."""
-        fine = Fineness(bits_for(narrow))
-        with ctx.workprec(fine.bits):
-            inside = Inclusion(self.parameters, Starts.around(near, arb(10) ** -narrow, self.scales), fine)
+        bits = bits_for(narrow)
+        with ctx.workprec(bits):
+            inside = Inclusion(self.parameters, Starts.around(near, arb(10) ** -narrow, self.scales), bits)
             if not box.holds(inside.solution):
                 raise UndecidedError("whether the gait lies in the box")
             stride = inside.stride

@@ -26,7 +26,7 @@ from .given import Exact, RunnerLike, ball_of, gait_of
 from .krawczyk import Inclusion, contraction
 from .parameters import Parameters
 from .proof import Proved, short
-from .starts import Fineness, Starts
+from .starts import Starts
 
 BOXES = tuple(Fraction(digit, 10**decimals) for decimals in range(3, 13) for digit in (5, 2, 1))
 """Radii that are tried, in units of the coordinates' scales."""
@@ -131,7 +131,7 @@ def _within(radius: Fraction, gait: Gait, values: Mapping[str, Exact]) -> Attrac
     scales = [arb(float(scale)) for scale in gait.runner.scales]
     centre = [arb(float(x)) for x in gait.apex]
     starts = Starts(centre, [(ball_of(radius) * scale).lower().mid() for scale in scales])
-    inside = Inclusion(Parameters(values), starts, Fineness(BITS))
+    inside = Inclusion(Parameters(values), starts, BITS)
     rate, basis, weights = contraction(inside.stride.derivative)
     exact = [arb(w) for w in weights]
     reaches = [row * w for row, w in zip(row_sums(absolute(basis), exact), exact, strict=True)]

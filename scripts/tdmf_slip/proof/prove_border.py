@@ -25,7 +25,7 @@ from .krawczyk import COARSE_BITS, Inclusion, middle_of, refined, slopes_of, uni
 from .parameters import Forced, Parameters
 from .proof import Box, Proof, Proved, decimal, exactly, reported, short, text_of
 from .prove import BEYOND, BOXES, DEFAULT_DIGITS, bits_for, prove_exactly
-from .starts import Fineness, Starts
+from .starts import Starts
 from .stride import Stride, Traveller
 from .travelling_set import SetTraveller
 
@@ -176,21 +176,21 @@ def _step(value: float) -> float:
 
 def _proved(runner: Runner, values: Mapping[str, Exact], name: str, value: float, digits: int) -> BorderProof:
     """A border without its sides."""
-    parameters, narrow, rough = Parameters(values, name), digits + BEYOND, Fineness(COARSE_BITS)
-    fine, seen = Fineness(bits_for(narrow)), []
+    parameters, narrow = Parameters(values, name), digits + BEYOND
+    bits, seen = bits_for(narrow), []
     for by in (-_step(value), _step(value)):
         gait = periodic_gait(runner.replace({name: value + by}))
         apex = [arb(float(x)) for x in (*gait.apex, gait.runner[name])]
-        seen.append((gait, Traveller(parameters, apex, rough).stride()))
+        seen.append((gait, Traveller(parameters, apex, COARSE_BITS).stride()))
     forced, gait = _distinguished(*seen)
     scales = [*(float(scale) for scale in gait.runner.scales), max(abs(value), 1.0)]
     start = [arb(float(x)) for x in (*gait.apex, value)]
-    stride = SetTraveller(parameters, Starts.around(start, arb(ROUGH), scales), rough, forced).stride()
+    stride = SetTraveller(parameters, Starts.around(start, arb(ROUGH), scales), COARSE_BITS, forced).stride()
     jacobian = middle_of(slopes_of(stride))
-    near = refined(parameters, start, jacobian, fine, 10.0 ** -(narrow + 1), forced)
+    near = refined(parameters, start, jacobian, bits, 10.0 ** -(narrow + 1), forced)
     box = unique_box(parameters, BOXES, lambda radius: Box.around(near, radius, scales), COARSE_BITS, forced)
-    with ctx.workprec(fine.bits):
-        inside = Inclusion(parameters, Starts.around(near, arb(10) ** -narrow, scales), fine, forced)
+    with ctx.workprec(bits):
+        inside = Inclusion(parameters, Starts.around(near, arb(10) ** -narrow, scales), bits, forced)
         if not box.holds(inside.solution):
             raise UndecidedError("whether the border lies in the box")
     return BorderProof(

@@ -34,7 +34,7 @@ from .krawczyk import ROOM, Inclusion, NotIncludedError, stability
 from .parameters import Parameters
 from .proof import texts_of
 from .range_proof import BITS, RangeProof, Subinterval
-from .starts import Fineness, Starts
+from .starts import Starts
 
 FIRST = Fraction(1, 4)
 """Share of a subinterval that is too wide which is tried next, until the first one is proved."""
@@ -125,7 +125,6 @@ def at_least(size: float) -> float:
 
 def proved_subinterval(parameters: Parameters, subinterval: Subinterval) -> tuple[Subinterval, Inclusion]:
     """Subinterval in its box, as far as it is proved."""
-    fine = Fineness(BITS)
     with ctx.workprec(BITS):
         value = subinterval.middle()
         radius = max(abs(ball_of(end) - value).upper() for end in (subinterval.begin, subinterval.end))
@@ -133,7 +132,7 @@ def proved_subinterval(parameters: Parameters, subinterval: Subinterval) -> tupl
         starts = Starts(
             centre, [*(arb(r) for r in subinterval.box), radius], [arb(t) for t in subinterval.tilt]
         )
-    inside = Inclusion(parameters, starts, fine)
+    inside = Inclusion(parameters, starts, BITS)
     with ctx.workprec(BITS):
         entries = inside.stride.derivative
         square = arb_mat(6, 6, [entries[i, j] for i in range(6) for j in range(6)])

@@ -49,17 +49,9 @@ DEGREE_PER_BIT = 0.36
 """The best degree grows with the precision: N^2 10^(d/N) is least at N = 1.15 d for d digits."""
 
 
-@dataclass(frozen=True)
-class Fineness:
-    """How finely a motion is followed."""
-
-    bits: int
-    """Bits of the working precision."""
-
-    @property
-    def degree(self) -> int:
-        """Degree of a step's polynomials at which the work of a stride is least."""
-        return max(12, round(DEGREE_PER_BIT * self.bits))
+def degree_for(bits: int) -> int:
+    """Degree of a step's polynomials at which the work of a stride is least."""
+    return max(12, round(DEGREE_PER_BIT * bits))
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from .dual import Number, UndecidedError, slope_of, value_of
 from .flow import Flow, Tube, Values, speeds, with_direction
 from .guards import Guard, guard_of, watched
 from .parameters import Forced, Mode, Parameters, at, names_of
-from .starts import Fineness, apex_of, motion_at, seeded
+from .starts import apex_of, degree_for, motion_at, seeded
 from .transitions import Entered, Transition
 
 
@@ -145,15 +145,15 @@ class Traveller:
         self,
         parameters: Parameters,
         centre: Sequence[arb],
-        fineness: Fineness,
+        bits: int,
         forced: Forced | None = None,
     ) -> None:
         """From an apex."""
-        self.fine, self.parameters, self.forced = fineness, parameters, forced
+        self.bits, self.parameters, self.forced = bits, parameters, forced
         self.margin = arb(0)
         self.margin_slopes: list[arb] = []
         self.varied = parameters.varied is not None
-        with ctx.workprec(fineness.bits):
+        with ctx.workprec(bits):
             self.thin = parameters.balls(centre[6] if self.varied else None)
             self.wide = self.thin
             self.centre: Values = motion_at(self.thin, list(centre[:6]), centre[6] if self.varied else None)
@@ -172,7 +172,7 @@ class Traveller:
 
     def stride(self) -> Stride:
         """Follow to the next apex."""
-        with ctx.workprec(self.fine.bits):
+        with ctx.workprec(self.bits):
             for _ in range(MAX_STEPS):
                 try:
                     if self.step():
@@ -185,7 +185,7 @@ class Traveller:
 
     def step(self) -> bool:
         """One step, or a part of one up to an event; whether it ends the stride."""
-        flow = Flow(self.thin, self.mode, self.centre, self.fine.degree)
+        flow = Flow(self.thin, self.mode, self.centre, degree_for(self.bits))
         return self._go(flow, flow)
 
     def _go(self, thin: Flow, flow: Flow) -> bool:

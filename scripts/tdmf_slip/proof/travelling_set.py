@@ -40,7 +40,7 @@ from .flow import Flow, Tube, Values, fades, rates, speeds
 from .given import Radius, RunnerLike, ball_of, gait_of, radius_of
 from .guards import Guard, guard_of
 from .parameters import BALLISTIC, PARAMETER, Forced, Parameters, at, kept_names, moving_names
-from .starts import Fineness, Starts, apex_of, motion_at, seeded
+from .starts import Starts, apex_of, degree_for, motion_at, seeded
 from .stride import Ledger, Met, Stride, Traveller, gradient_of_guard
 from .transitions import Entered, Transition
 
@@ -221,13 +221,13 @@ class SetTraveller(Traveller):
         self,
         parameters: Parameters,
         starts: Starts,
-        fineness: Fineness,
+        bits: int,
         forced: Forced | None = None,
     ) -> None:
         """From their apexes."""
-        super().__init__(parameters, starts.centre, fineness, forced)
+        super().__init__(parameters, starts.centre, bits, forced)
         self.columns = (*COORDINATES, *([PARAMETER] if self.varied else []))
-        with ctx.workprec(fineness.bits):
+        with ctx.workprec(bits):
             balls = starts.balls()
             whole = balls[6] if self.varied else None
             self.wide = parameters.balls(whole)
@@ -255,8 +255,8 @@ class SetTraveller(Traveller):
 
     def step(self) -> bool:
         """One step, or a part of one up to an event; whether it ends the stride."""
-        thin = Flow(self.thin, self.mode, self.centre, self.fine.degree)
-        return self._go(thin, VariedFlow(self.wide, self.mode, self.set, self.fine.degree, thin.reach))
+        thin = Flow(self.thin, self.mode, self.centre, degree_for(self.bits))
+        return self._go(thin, VariedFlow(self.wide, self.mode, self.set, degree_for(self.bits), thin.reach))
 
     def _begin_at(self, found: Values, derivative: arb_mat | None) -> None:
         """The centre as a point, and its error as drift."""
@@ -373,11 +373,11 @@ class Section:
 def tube_along(gait: RunnerLike = None, radius: Radius = Fraction(1, 10**8)) -> list[Section]:
     """The tube of all starts around a gait's apex, along a stride."""
     found, values = gait_of(gait)
-    fine, size = Fineness(BITS), radius_of(radius)
+    size = radius_of(radius)
     with ctx.workprec(BITS):
         scales = [float(scale) for scale in found.runner.scales]
         starts = Starts.around([arb(float(x)) for x in found.apex], ball_of(size), scales)
-        traveller = SetTraveller(Parameters(values), starts, fine)
+        traveller = SetTraveller(Parameters(values), starts, BITS)
         sections = [_section(traveller)]
         while not traveller.step():
             sections.append(_section(traveller))
