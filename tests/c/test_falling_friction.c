@@ -1,6 +1,6 @@
 /* Friction that falls with speed: the impact's law and its tangent, the limits in which it is Coulomb's
- * again, the energy that it takes, and friction that ramps. The gaits of
- * an independent program are in test_further_gaits.c. */
+ * again, the energy that it takes, and friction that ramps. The gaits of an independent program are in
+ * test_gaits.c. */
 #include "compare.h"
 #include "integrate.h"
 #include "reference_gaits.h"
@@ -156,30 +156,21 @@ TEST(series_of_a_ramped_friction_agree_with_cvode) {
     int slips = 0;
     for (int i = 0; i < RAMPED_RUNS && tdmf_cvode_is_available(); ++i) {
         const ramped_run *run = &ramped_runs[i];
-        runner native = runner_default(run->friction);
-        tdmf_parameters parameters = native.model.parameters;
-        const tdmf_inputs rates = {.ground.friction = run->rate};
-        tdmf_event_log log = {0};
-        tdmf_solver solver = solver_to(1e-13);
+        runner runner = runner_default(run->friction);
+        tdmf_parameters parameters = runner.model.parameters;
         parameters.ground.static_friction_ratio = 1.5;
         parameters.ground.stribeck_velocity = run->velocity;
         parameters.ground.patch_begin = run->patch_begin;
         parameters.ground.patch_end = run->patch_end;
-        native.model = accepted_model(&parameters);
-        runner_start(&native);
-        runner cvode = native;
-        solver.log = &log;
-        assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&native), &rates, 60.0, &native.motion),
-                         TDMF_ARRIVED);
-        solver.log = NULL;
-        assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&cvode), &rates, 60.0, &cvode.motion),
-                         TDMF_ARRIVED);
+        runner.model = accepted_model(&parameters);
+        simulation native = simulation_of(&runner, 1e-13);
+        native.rates.ground.friction = run->rate;
+        simulation cvode = native;
+        assert_int_equal(simulation_advance(&native, 60.0), TDMF_ARRIVED);
+        assert_int_equal(simulation_advance_by(tdmf_cvode_advance, &cvode, 60.0), TDMF_ARRIVED);
         assert_int_equal(native.motion.record.event_count, cvode.motion.record.event_count);
-        for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
-            assert_close(native.motion.state[k], cvode.motion.state[k],
-                         1e-8 * fmax(1.0, fabs(cvode.motion.state[k])));
-        }
-        slips += slips_of(&log);
+        assert_same_state(&native.motion, &cvode.motion, 1e-8);
+        slips += slips_of(&native.log);
     }
     assert_true(!tdmf_cvode_is_available() || slips >= RAMPED_RUNS);
 }

@@ -28,6 +28,19 @@ static scene_at_apex at_gait(const reference_gait *gait) {
     return scene;
 }
 
+static tdmf_return map_of(tdmf_solver *solver, const scene_at_apex *scene, double until, bool derivatives,
+                          const tdmf_seed *seeds, int count) {
+    const tdmf_model model = accepted_model(&scene->parameters);
+    return tdmf_return_map(solver, (tdmf_system){&model, &scene->inputs}, scene->section, until, derivatives,
+                           seeds, count);
+}
+
+static tdmf_orbit orbit_from(tdmf_solver *solver, const scene_at_apex *scene,
+                             const double section[TDMF_SECTION_COUNT]) {
+    const tdmf_model model = accepted_model(&scene->parameters);
+    return tdmf_find_orbit(solver, (tdmf_system){&model, &scene->inputs}, section, NULL, 0);
+}
+
 static tdmf_return stride_of(const scene_at_apex *scene, bool derivatives, const tdmf_seed *seed) {
     tdmf_solver solver = solver_to(tight);
     const tdmf_model model = accepted_model(&scene->parameters);
@@ -61,10 +74,8 @@ TEST(a_light_foot_on_a_damped_leg_has_the_jacobian_of_the_map) {
 TEST(derivatives_are_as_good_as_the_strides) {
     enum { STRIDES = sample_of(1000) };
     random_source source = {23};
-    const tdmf_parameters parameters = tdmf_default_parameters();
     tdmf_seed friction;
     int compared = 0;
-    const tdmf_model model = accepted_model(&parameters);
     memset(&friction, 0, sizeof friction);
     friction.inputs.ground.friction = 1.0;
     for (int i = 0; i < STRIDES; ++i) {
@@ -72,13 +83,9 @@ TEST(derivatives_are_as_good_as_the_strides) {
         for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
             scene.section[k] += random_uniform(&source, -0.1, 0.1);
         }
-        tdmf_solver coarse = tdmf_solver_default(), fine = coarse;
-        coarse.relative_tolerance = 1e-7;
-        fine.relative_tolerance = tight;
-        const tdmf_return rough = tdmf_return_map(&coarse, (tdmf_system){&model, &scene.inputs},
-                                                  scene.section, longest, true, &friction, 1);
-        const tdmf_return exact = tdmf_return_map(&fine, (tdmf_system){&model, &scene.inputs}, scene.section,
-                                                  longest, true, &friction, 1);
+        tdmf_solver coarse = solver_to(1e-7), fine = solver_to(tight);
+        const tdmf_return rough = map_of(&coarse, &scene, longest, true, &friction, 1);
+        const tdmf_return exact = map_of(&fine, &scene, longest, true, &friction, 1);
         if (exact.outcome != TDMF_RETURN_CLOSED || rough.stride.word_code != exact.stride.word_code) {
             continue;
         }
@@ -100,18 +107,11 @@ TEST(what_is_too_much_is_refused) {
     tdmf_seed seeds[TDMF_RETURN_MAP_SEEDS + 1];
     tdmf_solver solver = tdmf_solver_default();
     memset(seeds, 0, sizeof seeds);
-    const tdmf_model model = accepted_model(&scene.parameters);
-    const tdmf_return stride = tdmf_return_map(&solver, (tdmf_system){&model, &scene.inputs}, scene.section,
-                                               longest, true, seeds, TDMF_RETURN_MAP_SEEDS + 1);
+    const tdmf_return stride = map_of(&solver, &scene, longest, true, seeds, TDMF_RETURN_MAP_SEEDS + 1);
     assert_int_equal(stride.outcome, TDMF_RETURN_REFUSED);
-    assert_int_equal(tdmf_return_map(&solver, (tdmf_system){&model, &scene.inputs}, scene.section, longest,
-                                     true, seeds, -1)
-                         .outcome,
-                     TDMF_RETURN_REFUSED);
+    assert_int_equal(map_of(&solver, &scene, longest, true, seeds, -1).outcome, TDMF_RETURN_REFUSED);
     solver.relative_tolerance = 0.0;
-    assert_int_equal(
-        tdmf_find_orbit(&solver, (tdmf_system){&model, &scene.inputs}, scene.section, NULL, 0).outcome,
-        TDMF_ORBIT_NO_START);
+    assert_int_equal(orbit_from(&solver, &scene, scene.section).outcome, TDMF_ORBIT_NO_START);
 }
 
 static bool is_zero(const void *bytes, size_t size) {
@@ -130,8 +130,7 @@ TEST(what_did_not_happen_or_was_not_asked_for_is_zero) {
     double section_state[TDMF_STATE_COUNT];
     assert_true(is_zero(plain.variations, sizeof plain.variations));
     const tdmf_model model = accepted_model(&scene.parameters);
-    const tdmf_return late =
-        tdmf_return_map(&solver, (tdmf_system){&model, &scene.inputs}, scene.section, 1.0, true, NULL, 0);
+    const tdmf_return late = map_of(&solver, &scene, 1.0, true, NULL, 0);
     assert_true(late.outcome == TDMF_RETURN_TOO_LONG);
     assert_true(is_zero(late.apex, sizeof late.apex) && is_zero(late.variations, sizeof late.variations));
     memset(section_state, 1, sizeof section_state);
@@ -146,9 +145,7 @@ TEST(only_what_asks_is_measured) {
         const scene_at_apex scene = at_gait(&reference_gaits[i]);
         const tdmf_return measured = stride_of(&scene, true, NULL);
         tdmf_solver solver = solver_to(tight);
-        const tdmf_model model = accepted_model(&scene.parameters);
-        const tdmf_return plain = tdmf_return_map(&solver, (tdmf_system){&model, &scene.inputs},
-                                                  scene.section, longest, true, NULL, 0);
+        const tdmf_return plain = map_of(&solver, &scene, longest, true, NULL, 0);
         assert_true(is_zero(&plain.measures, sizeof plain.measures));
         assert_true(is_zero(&plain.variations[0].measures, sizeof plain.variations[0].measures));
         assert_true(measured.measures.squared_torque > 0.0);
@@ -165,9 +162,7 @@ TEST(the_lift_off_angle_is_that_of_the_last_lift_off) {
         tdmf_event_log log = {0};
         double angle = NAN;
         solver.log = &log;
-        const tdmf_model model = accepted_model(&scene.parameters);
-        const tdmf_return stride = tdmf_return_map(&solver, (tdmf_system){&model, &scene.inputs},
-                                                   scene.section, longest, false, NULL, 0);
+        const tdmf_return stride = map_of(&solver, &scene, longest, false, NULL, 0);
         assert_true(log.count <= TDMF_EVENT_CAPACITY);
         for (int k = 0; k < log.count; ++k) {
             angle = log.events[k].guard == TDMF_GUARD_LIFT_OFF ? log.events[k].state[TDMF_LEG_ANGLE] : angle;
@@ -183,12 +178,10 @@ TEST(gaits_are_found_to_rounding) {
         const scene_at_apex scene = at_gait(gait);
         tdmf_solver solver = solver_to(tight);
         double guess[TDMF_SECTION_COUNT];
-        const tdmf_model model = accepted_model(&scene.parameters);
         for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
             guess[k] = scene.section[k] + 1e-3;
         }
-        const tdmf_orbit orbit =
-            tdmf_find_orbit(&solver, (tdmf_system){&model, &scene.inputs}, guess, NULL, 0);
+        const tdmf_orbit orbit = orbit_from(&solver, &scene, guess);
         assert_int_equal(orbit.outcome, TDMF_ORBIT_FOUND);
         assert_true(orbit.iterations <= 5);
         assert_true(orbit.error < 1e-12);
@@ -207,33 +200,24 @@ TEST(what_is_no_gait_is_said_to_be_none) {
     tdmf_solver solver = tdmf_solver_default();
     const tdmf_model model = accepted_model(&scene.parameters);
     scene.section[TDMF_SECTION_COM_HEIGHT] = -1.0;
-    assert_int_equal(
-        tdmf_find_orbit(&solver, (tdmf_system){&model, &scene.inputs}, scene.section, NULL, 0).outcome,
-        TDMF_ORBIT_NO_START);
+    assert_int_equal(orbit_from(&solver, &scene, scene.section).outcome, TDMF_ORBIT_NO_START);
     scene.section[TDMF_SECTION_COM_HEIGHT] = NAN;
-    assert_int_equal(
-        tdmf_find_orbit(&solver, (tdmf_system){&model, &scene.inputs}, scene.section, NULL, 0).outcome,
-        TDMF_ORBIT_NO_START);
+    assert_int_equal(orbit_from(&solver, &scene, scene.section).outcome, TDMF_ORBIT_NO_START);
     scene.section[TDMF_SECTION_COM_HEIGHT] = 200.0;
-    assert_int_equal(
-        tdmf_find_orbit(&solver, (tdmf_system){&model, &scene.inputs}, scene.section, NULL, 0).outcome,
-        TDMF_ORBIT_FELL);
+    assert_int_equal(orbit_from(&solver, &scene, scene.section).outcome, TDMF_ORBIT_FELL);
     assert_int_equal(tdmf_settle(&solver, (tdmf_system){&model, &scene.inputs}, 10, scene.section), 0);
 }
 
 /* Neither trouble of the solver nor a stand is a fall. */
 TEST(only_a_fall_is_called_one) {
     scene_at_apex scene = at_gait(&reference_gaits[DEFAULT_GAIT]);
-    tdmf_model model = accepted_model(&scene.parameters);
     for (int limit = 0; limit < 3; ++limit) {
         tdmf_solver few_steps = tdmf_solver_default(), few_events = tdmf_solver_default();
         few_steps.step_limit = few_events.event_limit = limit;
-        const tdmf_orbit tired =
-            tdmf_find_orbit(&few_steps, (tdmf_system){&model, &scene.inputs}, scene.section, NULL, 0);
+        const tdmf_orbit tired = orbit_from(&few_steps, &scene, scene.section);
         assert_int_equal(tired.outcome, TDMF_ORBIT_UNSOLVED);
         assert_int_equal(tired.stride.solver, TDMF_TOO_MANY_STEPS);
-        const tdmf_orbit busy =
-            tdmf_find_orbit(&few_events, (tdmf_system){&model, &scene.inputs}, scene.section, NULL, 0);
+        const tdmf_orbit busy = orbit_from(&few_events, &scene, scene.section);
         assert_int_equal(busy.outcome, TDMF_ORBIT_UNSOLVED);
         assert_int_equal(busy.stride.solver, TDMF_TOO_MANY_EVENTS);
     }
@@ -243,9 +227,7 @@ TEST(only_a_fall_is_called_one) {
     scene.parameters.hip.stance_torque = 0.0;
     scene.parameters.leg.damping = 2.0;
     scene.parameters.hip.touchdown_angle = 0.0;
-    model = accepted_model(&scene.parameters);
-    assert_int_equal(tdmf_find_orbit(&solver, (tdmf_system){&model, &scene.inputs}, stand, NULL, 0).outcome,
-                     TDMF_ORBIT_NO_STRIDE);
+    assert_int_equal(orbit_from(&solver, &scene, stand).outcome, TDMF_ORBIT_NO_STRIDE);
 }
 
 /* Steps of so many strides, by the rule in solver.h, where each closes or is the last. */
