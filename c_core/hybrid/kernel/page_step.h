@@ -29,12 +29,9 @@ enum { NO_EVENT = -1, NEWTON_LIMIT = 8 };
 enum { LANES = 1 };
 #endif
 
-/* A guard of the mode. */
+/* A guard of the mode, with its flags. */
 typedef struct {
-    mask is_watched, is_crossing, was_taken; /* was_taken: its event was taken as the mode begins */
-    mask was_above, is_late; /* above zero since the mode began; below zero since its event was taken */
-    mask rises;              /* from zero, as soon as time passes */
-    mask is_near;            /* the last step ended at its root, and its event was not taken */
+    integer flags;
     real scale, late_scale;
 } guard_watch;
 
@@ -110,6 +107,28 @@ static inline void set_mask(mask *lanes, int lane, bool selects) {
     ((lane_mask *)lanes)[lane] = -(lane_mask)selects;
 }
 
+static inline int flags_of(const integer *flags, int lane) {
+    return (int)((const lane_mask *)flags)[lane];
+}
+
+static inline void set_flags(integer *flags, int lane, int number) {
+    ((lane_mask *)flags)[lane] = number;
+}
+
+/* ---- flags of guards ----------------------------------------------------------------------------------- */
+
+static inline mask has_flag(const guard_watch *watch, int flag) {
+    return (watch->flags & integer_of(flag)) != integer_of(0);
+}
+
+static inline void raise_flag(guard_watch *watch, int flag, mask lanes) {
+    watch->flags |= select_integer(lanes, integer_of(flag), integer_of(0));
+}
+
+static inline void lower_flag(guard_watch *watch, int flag, mask lanes) {
+    watch->flags &= ~select_integer(lanes, integer_of(flag), integer_of(0));
+}
+
 /* States that change in a step: those that move, then those of observed quantities. */
 static inline int changing_count(const page_step *step) {
     return step->motion->moving_count + step->observed_count;
@@ -136,18 +155,11 @@ static inline void load_mode(page_step *step, int lane, const mode_start *at, co
     step->looks = step->rises = true;
     step->watched |= (((uint64_t)1 << step->observed_count) - 1) << guard_count;
     for (int i = 0; i < guard_count; ++i) {
-        guard_watch *watch = &step->guards[i];
         const guard_start *guard = &at->guards[i];
-        step->watched |= (uint64_t)guard->is_watched << i;
-        set_mask(&watch->is_watched, lane, guard->is_watched);
-        set_mask(&watch->is_crossing, lane, guard->is_crossing);
-        set_mask(&watch->was_taken, lane, guard->was_taken);
-        set_mask(&watch->was_above, lane, guard->was_above);
-        set_mask(&watch->is_late, lane, guard->is_late);
-        set_mask(&watch->is_near, lane, guard->is_near);
-        set_mask(&watch->rises, lane, false);
-        set_lane(&watch->scale, lane, guard->scale);
-        set_lane(&watch->late_scale, lane, guard->late_scale);
+        step->watched |= (uint64_t)(guard->flags & IS_WATCHED) << i;
+        set_flags(&step->guards[i].flags, lane, guard->flags & ~RISES);
+        set_lane(&step->guards[i].scale, lane, guard->scale);
+        set_lane(&step->guards[i].late_scale, lane, guard->late_scale);
     }
     for (int i = 0; i < moving_count; ++i) {
         set_lane(&step->units[i], lane, scales[step->motion->moving[i]]);
@@ -157,13 +169,10 @@ static inline void load_mode(page_step *step, int lane, const mode_start *at, co
     }
 }
 
-/* Reads which guards a lane has found above zero, and which are late. */
+/* Reads what a lane has found of its guards. */
 static inline void keep_guards(const page_step *step, int lane, mode_start *at) {
     for (int i = 0; i < step->guard_count; ++i) {
-        at->guards[i].is_watched = has_lane(&step->guards[i].is_watched, lane);
-        at->guards[i].was_above = has_lane(&step->guards[i].was_above, lane);
-        at->guards[i].is_late = has_lane(&step->guards[i].is_late, lane);
-        at->guards[i].is_near = has_lane(&step->guards[i].is_near, lane);
+        at->guards[i].flags = flags_of(&step->guards[i].flags, lane);
     }
 }
 
@@ -171,8 +180,6 @@ static inline void keep_guards(const page_step *step, int lane, mode_start *at) 
 static inline void unload_mode(const page_step *step, int lane, mode_start *at) {
     at->begins = has_lane(&step->begins, lane);
     for (int i = 0; i < step->guard_count; ++i) {
-        at->guards[i].is_crossing = has_lane(&step->guards[i].is_crossing, lane);
-        at->guards[i].was_taken = has_lane(&step->guards[i].was_taken, lane);
         at->guards[i].scale = lane_of(&step->guards[i].scale, lane);
         at->guards[i].late_scale = lane_of(&step->guards[i].late_scale, lane);
     }
@@ -458,8 +465,9 @@ static inline mask begin_below(page_step *step, int guard, real *g, real *floor,
     const double late =
         late_margin + (rough_share * step->tolerance < roughest ? rough_share * step->tolerance : roughest);
     const real value = g[0], band = -2.0 * *floor, late_band = late * watch->late_scale;
-    const mask is_zero = lanes & (value >= -band), was_taken = watch->was_taken & step->begins;
-    const mask is_near = lanes & mask_not(is_zero) & (step->begins | watch->is_late) & (value > -late_band);
+    const mask is_zero = lanes & (value >= -band), was_taken = has_flag(watch, WAS_TAKEN) & step->begins;
+    const mask is_near =
+        lanes & mask_not(is_zero) & (step->begins | has_flag(watch, IS_LATE)) & (value > -late_band);
     real divided[TERMS];
     memcpy(divided, g, sizeof divided);
     const mask undecided = is_zero | is_near;
@@ -467,26 +475,28 @@ static inline mask begin_below(page_step *step, int guard, real *g, real *floor,
     const real below_zero = *floor;
     const mask level = divide_by_time(step, divided, band, down, floor, watch->scale, undecided);
     mask falls = undecided & mask_not(level) & (divided[0] < 0.0);
-    const mask may_turn = falls & is_zero & mask_not(watch->is_crossing);
+    const mask must_cross = has_flag(watch, IS_CROSSING), was_above = has_flag(watch, WAS_ABOVE);
+    const mask may_turn = falls & is_zero & mask_not(must_cross);
     const mask turns = may_turn & mask_not(reaches(step, g, below_zero, watch->scale, may_turn));
     falls &= mask_not(turns);
-    const mask is_late = is_near & mask_not(falls) & mask_not(level & mask_not(was_taken | watch->is_late));
-    const mask crosses = is_zero & falls & watch->was_above & mask_not(was_taken);
+    const mask is_late =
+        is_near & mask_not(falls) & mask_not(level & mask_not(was_taken | has_flag(watch, IS_LATE)));
+    const mask crosses = is_zero & falls & was_above & mask_not(was_taken);
     const mask is_below = lanes & mask_not(is_zero | is_late), may_be_due = is_below | falls;
-    const mask below = is_late | (watch->is_crossing & may_be_due & mask_not(crosses));
-    const mask due = may_be_due & (crosses | mask_not(watch->is_crossing));
+    const mask below = is_late | (must_cross & may_be_due & mask_not(crosses));
+    const mask due = may_be_due & (crosses | mask_not(must_cross));
     mask falls_at_once = due & undecided & step->begins & mask_not(was_taken);
     if (any(falls_at_once)) {
         falls_at_once &= g[1] * time_of_change(step, g, watch->scale) < -band;
     }
-    step->is_reached |= (due & is_zero & watch->was_above) | falls_at_once;
+    step->is_reached |= (due & is_zero & was_above) | falls_at_once;
     /* Hardly below zero, it has to rise further than rounding: shorter steps might change nothing. */
     const real height = select(mask_not(is_zero) & (value >= -late_band), late_band, band);
     end_where_it_rises(step, g, height, below);
-    watch->is_late |= is_late;
+    raise_flag(watch, IS_LATE, is_late);
     const mask rises = is_zero & mask_not(level | falls | turns);
-    watch->was_above &= mask_not(below);
-    watch->rises |= rises;
+    lower_flag(watch, WAS_ABOVE, below);
+    raise_flag(watch, RISES, rises);
     step->rises |= any(rises);
     *searched = (*searched & mask_not(lanes)) | rises;
     *floor = select(rises, *floor, -0.5 * band);
@@ -501,9 +511,9 @@ static inline void note_risen(page_step *step, mask searching) {
     step->rises = false;
     for (int i = 0; i < step->guard_count; ++i) {
         guard_watch *watch = &step->guards[i];
-        watch->was_above |= searching & watch->rises & mask_not(step->begins);
-        watch->rises &= mask_not(searching);
-        step->rises |= any(watch->rises);
+        raise_flag(watch, WAS_ABOVE, searching & has_flag(watch, RISES) & mask_not(step->begins));
+        lower_flag(watch, RISES, searching);
+        step->rises |= any(has_flag(watch, RISES));
     }
 }
 
@@ -524,9 +534,9 @@ static inline void search_events(page_step *step, mask searching) {
     }
     for (int i = 0; i < step->guard_count; ++i) {
         guard_watch *watch = &step->guards[i];
-        mask lanes = searching & watch->is_watched;
+        mask lanes = searching & has_flag(watch, IS_WATCHED);
         if (bounds) { /* most guards are known to be, and to stay, above zero */
-            lanes &= mask_not((bounds[i].low > 0.0) & watch->was_above);
+            lanes &= mask_not((bounds[i].low > 0.0) & has_flag(watch, WAS_ABOVE));
         }
         if (!any(lanes)) {
             continue;
@@ -534,8 +544,8 @@ static inline void search_events(page_step *step, mask searching) {
         real floor = broadcast(-zero_margin) * watch->scale;
         if (bounds) {
             const mask above = lanes & (bounds[i].low > -2.0 * floor);
-            watch->was_above |= above;
-            watch->is_late &= mask_not(above);
+            raise_flag(watch, WAS_ABOVE, above);
+            lower_flag(watch, IS_LATE, above);
             lanes &= mask_not(above);
         }
         if (!any(lanes)) {
@@ -545,10 +555,10 @@ static inline void search_events(page_step *step, mask searching) {
         step->motion->polynomials[i](step->c, step->s[0], step->order, g);
         trust_guard(step, g, watch->scale, lanes);
         const real zero =
-            select(watch->was_taken & step->begins, -2.0 * floor, rounding_margin * watch->scale);
-        const mask above = lanes & (g[0] > 0.0) & (watch->was_above | (g[0] > zero));
-        watch->was_above |= above;
-        watch->is_late &= mask_not(above);
+            select(has_flag(watch, WAS_TAKEN) & step->begins, -2.0 * floor, rounding_margin * watch->scale);
+        const mask above = lanes & (g[0] > 0.0) & (has_flag(watch, WAS_ABOVE) | (g[0] > zero));
+        raise_flag(watch, WAS_ABOVE, above);
+        lower_flag(watch, IS_LATE, above);
         const mask low_lanes = lanes & mask_not(above);
         if (any(low_lanes)) {
             const mask due = begin_below(step, i, g, &floor, &lanes, low_lanes);
@@ -588,8 +598,11 @@ static inline mask looks_again(page_step *step, mask reaches) {
     for (int i = 0; i < step->guard_count; ++i) {
         if (step->kinds[i].ends) {
             guard_watch *watch = &step->guards[i];
-            watch->is_near = reaches & (step->first == integer_of(i)) & mask_not(watch->is_near);
-            again |= watch->is_near;
+            const mask is_near =
+                reaches & (step->first == integer_of(i)) & mask_not(has_flag(watch, IS_NEAR));
+            lower_flag(watch, IS_NEAR, mask_of(true));
+            raise_flag(watch, IS_NEAR, is_near);
+            again |= is_near;
         }
     }
     step->looks = any(again);

@@ -59,16 +59,13 @@ void tdmf_begin_mode(const run_state *state, mode_start *at) {
     mode->open(r->p, r->x, at->c);
     for (int i = 0; i < mode->guard_count; ++i) {
         const tdmf_guard_kind *kind = &mode->guards[i];
-        const guard_start guard = {
-            .is_watched = tdmf_is_watched(kind, r->p, r->x),
-            .is_crossing = tdmf_has_to_cross(kind, r->p, r->x),
-            .was_taken = has_event(r->taken, kind->event),
-            .was_above = has_event(r->above, kind->event),
-            .is_late = has_event(r->late, kind->event),
-            .scale = state->event_scales[kind->event],
-            .late_scale = wider * state->event_scales[kind->event],
-        };
-        at->guards[i] = guard;
+        guard_start *guard = &at->guards[i];
+        guard->flags =
+            IS_WATCHED * tdmf_is_watched(kind, r->p, r->x) |
+            IS_CROSSING * tdmf_has_to_cross(kind, r->p, r->x) | WAS_TAKEN * has_event(r->taken, kind->event) |
+            WAS_ABOVE * has_event(r->above, kind->event) | IS_LATE * has_event(r->late, kind->event);
+        guard->scale = state->event_scales[kind->event];
+        guard->late_scale = wider * guard->scale;
     }
     for (int seed = 0; seed < r->seed_count; ++seed) {
         mode->vary_open(r->p, r->x, r->dp + seed * model->parameter_count, r->dx + seed * model->state_count,
@@ -132,9 +129,9 @@ void tdmf_keep_guards(run_state *state, const mode_start *at) {
     const tdmf_mode_kind *mode = &state->model->modes[state->r->mode];
     uint64_t above = 0, late = 0;
     for (int i = 0; i < mode->guard_count; ++i) {
-        const uint64_t event = at->guards[i].is_watched ? (uint64_t)1 << mode->guards[i].event : 0;
-        above |= at->guards[i].was_above ? event : 0;
-        late |= at->guards[i].is_late ? event : 0;
+        const int flags = at->guards[i].flags, event = mode->guards[i].event;
+        above |= (uint64_t)((flags & (IS_WATCHED | WAS_ABOVE)) == (IS_WATCHED | WAS_ABOVE)) << event;
+        late |= (uint64_t)((flags & (IS_WATCHED | IS_LATE)) == (IS_WATCHED | IS_LATE)) << event;
     }
     state->r->above = above;
     state->r->late = late;

@@ -14,10 +14,19 @@ typedef struct {
     double reach;                  /* time for which the series of the last step can be trusted */
 } run_state;
 
+/* What is known of a guard in a mode. */
+enum {
+    IS_WATCHED = 1,
+    IS_CROSSING = 2, /* it has to cross zero */
+    WAS_TAKEN = 4,   /* its event was taken as the mode begins */
+    WAS_ABOVE = 8,   /* above zero since the mode began */
+    IS_LATE = 16,    /* below zero since its event was taken */
+    IS_NEAR = 32,    /* the last step ended at its root, and its event was not taken */
+    RISES = 64       /* from zero, as soon as time passes */
+};
+
 typedef struct {
-    bool is_watched, is_crossing, was_taken; /* was_taken: its event was taken as the mode begins */
-    bool was_above, is_late;  /* above zero since the mode began; below zero since its event was taken */
-    bool is_near;             /* the last step ended at its root, and its event was not taken */
+    int flags;
     double scale, late_scale; /* late_scale: of the band in which an event that was just taken may be late */
 } guard_start;
 
