@@ -45,7 +45,12 @@ static inline interval bounds_of_observed(const page_step *step, int watch) {
 
 /* Lanes in which a polynomial may change its sign in the step. */
 static inline mask may_change_sign(const page_step *step, const real *g) {
-    return mask_not(real_abs(g[0]) > largest_change(g, step->power, step->order - 1));
+    const mask changes = mask_not(real_abs(g[0]) > largest_change(g, step->power, step->order - 1));
+    if (!any(changes)) {
+        return changes;
+    }
+    const interval range = interval_of_series(g, step->power, step->order);
+    return changes & mask_not((range.low > 0.0) | (range.high < 0.0));
 }
 
 /* Finds the lanes in which the factors of a quantity may change their sign. */
