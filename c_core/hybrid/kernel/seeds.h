@@ -50,14 +50,17 @@ static void vary_seed_lanes(const void *motions, int mode, const tdmf_seed_lanes
 }
 
 /* Copies the variations of one of the two seeds, in memory: compilers would move whole registers for one
- * lane. */
+ * lane. Two coefficients at a time: there is room for one more than asked for. */
 static void read_seed_lane(const void *motions, int mode, const tdmf_seed_lanes *lanes, int lane, int order,
                            double (*t)[TERMS]) {
     const tdmf_motion_kind *m = (const tdmf_motion_kind *)motions + mode;
     const seed_arrays of = seed_arrays_in(lanes);
-    for (int i = 0; i < m->moving_count + m->extra_count; ++i) {
-        for (int k = 0; k <= order; ++k) {
-            memcpy(&t[i][k], (const char *)&of.t[i][k] + (size_t)lane * sizeof t[i][k], sizeof t[i][k]);
+    const int count = m->moving_count + m->extra_count;
+    for (int i = 0; i < count; ++i) {
+        const double *from = (const double *)of.t[i] + lane;
+        for (int k = 0; k <= order; k += 2) {
+            t[i][k] = from[2 * k];
+            t[i][k + 1] = from[2 * k + 2];
         }
     }
 }
