@@ -131,6 +131,9 @@ class OnBorder(Candidate):
 class AlongBorder(Problem):
     """A problem over a border; the bounds of the parameters are among the margins."""
 
+    accuracy = 1e-9
+    """Accuracy of the objective: a border is located to `ACCURACY`, and functions on it are as noisy."""
+
     def __init__(self, problem: Problem, free: NDArray[np.bool_]) -> None:
         """Keep the problem itself, and which of the parameters are varied."""
         super().__init__(problem.goal, problem.scales)
@@ -174,8 +177,8 @@ def _best_over(
     stationary: float,
 ) -> Border:
     """Best border with some parameters held: at first those at their bounds."""
-    wanted, chart = AlongBorder(problem, free), _Chart(gaits, border, region, free)
-    here, radius = chart.point(border, np.zeros(chart.basis.shape[1])), RADIUS
+    wanted, chart = AlongBorder(problem, free), _WordChart(gaits, border, region, free)
+    here, radius = chart.point(border, np.zeros(chart.basis.shape[1]), border.normal), RADIUS
     for _ in range(ROUNDS):
         ended = minimize(wanted, chart.follow, here, here.at - radius, here.at + radius)
         grows = not ended.lost and wanted.merit(ended.best) < wanted.merit(here)
@@ -192,46 +195,44 @@ def _best_over(
     return here.border
 
 
-def _on_border(
-    border: Border,
-    u: NDArray[np.float64],
-    across: NDArray[np.float64],
-    normal: NDArray[np.float64],
-    basis: NDArray[np.float64],
-) -> OnBorder:
-    """A point at u of a chart with a normal and a basis. The border is normal to `across`."""
-    plane = basis - np.outer(normal, across @ basis / (across @ normal))
-    short = border.short
-    return OnBorder(
-        at=u,
-        gait=short.gait,
-        apex_slopes=short.apex_slopes @ plane,
-        values=short.values,
-        slopes=short.slopes @ plane,
-        spectrum=short.spectrum.along(plane),
-        border=border,
-        plane=plane,
-    )
-
-
 class _Chart:
-    """Coordinates u on a border."""
+    """Coordinates u on a border: a step in the plane across a normal, and one along the normal."""
+
+    def __init__(self, gaits: Gaits, normal: NDArray[np.float64], free: NDArray[np.bool_]) -> None:
+        self.gaits = gaits
+        varied = np.where(free, normal, 0.0)
+        self.normal = varied / np.linalg.norm(varied)
+        self.basis = np.eye(len(free))[:, free] @ np.linalg.svd(normal[None, free])[2][1:].T
+
+    def point(self, border: Border, u: NDArray[np.float64], across: NDArray[np.float64]) -> OnBorder:
+        """A point on the border, which is normal to `across`."""
+        plane = self.basis - np.outer(self.normal, across @ self.basis / (across @ self.normal))
+        short = border.short
+        return OnBorder(
+            at=u,
+            gait=short.gait,
+            apex_slopes=short.apex_slopes @ plane,
+            values=short.values,
+            slopes=short.slopes @ plane,
+            spectrum=short.spectrum.along(plane),
+            border=border,
+            plane=plane,
+        )
+
+
+class _WordChart(_Chart):
+    """Coordinates on the border of a region."""
 
     def __init__(self, gaits: Gaits, border: Border, region: Region, free: NDArray[np.bool_]) -> None:
-        self.gaits, self.region = gaits, region
-        normal = np.where(free, border.normal, 0.0)
-        self.normal = normal / np.linalg.norm(normal)
-        self.basis = np.eye(len(free))[:, free] @ np.linalg.svd(border.normal[None, free])[2][1:].T
-
-    def point(self, border: Border, u: NDArray[np.float64]) -> OnBorder:
-        """A point on the border."""
-        return _on_border(border, u, border.normal, self.normal, self.basis)
+        super().__init__(gaits, border.normal, free)
+        self.region = region
 
     def follow(self, near: Candidate, u: NDArray[np.float64]) -> OnBorder:
         """The border at u, from a point on it."""
         assert isinstance(near, OnBorder)
         at = near.border.short.at + near.plane @ (u - near.at)
-        return self.point(across(self.gaits, near.border.short, at, self.normal, self.region), u)
+        border = across(self.gaits, near.border.short, at, self.normal, self.region)
+        return self.point(border, u, border.normal)
 
 
 def is_near(gait: Candidate) -> bool:
@@ -251,7 +252,8 @@ def best_on_edge(
     for _ in range(EDGE_ROUNDS):
         try:
             chart = _EdgeChart(gaits, best)
-            here = chart.follow(chart.here(best), np.zeros(len(best.at) - 1))
+            origin = np.zeros(len(best.at) - 1)
+            here = chart.follow(chart.on_edge(best, origin), origin)
         except RunError:
             break
         ended = minimize(
@@ -274,21 +276,19 @@ def best_on_edge(
     return best
 
 
-class _EdgeChart:
-    """Coordinates u on the edge: parameters are a point, a step across u, and one along the normal there."""
+class _EdgeChart(_Chart):
+    """Coordinates on the edge off a fold."""
 
     def __init__(self, gaits: Gaits, begin: Candidate) -> None:
-        self.gaits = gaits
         slopes = begin.spectrum.fold_slopes
-        size = float(np.linalg.norm(slopes))
-        if not size > 0.0:
+        if not np.any(slopes):
             raise RunError("the edge of the fold has no normal here")
-        self.normal = slopes / size
-        self.basis: NDArray[np.float64] = np.linalg.svd(self.normal[None, :])[2][1:].T
+        super().__init__(gaits, slopes, np.ones(len(slopes), dtype=bool))
 
-    def here(self, gait: Candidate) -> OnBorder:
-        """A gait as the origin of the coordinates."""
-        return self._point(gait, np.zeros(self.basis.shape[1]))
+    def on_edge(self, gait: Candidate, u: NDArray[np.float64]) -> OnBorder:
+        """A gait as a point of the edge."""
+        border = Border(gait, gait, is_smooth=False, normal=self.normal)
+        return self.point(border, u, gait.spectrum.fold_slopes)
 
     def follow(self, near: Candidate, u: NDArray[np.float64]) -> OnBorder:
         """The gait on the edge at u, from one that is known; by Newton's method along the normal."""
@@ -298,7 +298,7 @@ class _EdgeChart:
         for _ in range(NEWTON):
             left = gait.spectrum.fold / OFF_FOLD - 1.0
             if abs(left) <= ON_EDGE:
-                return self._point(gait, u)
+                return self.on_edge(gait, u)
             slope = float(gait.spectrum.fold_slopes @ self.normal) / OFF_FOLD
             if not slope > 0.0:
                 break
@@ -314,7 +314,3 @@ class _EdgeChart:
             except RunError:
                 step = max(INWARDS, 4.0 * step)
         raise RunError("there are no gaits off the fold")
-
-    def _point(self, gait: Candidate, u: NDArray[np.float64]) -> OnBorder:
-        border = Border(gait, gait, is_smooth=False, normal=self.normal)
-        return _on_border(border, u, gait.spectrum.fold_slopes, self.normal, self.basis)

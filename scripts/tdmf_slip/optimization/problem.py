@@ -104,8 +104,6 @@ LITTLE = 1e-3
 Rows = tuple[NDArray[np.float64], NDArray[np.float64]]
 """Values, shape (m,), and their gradients in rows, shape (m, d)."""
 ITERATIONS = 30
-ACCURACY = 1e-12
-"""Accuracy of the objective and of the constraints' violations."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,6 +136,9 @@ class Goal:
 
 class Problem:
     """A goal as functions of a gait."""
+
+    accuracy = 1e-12
+    """Accuracy of the objective and of the constraints' violations, at which a search in a box ends."""
 
     def __init__(self, goal: Goal, scales: Mapping[str, float]) -> None:
         """The scales are those of the quantities."""
@@ -324,6 +325,6 @@ def minimize(
             method="SLSQP",
             bounds=list(zip(low, high, strict=True)),
             constraints=constraints,
-            options={"maxiter": ITERATIONS, "ftol": ACCURACY},
+            options={"maxiter": ITERATIONS, "ftol": problem.accuracy},
         )
     return Ended(min(seen, key=problem.merit), **ended)
