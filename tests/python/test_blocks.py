@@ -422,6 +422,16 @@ def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(functions, left, tmp_pat
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")
+def test_an_interrupt_ends_a_map_whose_blocks_are_waited_for(tmp_path):
+    folder = tmp_path / "folder"
+    folder.mkdir()
+    asked = ("basin", "--n", "48", "--samples", "0", "--output", "map.nc")
+    status, said = interrupted(INTERRUPT_AT, folder, "blocks._next_done", *asked)
+    assert status == 130
+    assert said[-1].endswith(INTERRUPTED) and no_more_than_a_bar(said[:-1], "basin"), said
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")
 def test_an_interrupt_ends_processes_that_prove(tmp_path):
     pytest.importorskip("flint")
     folder = tmp_path / "folder"

@@ -7,6 +7,7 @@ import json
 import math
 from collections import Counter
 from functools import partial
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -121,7 +122,8 @@ def test_a_fold_that_is_not_there_is_refused():
 
 
 def test_faster_retraction_doubles_the_period():
-    """At 49.1 degrees per second the slope of the map passes -1."""
+    """At 49.1 degrees per second the slope of the map passes -1. Without retraction there is no gait."""
+    assert classic_slip.fixed_points(math.radians(46.0)) == []
     slopes = [
         classic_slip.fixed_points(math.radians(46.0), retraction_rate=math.radians(rate))[0].slope
         for rate in (49.0, 49.2)
@@ -226,6 +228,56 @@ def energy_of(at):
     """Energy of the paper's SLIP in stance, by position and velocity relative to the foot."""
     x, y, vx, vy = at
     return MASS * ((vx**2 + vy**2) / 2 + GRAVITY * y) + STIFFNESS * (LENGTH - np.hypot(x, y)) ** 2 / 2
+
+
+@pytest.mark.parametrize("slope", [-10, 0, 5])
+def test_energy_is_kept_and_time_can_be_turned(slope):
+    """The step backward lands where this step took off, on the slope that rises where this one falls."""
+    slope, turned = math.radians(slope), 0
+    for angle in np.radians(np.arange(20, 50, 3)):
+        runner = slip(angle, ground_slope=slope)
+        made = step(runner, 1.4)
+        times = made.touchdown_time + np.linspace(0, made.stance_time, 11)
+        energies = energy_of(classic_slip.path(runner, 1.4, times))
+        assert energies == pytest.approx(energies[0], rel=1e-12)
+        if made.outcome != "flies":
+            continue
+        x, y, *_ = take_off(runner, 1.4, ENERGY)
+        back = step(slip(math.atan2(x, y), ground_slope=-slope), made.next_height, made.next_energy)
+        if back.outcome == "no start":  # the foot would be below the ground at the apex
+            continue
+        assert (back.next_height, back.length) == pytest.approx((1.4, made.length), abs=1e-10)
+        assert (back.next_energy, back.stance_time) == pytest.approx((ENERGY, made.stance_time), rel=1e-10)
+        turned += 1
+    assert turned >= 3
+
+
+def test_a_leg_that_would_lengthen_from_touchdown_on_takes_off_at_once_and_falls():
+    """A leg that lands upright or behind may do so, and otherwise keeps the energy of its step."""
+    found = Counter()
+    for angle, speed in product(np.radians(np.arange(-40, 1, 2)), np.arange(0.1, 4, 0.2)):
+        energy = MASS * (speed**2 / 2 + GRAVITY * 1.2)
+        made = step(slip(angle), 1.2, energy)
+        x, y, vx, vy = classic_slip.path(slip(angle), 1.2, made.touchdown_time, energy)[:, 0]
+        lengthens = x * vx + y * vy > 0
+        if lengthens:
+            assert made.outcome == "falls" and made.stance_time < 1e-6
+        elif made.outcome == "flies":
+            assert made.next_energy == pytest.approx(energy, rel=1e-12)
+        found["lengthens" if lengthens else made.outcome] += 1
+    assert found["flies"] >= 1 and found["lengthens"] >= 5
+
+
+def test_friction_is_needed_where_the_leg_turns_back():
+    """The mass of a slow runner does not get over the foot, and falls back behind it."""
+    energy = MASS * (0.2**2 / 2 + GRAVITY * 1.35)
+    made = step(slip(0.2), 1.35, energy)
+    times = made.touchdown_time + np.linspace(0, made.stance_time, 2000)
+    x, y, *_ = classic_slip.path(slip(0.2), 1.35, times, energy)
+    steepest = np.abs(x / y).max()
+    assert x[-1] < 0 and made.stance_friction == pytest.approx(steepest, abs=1e-6)
+    ends = [step(slip(0.2, of * steepest), 1.35, energy).outcome for of in (0.99, 1.01)]
+    assert (made.outcome, ends) == ("turns back", ["slides", "turns back"])
 
 
 def test_retraction_is_an_angle_that_depends_on_the_fall():

@@ -127,3 +127,22 @@ def test_the_process_stays_as_it_was(tmp_path):
         [sys.executable, "-c", program], capture_output=True, text=True, timeout=HANGS, cwd=tmp_path
     )
     assert done.stdout.splitlines()[-1:] == ["unchanged"], done.stderr
+
+
+CHANGES = {
+    "signal handlers": "signal.signal(signal.SIGINT, signal.SIG_IGN)",
+    "FMPy": "fmpy.simulation.Input.apply = None",
+    "rcParams": "matplotlib.rcParams['lines.linewidth'] = 9",
+    "NumPy's error state": "numpy.seterr(all='ignore')",
+    "environment": "os.environ['TDMF'] = '1'",
+    "threads": "threading.Thread(target=threading.Event().wait, daemon=True).start()",
+    "open sockets": "import socket; kept = socket.socket()",
+}
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="open sockets are read from /proc")
+def test_the_look_at_the_process_sees_every_change():
+    changes = "\n".join(CHANGES.values())
+    program = f"{LOOK}\n{changes}\nafter = look()\nprint([c for c in before if before[c] != after[c]])"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=HANGS)
+    assert done.stdout == f"{list(CHANGES)}\n", done.stderr

@@ -12,6 +12,7 @@ from tdmf_slip import (
     Runner,
     basin,
     continue_branch,
+    dead_beat,
     find_gait,
     gait_at,
     lqr,
@@ -74,6 +75,21 @@ def test_a_sweep_has_the_gaits_of_the_built_in_runner(paper_s):
     assert (mine["word"].values == own["word"].values).all()
     assert borders["ground.friction"].values == pytest.approx(other["ground.friction"].values, abs=1e-8)
     assert gait_at(mine, friction=0.43).word == "+0-"
+
+
+def test_settings_by_stride_optima_and_dead_beat_laws_are_those_of_the_built_in_runner(paper_s):
+    inputs = {"friction": [0.6, 0.5, 0.7], "hip.stance_torque": np.array([[0.2, 0.21, 0.19]])}
+    vary, gaits = {"hip.stance_torque": (0.15, 0.25)}, (find_gait(paper_s), find_gait())
+    mine, own = (Batch(gait.runner, gaits[1].apex, inputs=inputs).run(3).apex for gait in gaits)
+    assert mine == pytest.approx(own, abs=1e-7) and np.abs(own - gaits[1].apex).max() > 1e-3
+    stepping = Batch(paper_s, gaits[1].apex)
+    for k in range(3):
+        stepping.step({name: np.ravel(values)[k] for name, values in inputs.items()})
+    assert stepping.apices[0] == pytest.approx(own, abs=1e-7)
+    mine, own = (tdmf_slip.optimize(gait, vary, minimize="cost_of_transport", starts=1) for gait in gaits)
+    assert mine.parameters == pytest.approx(own.parameters, abs=1e-6)
+    mine, own = (dead_beat(gait, SETTINGS) for gait in gaits)
+    assert np.asarray(mine.gain) == pytest.approx(np.asarray(own.gain), abs=1e-5)
 
 
 def test_feedback_and_runs_under_it_are_those_of_the_built_in_runner(paper_s):
