@@ -149,6 +149,16 @@ def test_controllability_is_told_in_numbers(gaits):
     assert f"largest eigenvalue {law.lambda_max:.4g}, 0.8556 without>" in repr(law)
 
 
+def test_modal_controllability_is_by_left_eigenvectors_of_the_whole_jacobian(gaits):
+    """An independent derivation: it is computed from the modes that last alone."""
+    model = linearize(gaits[1.0], [ANGLE, TORQUE])
+    values, left = np.linalg.eig(model.scaled_state_matrix.T)
+    left = left[:, np.argsort(-np.abs(values))[:3]]
+    expected = np.abs((left / np.linalg.norm(left, axis=0)).T @ model.scaled_input_matrix)
+    found = controllability(gaits[1.0], [ANGLE, TORQUE]).modal_controllability
+    assert found == pytest.approx(expected, rel=1e-8)
+
+
 def test_a_mode_that_no_setting_moves_is_named():
     modes = Modes(np.eye(3), np.diag([1.1, 0.5, -0.3]), np.array([[0.0], [1.0], [2.0]]))
     found = controllability_of(Runner(), modes, (ANGLE,))

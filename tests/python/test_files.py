@@ -234,6 +234,17 @@ def test_a_file_is_on_the_disk_before_it_has_its_name(monkeypatch, tmp_path):
     assert happened == ["file of 12", "renamed", "folder"]
 
 
+@POSIX_ONLY
+def test_the_mask_of_the_process_is_left_alone(monkeypatch, tmp_path):
+    """It is that of all threads, which may be making files, too."""
+    monkeypatch.setattr(os, "umask", lambda mask: pytest.fail("the mask was changed"))
+    for mode in (None, 0o600):  # until a file is replaced its successor is nobody else's
+        with whole.whole(tmp_path / "new.csv") as beside:
+            beside.write_text("new")
+            assert mode in (None, stat.S_IMODE(beside.stat().st_mode))
+    assert (tmp_path / "new.csv").read_text() == "new"
+
+
 TERMINATED = """
 import os, sys, tempfile
 import tdmf_slip

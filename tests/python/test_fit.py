@@ -340,6 +340,24 @@ def test_the_numbers_of_a_runner_at_eight_speeds_are_made_of_those_published():
         assert rows[0][name].error == pytest.approx(np.sqrt(off @ off / 6), rel=5e-3), scale
 
 
+def test_the_numbers_of_fast_runners_are_made_of_those_published():
+    text = shipped("human_fast_running.csv").read_text(encoding="utf-8")
+    pairs = re.findall(
+        r"^# (\w[\w ]*) \([^)]*\) +([\d.]+) \(([\d.]+)\) +([\d.]+) \(([\d.]+)\)$", text, re.MULTILINE
+    )
+    printed = {name: np.array(numbers, float).reshape(2, 2) for name, *numbers in pairs}
+    made = {
+        "speed": printed["velocity"] / 3.6,
+        "stance_time": printed["contact time"],
+        "frequency": printed["step frequency"],
+        "peak_force": printed["peak vertical force"] * 84.0 * 9.81,
+    }
+    for number, row in enumerate(read_measurements(shipped("human_fast_running.csv")).rows):
+        for name, (mean, deviation) in ((name, of[number]) for name, of in made.items()):
+            assert row[name].value == pytest.approx(mean, rel=1e-4)
+            assert row[name].error == pytest.approx(deviation / np.sqrt((11, 9)[number]), rel=2e-3)
+
+
 def test_one_leg_runs_at_eight_speeds():
     """What is published of a runner, its frequencies and forces, is within its errors with one stiffness."""
     each = ["hip.stance_torque", "hip.touchdown_angle"]

@@ -8,8 +8,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import CLAMPED, reference_gaits
+from conftest import CLAMPED, reference_gaits, release
 from tdmf_slip import Batch, InputError, RunError, Runner, find_gait
+from tdmf_slip.analysis import sweeps
 from tdmf_slip.analysis.branch_problem import gaits_over
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.analysis.special_points import borders_between
@@ -230,6 +231,23 @@ def test_a_grid_keeps_the_gaits_before_its_branch_was_lost(runner):
         assert float(found[name][0, 0]) == pytest.approx(first.stride[name], rel=1e-9)
     with pytest.raises(RunError, match=r"at friction 0\.02"):
         find_gait(runner.replace({"hip.touchdown_angle": 1.0, FRICTION: 0.02}))
+
+
+@release
+def test_a_sweep_goes_on_beyond_a_gap():
+    """At human scale; between gaits of different words, but of no common branch, there is no border."""
+    found = sweep_row(Runner(read_parameters(FAST_HUMAN)), FRICTION, [0.6, 0.3, 0.405])
+    assert [gait and gait.word for gait in found.by_value] == ["+0+", None, "+0-0+"]
+    assert "friction 0.3" in found.problem and found.borders == ()
+
+
+def test_a_border_that_is_not_located_loses_no_gait(runner, monkeypatch):
+    def none(*_):
+        raise RunError("not located")
+
+    monkeypatch.setattr(sweeps, "borders_between", none)
+    found = sweep_row(runner, FRICTION, [0.6, 0.45])
+    assert len(found.gaits) == 2 and found.problem == "not located"
 
 
 def test_a_grid_over_a_mass(runner):

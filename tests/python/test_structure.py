@@ -311,7 +311,10 @@ def test_initial_unknowns_follow_the_declared_start_values(version):
 
 
 def test_directional_derivatives_in_a_run_are_differences(version):
-    """Every continuous output and state derivative is varied by every input and every state."""
+    """Every continuous output and state derivative is varied by every input and every state.
+
+    Adjoint derivatives are the same matrix.
+    """
     draw, step = random.Random(14), 1e-5
     unknowns = [
         name for name in version.declared("outputs", "derivatives")
@@ -319,17 +322,28 @@ def test_directional_derivatives_in_a_run_are_differences(version):
         and name != "der(hip.positive_work)"  # has a kink where the power is zero
     ]  # fmt: skip
     references = [version.variables[name].valueReference for name in unknowns]
-    compared, modes = 0, set()
+    compared, modes, columns = 0, set(), {}
 
     def compare(probe, known, value, change):
         of = version.variables[known].valueReference
         exact = np.array(probe.model.getDirectionalDerivative(references, [of], [1.0]))
+        columns[of] = exact
         sides = []
         for at in (value + step, value - step, value):
             change(at)
             sides.append(np.array(list(probe.read(unknowns).values())))
         size = 1e-6 * (1.0 + np.max(np.abs(exact)))
         assert (sides[0] - sides[1]) / (2 * step) == pytest.approx(exact, abs=size), known
+
+    def compare_adjoint(probe):
+        if version.fmi == 3:
+            exact, weights = (
+                np.stack(list(columns.values())),
+                np.random.default_rng(3).random(len(references)),
+            )
+            adjoint = probe.model.getAdjointDerivative(references, list(columns), weights, len(exact))
+            assert adjoint == pytest.approx(exact @ weights, abs=1e-12 * (1.0 + np.abs(exact).max()))
+        columns.clear()
 
     for _ in range(60):
         start = random_start(draw)
@@ -341,6 +355,7 @@ def test_directional_derivatives_in_a_run_are_differences(version):
         modes |= set(probe.read(["contact.mode_index"]).values())
         for known, value in probe.read(version.inputs).items():
             compare(probe, known, value, lambda at, known=known, probe=probe: probe.write(known, at))
+        compare_adjoint(probe)
         probe.model.enterContinuousTimeMode()
         states = probe.states()
         for i, known in enumerate(version.states):
@@ -348,6 +363,7 @@ def test_directional_derivatives_in_a_run_are_differences(version):
                 probe, known, states[i],
                 lambda at, i=i, probe=probe, x=states: probe.set_states([*x[:i], at, *x[i + 1 :]]),
             )  # fmt: skip
+        compare_adjoint(probe)
         probe.model.freeInstance()
         compared += len(version.inputs) + len(states)
     assert modes == {1, 2, 3, 4, 5} and compared > 40 * 25
