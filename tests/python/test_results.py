@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import tdmf_slip
 import xarray
-from conftest import assert_same
+from conftest import RELEASE, assert_same
 from tdmf_slip.cli.command import json_text
 from tdmf_slip.files.netcdf import netcdf_of
 from tdmf_slip.record import runner_in
@@ -72,7 +72,7 @@ VARIES = {
 MADE_TWICE = {"run", "runs", "basin", "falls", "strides", "feedback"}
 
 
-@pytest.mark.parametrize("name", MADE)
+@pytest.mark.parametrize("name", [name for name in MADE if RELEASE or name not in ("curves", "front")])
 def test_a_result_says_what_it_is_who_ran_and_by_which_version(name, gait, tmp_path):
     result = MADE[name](gait)
     if name in MADE_TWICE:
