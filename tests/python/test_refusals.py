@@ -16,6 +16,7 @@ from tdmf_slip import (
     dead_beat,
     find_gait,
     lqr,
+    optimize,
     place_poles,
     simulate_many,
     stride_map,
@@ -27,6 +28,7 @@ from tdmf_slip.analysis.basin import range_around
 from tdmf_slip.analysis.branch_problem import gaits_over
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.analysis.special_points import borders_between
+from tdmf_slip.analysis.stability import stability
 from tdmf_slip.cli import options
 from tdmf_slip.feedback import judgement
 from tdmf_slip.fmu import inputs
@@ -35,6 +37,7 @@ from tdmf_slip.paper import settling
 from tdmf_slip.variables.parameters import read_parameters
 
 FRICTION, ANGLE, DAMPING = "ground.friction", "hip.touchdown_angle", "leg.damping"
+TORQUE = "hip.stance_torque"
 START = {FRICTION: 0.2}
 RANGES = {"com_height": (1.3, 1.4), "com_speed": (1.0, 1.1)}
 PATCH = {FRICTION: 0.6, "ground.patch_begin": 12.45, "ground.patch_end": 12.52}
@@ -111,7 +114,18 @@ REFUSED = [
     (lambda r, g: stride_map({}, MANY), "runners: 1,000,000,000 runners; allowed: up to 10,000,000"),
     (lambda r, g: Batch(g.runner, g.apex).run(1, MANY), "until: 6,000,000,000 .*up to"),
     (lambda r, g: sweep({}, {FRICTION: HALF}), "vary ground.friction: 1,000,000,000 values; allowed: up to"),
+    (lambda r, g: Batch(r, MANY), "runners: 1,000,000,000 runners; allowed: up to 10,000,000"),
+    (lambda r, g: stride_map(r, [g.apex] * 100, strides=10**6), "100,000,000 strides in all; allowed: up to"),
+    (lambda r, g: stride_map({DAMPING: HALF}, g.apex), "1,000,000,000 numbers; allowed: up to"),
+    (lambda r, g: stride_map(r, g.apex, strides=10**6, inputs={TORQUE: HALF}), "1,000,000,000 numbers; all"),
+    (lambda r, g: basin(r, n=100_000), r"10,000,000,000 starts \(100,000 by 100,000\); allowed: up to"),
+    (lambda r, g: stability({}, {FRICTION: HALF, DAMPING: [0.2]}), "1,000,000,000 values; allowed: up to"),
     (lambda r, g: run_unit(interface=np.array(["me", "cs"])), "interface array.*allowed: me, cs"),
+    (lambda r, g: find_gait(r, model=np.zeros(2)), "model array.*allowed"),
+    (lambda r, g: Batch(r, g.apex, instructions=np.zeros(2)), "instructions array.*allowed"),
+    (lambda r, g: optimize(r, {TORQUE: (0.1, 0.3)}, minimize=np.zeros(2)), "minimize array.*allowed"),
+    (lambda r, g: strides_to_fall(r, 0.1, runners=np.zeros(2)), "runners = array.*allowed"),
+    (lambda r, g: basin(r, path="\0.nc"), "null"),
     (lambda r, g: sweep({}, {3: [0.5]}), "vary 3 is not allowed"),
     (lambda r, g: basin({}, np.zeros(2)), "axes: 0.0 is not allowed; allowed: com_height"),
     (lambda r, g: strides_to_fall({}, 0.5, gait=g.apex), "gait = array.*allowed: a Gait"),
@@ -150,6 +164,11 @@ REFUSED = [
     (lambda r, g: sweep({}, {FRICTION: np.ma.masked_array([0.5, 0.6], [1, 0])}), ALLOWED),
     (lambda r, g: continue_branch({}, {FRICTION: MASKED}), ALLOWED),
     (lambda r, g: follow([0.0, 5.0], [True, False]), ALLOWED),
+    (lambda r, g: Profile.steps(DATES, [0.0, 1.0, 0.0]), ALLOWED),
+    (lambda r, g: lqr(g, [ANGLE], np.eye(6) * 1j), ALLOWED),
+    (lambda r, g: stride_map({FRICTION: SIX}, np.ones((6, 6))), ALLOWED),
+    (lambda r, g: stride_map({}, np.ones((6, 6)), foot_x=SIX), ALLOWED),
+    (lambda r, g: stride_map({}, np.ones(6), strides=6, inputs={FRICTION: SIX}), ALLOWED),
     (lambda r, g: RoughGround(friction_spread=-1.0), "friction_spread"),
     (lambda r, g: RoughGround(friction_spread=np.nan), "friction_spread"),
     (lambda r, g: RoughGround(step_weights=(np.nan,)), "step_weights"),

@@ -83,3 +83,5 @@ def test_the_exit_status_says_whether_the_reference_is_met(gaits, drifts, expect
     monkeypatch.setattr(command_module, "validate", lambda **_: Validation(gaits, CLAIMS, drifts))
     status, printed, _ = command("validate", "--json")
     assert status == expected and json.loads(printed)["passed"] == (expected == 0)
+    text = Validation(gaits, CLAIMS, drifts).as_text()
+    assert ("1 of 6 recorded values are NOT met" in text and MISSED.what in text) == (expected == 1)
