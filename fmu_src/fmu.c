@@ -180,6 +180,15 @@ static bool take_pending_event(fmu *fmu, const struct instance *observer) {
     return false;
 }
 
+/* Whether a run has come to states beyond any motion; says which in `text`. */
+static bool is_beyond_motion(const fmu *fmu, char text[FMU_TEXT]) {
+    const char *name = number_out_of_range(fmu->motion.numbers);
+    if (name != NULL) {
+        snprintf(text, FMU_TEXT, "%.200s has grown beyond what any motion has", name);
+    }
+    return name != NULL;
+}
+
 /* Gives states that an event has left without a number, because a trial state has none, their values before.
  */
 static void keep_numbers(fmu *fmu, const double states[]) {
@@ -189,7 +198,8 @@ static void keep_numbers(fmu *fmu, const double states[]) {
     }
 }
 
-bool fmu_update(fmu *fmu, const struct instance *observer, bool *state_changed) {
+const char *fmu_update(fmu *fmu, const struct instance *observer, bool *state_changed, char text[FMU_TEXT]) {
+    const struct fmu begun = *fmu;
     double states[FMU_STATE_COUNT + 1];
     bool is_resolved;
     fmu_states(fmu, NULL, states);
@@ -214,7 +224,13 @@ bool fmu_update(fmu *fmu, const struct instance *observer, bool *state_changed) 
         account_for_all(fmu);
     }
     *state_changed = changed;
-    return is_resolved;
+    if (!is_resolved) {
+        snprintf(text, FMU_TEXT, "the events at this instant do not come to an end");
+    } else if (!is_beyond_motion(fmu, text)) {
+        return NULL;
+    }
+    *fmu = begun;
+    return text;
 }
 
 /* ---- Co-Simulation ------------------------------------------------------------------------------------- */
@@ -240,7 +256,7 @@ static const char *input_out_of_range(fmu *fmu, char text[FMU_TEXT]) {
 }
 
 /* Completes a run that the driver has brought to its end or to `until`; else it goes back to `begun`. */
-static const char *conclude(fmu *fmu, const page_motion *begun, tdmf_run_outcome outcome, double until,
+static const char *conclude(fmu *fmu, const struct fmu *begun, tdmf_run_outcome outcome, double until,
                             char text[FMU_TEXT]) {
     if (outcome == TDMF_RUN_ENDED) {
         for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
@@ -254,34 +270,42 @@ static const char *conclude(fmu *fmu, const page_motion *begun, tdmf_run_outcome
     } else if (outcome == TDMF_RUN_ENDED || input_out_of_range(fmu, text) == NULL) {
         fmu_set_time(fmu, until);
         show_to_world(fmu);
-        account_for_all(fmu);
-        return NULL;
+        if (!is_beyond_motion(fmu, text)) {
+            account_for_all(fmu);
+            return NULL;
+        }
     }
-    fmu->motion = *begun;
+    *fmu = *begun;
     return text;
 }
 
 const char *fmu_advance(fmu *fmu, double until, const struct instance *observer, char text[FMU_TEXT]) {
+    const struct fmu begun = *fmu;
     long events;
     take_pending_event(fmu, observer);
     account_for_jumps(fmu);
-    const page_motion begun = fmu->motion;
     const tdmf_run_outcome outcome = drive(fmu, until - fmu->epoch, observer, &events);
     return conclude(fmu, &begun, outcome, until, text);
 }
 
 const char *fmu_advance_to_event(fmu *fmu, double until, const struct instance *observer,
                                  char text[FMU_TEXT]) {
-    bool changed;
-    fmu_update(fmu, observer, &changed); /* an input may have jumped, which is no event of this step */
-    const page_motion begun = fmu->motion;
+    const struct fmu begun = *fmu;
     tdmf_event_row row;
+    bool changed;
+    if (fmu_update(fmu, observer, &changed, text) != NULL) { /* a jump of an input is no event of this step */
+        return text;
+    }
     const tdmf_run_outcome outcome = drive_to_event(fmu, until - fmu->epoch, &row);
     if (outcome != TDMF_RUN_STOPPED) {
         return conclude(fmu, &begun, outcome, until, text);
     }
-    fmu->time = fmu->epoch + fmu->motion.time;
     show_to_world(fmu);
+    if (is_beyond_motion(fmu, text)) {
+        *fmu = begun;
+        return text;
+    }
+    fmu->time = fmu->epoch + fmu->motion.time;
     account_for_all(fmu);
     fmu->event_is_pending = 1;
     fmu->event = row.event;

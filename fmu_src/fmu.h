@@ -140,8 +140,9 @@ bool fmu_complete_step(fmu *fmu);
 /* Event mode begins: before inputs may jump. */
 void fmu_enter_event_mode(fmu *fmu);
 
-/* Takes a pending event and resolves whatever else is due now. False where events go on without end. */
-bool fmu_update(fmu *fmu, const struct instance *observer, bool *state_changed);
+/* Takes a pending event and resolves whatever else is due now. NULL; or why it cannot, written into `text`,
+ * and the unit is as it was. */
+const char *fmu_update(fmu *fmu, const struct instance *observer, bool *state_changed, char text[FMU_TEXT]);
 
 /* Whether the run has ended, and its settings say that a simulation is to end there. */
 bool fmu_asks_to_terminate(const fmu *fmu);

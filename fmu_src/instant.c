@@ -41,6 +41,16 @@ tdmf_page_instant instant_of(const fmu *fmu) {
                            memory_of_instant(fmu));
 }
 
+/* NaN is out of every range. */
+const char *number_out_of_range(const double numbers[]) {
+    for (int i = 0; i < UNIT_NUMBER_COUNT; ++i) {
+        if (!(numbers[i] >= unit_numbers[i].least && numbers[i] <= unit_numbers[i].most)) {
+            return unit_numbers[i].name;
+        }
+    }
+    return NULL;
+}
+
 /* ---- coordinates --------------------------------------------------------------------------------------- */
 
 void show_to_world(fmu *fmu) {

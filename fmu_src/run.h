@@ -23,6 +23,9 @@ const tdmf_mode_kind *shown_mode_of(const fmu *fmu);
 double *parameters_of(const fmu *fmu);
 double *states_of(const fmu *fmu);
 
+/* The name of a parameter or state that is out of its range, or beyond any motion; NULL: there is none. */
+const char *number_out_of_range(const double numbers[]);
+
 /* Writes the world's states that follow from those of the mode, or the mode's from the world's. */
 void show_to_world(fmu *fmu);
 void take_from_world(fmu *fmu);

@@ -50,16 +50,6 @@ static bool lies_between(double value, double least, double most) {
     return value >= least && value <= most;
 }
 
-/* The name of a number that is out of range; NULL: there is none. */
-static const char *wrong_number(const double *numbers) {
-    for (int i = 0; i < UNIT_NUMBER_COUNT; ++i) {
-        if (!lies_between(numbers[i], unit_numbers[i].least, unit_numbers[i].most)) {
-            return unit_numbers[i].name;
-        }
-    }
-    return NULL;
-}
-
 /* Settings are in their ranges. Booleans, enumerations and counts are whole numbers. */
 static const char *wrong_setting(const fmu *fmu) {
     for (size_t i = 0; i < fmu_variable_count; ++i) {
@@ -145,7 +135,7 @@ static const char *wrong_field(const fmu *fmu) {
             return "the work done";
         }
     }
-    return fmu->has_begun ? wrong_number(fmu->accounted) : NULL;
+    return fmu->has_begun ? number_out_of_range(fmu->accounted) : NULL;
 }
 
 /* ---- what has to agree in a run that has begun --------------------------------------------------------- */
@@ -229,7 +219,7 @@ static const char *read_state(const void *bytes, saved_state *saved, fmu *fmu, c
     fmu->is_exchange = saved->interface == MODEL_EXCHANGE;
     const char *wrong = wrong_setting(fmu);
     wrong = wrong == NULL ? wrong_motion(&fmu->motion) : wrong;
-    wrong = wrong == NULL ? wrong_number(fmu->motion.numbers) : wrong;
+    wrong = wrong == NULL ? number_out_of_range(fmu->motion.numbers) : wrong;
     wrong = wrong == NULL ? wrong_field(fmu) : wrong;
     wrong = wrong == NULL ? wrong_call(saved, fmu) : wrong;
     if (wrong == NULL && fmu->has_begun) {

@@ -24,11 +24,12 @@ call_status update_discrete_states(instance *instance, const char *call, discret
         return CALL_ERROR;
     }
     fmu *fmu = &instance->fmu;
-    const bool is_resolved = fmu_update(fmu, observer_of(instance), &update->states_changed);
+    char text[FMU_TEXT];
+    const char *obstacle = fmu_update(fmu, observer_of(instance), &update->states_changed, text);
     discard_view(instance);
-    if (!is_resolved) {
+    if (obstacle != NULL) {
         instance->state = FAILED;
-        return answer(instance, CALL_ERROR, call, "the events at this instant do not come to an end");
+        return answer(instance, CALL_ERROR, call, "%s", obstacle);
     }
     update->terminate = fmu_asks_to_terminate(fmu);
     const double longest = fmu_longest_step(fmu);
