@@ -57,6 +57,12 @@ def test_the_native_solver_sees_the_same_falls(found, friction):
     assert min(compared.values()) >= 3
 
 
+def test_what_is_published_is_read_from_its_file():
+    said = guinea_fowl.published()["published"]
+    assert (said["slowest"], said["fastest"], said["fast"]) == (1.3, 3.6, 3.0)
+    assert (said["contact_angle"], said["slip_distance"]) == (70.0, 0.10) and len(said) == 5
+
+
 def test_what_is_published_stands_beside_what_is_computed(found):
     """Where the map is like theirs, and where not: its border is near 70 degrees, and lower for the fast."""
     verdicts = [claim.verdict for claim in guinea_fowl.claims(found)]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import reference_gaits
 from scipy.integrate import solve_ivp
-from tdmf_slip import Runner
+from tdmf_slip import Runner, find_gait, stride_map
 from tdmf_slip.paper import papers_page, published
 from tdmf_slip.paper.claims import CLAMP, FREE, READINGS, Claim, Finding, Group
 from tdmf_slip.paper.evidence import SETTLED, gather, gather_classic
@@ -53,6 +53,21 @@ def test_where_the_leg_waits_is_as_in_the_references(reading, claims):
     assert claims["theta after lift-off, mu = 10"].computed[reading].agrees == (off < 1.0)
     behind = all(gait["apex"][3] < 0.0 for gait in gaits if gait["friction"] >= 0.2)
     assert claims["trajectories"].computed[reading].agrees == behind == (reading == FREE)
+
+
+@pytest.mark.parametrize("reading", READINGS)
+def test_the_printed_torque_takes_energy_out(reading):
+    """In stance the leg turns backward, so a positive torque does negative work."""
+    gait = find_gait({"hip.swing_clamp": READINGS[reading], "ground.friction": 10.0})
+    printed = gait.runner.replace({"hip.stance_torque": -gait.runner["hip.stance_torque"]})
+    assert stride_map(printed, [gait.apex])["hip_work"].values[0, 0] < 0.0 < gait.stride["hip_work"]
+
+
+@pytest.mark.parametrize("reading", READINGS)
+def test_the_work_falls_below_friction_one_half_as_in_the_references(reading, claims):
+    work = [gait["work"] for gait in reference_gaits(READINGS[reading]) if gait["friction"] <= 0.5]
+    assert len(work) >= 2 and np.all(np.diff(work) < 0.0)
+    assert not claims["work W below mu = 0.5"].computed[reading].agrees
 
 
 def test_the_gait_with_fewest_small_eigenvalues_decides(evidence, claims):
