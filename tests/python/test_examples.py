@@ -169,3 +169,23 @@ def test_the_tables_of_compliant_ground_on_the_results_page_are_what_the_example
     page = (EXAMPLES.parent / "documentation" / "results.md").read_text(encoding="utf-8")
     for table in example.tables(*example.computed(loaded(example.PAGE))):
         assert example.in_markdown(table) in page
+
+
+def test_forces_without_steps_or_speed_are_refused(load, tmp_path):
+    example = load("treadmill_forces")
+    path = tmp_path / "RBDS001runT35forces.txt"
+    path.write_text("Time\tFy\n" + "".join(f"{k}\t0.0\n" for k in range(900)), encoding="utf-8")
+    with pytest.raises(SystemExit, match="0 steps; allowed: 3 or more"):
+        example.row_of(path)
+    with pytest.raises(SystemExit, match="no speed in its name"):
+        example.speed_of("forces.txt")
+
+
+def test_a_bounce_of_the_force_is_no_step(load):
+    """A dip of a few rows within a contact, and a knock within a flight."""
+    example = load("treadmill_forces")
+    step = np.r_[np.zeros(60), np.full(70, 900.0)]
+    force = np.r_[np.tile(step, 6), np.zeros(60)]
+    force[100:104], force[290:293] = 0.0, 200.0
+    down, up = example.contacts(force)
+    assert len(down) == 6 and np.all(up - down == 70)

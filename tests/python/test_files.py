@@ -284,3 +284,19 @@ def test_a_request_to_end_leaves_nothing_in_temporary_folders(when, number, tmp_
     assert list((tmp_path / "temporary").iterdir()) == []
     left = {path.name for path in tmp_path.iterdir()}
     assert left == {"temporary"} | ({"run.csv"} if when == "in a file" else set())
+
+
+@POSIX_ONLY
+def test_a_pipe_among_figures_is_not_written_over(command, tmp_path):
+    os.mkfifo(tmp_path / FIGURE)
+    status, _, message = command(*FIGURES, tmp_path)
+    assert status == 2 and "a pipe or device" in message
+    assert (tmp_path / FIGURE).is_fifo()
+
+
+def test_a_dataset_comes_back_as_it_was(command, tmp_path):
+    """What is in memory is what the library itself reads from the file."""
+    assert command(*[str(word).replace("{}", "sweep") for word in NETCDF])[0] == 0
+    xarray.testing.assert_identical(
+        netcdf.read_dataset(tmp_path / "sweep.nc"), xarray.load_dataset(tmp_path / "sweep.nc")
+    )

@@ -2,6 +2,8 @@
 
 import csv
 import io
+import os
+import pathlib
 import re
 import shutil
 import sys
@@ -9,7 +11,7 @@ import tomllib
 from contextlib import redirect_stdout
 
 import pytest
-from conftest import ROOT
+from conftest import ROOT, succeed
 
 SOURCES = ROOT / "documentation"
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -154,3 +156,36 @@ def test_an_equation_has_no_vertical_scroll_bar_and_is_not_cut_off(page, browser
                 && getComputedStyle(box).overflowY !== "visible").length];"""
         )
         assert count > 0 and cut == 0
+
+
+def test_nothing_says_to_install_what_is_not_published():
+    """Until it is; then `INSTALL` of the site's configuration says so."""
+    configuration = (SOURCES / "conf.py").read_text(encoding="utf-8")
+    (install,) = re.findall(r'^INSTALL = "(.+?)"', configuration, re.MULTILINE)
+    if install != "pip install .":
+        return
+    looked_at = [ROOT / "README.md", *SOURCES.rglob("*.md"), *(ROOT / "scripts/tdmf_slip").rglob("*.py")]
+    assert len(looked_at) > 100
+    wrong = re.compile(r"pip install ['\"]?tdmf[-_]slip")
+    assert [path for path in looked_at if wrong.search(path.read_text(encoding="utf-8"))] == []
+
+
+def test_how_to_cite_is_what_the_citation_file_says():
+    citation = pytest.importorskip("citation", reason="NOT TESTED: how to cite, Sphinx is missing")
+    text = citation.bibtex()
+    assert text.count("@") == 2 and "doi = {10.5772/62687}" in text
+    assert "author = {Or, Yizhar and Moravia, Moti}" in text and "author = {{The TDMF-SLIP authors}}" in text
+    (version,) = re.findall(r"^version: (\S+)$", (ROOT / "CITATION.cff").read_text(encoding="utf-8"), re.M)
+    assert f"version = {{{version}}}" in text
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh"])
+def test_completion_is_as_the_install_page_says(shell):
+    documented = (SOURCES / "install.md").read_text(encoding="utf-8")
+    variable = f"_TDMF_SLIP_COMPLETE={shell}_source"
+    assert f"{variable} tdmf-slip" in documented
+    command = pathlib.Path(sys.executable).with_name("tdmf-slip")
+    if not command.is_file():
+        pytest.skip("NOT TESTED: completion; the command is not beside Python")
+    said = succeed(command, env=os.environ | dict([variable.split("=")]))
+    assert "_tdmf_slip_completion" in said and len(said) > 300

@@ -126,3 +126,7 @@ def test_every_claim_computed_again_holds(section):
         assert one.holds, one.claim.name
         for regime in REGIMES:
             check(one.rows[regime.name], then.rows[regime.name])
+
+
+def test_names_are_unique():
+    assert len({claim.name for claim in CLAIMS}) == len(CLAIMS)

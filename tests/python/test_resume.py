@@ -150,3 +150,9 @@ def test_what_took_long_is_not_written_over(tmp_path, kind, over):
     else:
         with pytest.raises(InputError, match=f"holds a {kind}"):
             refuse_resumable(path)
+
+
+def test_a_file_where_the_folder_of_blocks_goes_is_refused_before_any_work(tmp_path):
+    (tmp_path / "sweep.nc.parts").write_text("something else")
+    with pytest.raises(InputError, match=r"sweep\.nc\.parts: cannot be written to"):
+        sweep(None, {FRICTION: [0.6]}, path=tmp_path / "sweep.nc")

@@ -3,6 +3,7 @@
 import csv
 import json
 
+import pytest
 import tdmf_slip
 from tdmf_slip.pictures import basin_map
 
@@ -64,3 +65,12 @@ def test_the_picture_tells_the_three_kinds_of_cells_apart():
     assert viable.get_clim() == (0, found["inner_robustness"].max())
     assert "share" in bar.get_ylabel()
     assert basin_map.OPEN != basin_map.NOT_VIABLE
+
+
+def test_units_are_read_and_sixteen_values_are_tried(command):
+    grid = (*GRID[:4], "--vary", "hip.touchdown_angle=20 deg:60 deg")
+    status, out, _ = command("viability", *grid, "--n", 4, "--model", "full", "--json")
+    found = json.loads(out)
+    assert status == 0
+    assert found["actions"] == 16
+    assert found["vary"][ANGLE][:2] == pytest.approx([0.349065850399, 1.047197551197])
