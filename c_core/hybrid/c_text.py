@@ -27,11 +27,14 @@ RESERVED = set(f"{C_WORDS} {CPP_WORDS} {MACROS} {OWN_WORDS} {FUNCTIONS}".split()
 
 
 def safe_names(names):
-    """A name in C for each name of a page: the same name, with `_` appended if it is reserved."""
+    """A name in C for each name of a page: the same name, with `_` appended if it may be reserved or a macro.
+
+    Names that begin with `real_` are those of the kernel, by macros.
+    """
     found, taken = {}, set(RESERVED)
     for name in names:
-        new = name
-        while new in taken or (new != name and new in names) or new.startswith("real_"):
+        new = f"own_{name}" if name.startswith("real_") else name + "_" * name.isupper()
+        while new in taken or (new != name and new in names):
             new += "_"
         taken.add(new)
         found[name] = new

@@ -145,7 +145,8 @@ class Awkward(Model):
     start = "x", {}
     register, double, near = state(0.5), state(-0.3), parameter(2)
     minus_k, d_k, p, INFINITY = state(0.1), parameter(1), parameter(3), state(0)
-    tau = parameter(1, "s")
+    tau, DBL_MAX = parameter(1, "s"), state(0)
+    real_p, own_real_p = parameter(0), parameter(0)  # the kernel's names begin with `real_`
 
     @mode()
     def x(s):
@@ -157,6 +158,7 @@ class Awkward(Model):
             "double": 0.1 / s.tau,
             "minus_k": -(terms / 500 - s.p) / s.tau,
             "INFINITY": 1 / s.tau,
+            "DBL_MAX": (s.real_p + s.own_real_p) / s.tau,
         }
 
     @output()
