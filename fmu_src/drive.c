@@ -140,7 +140,7 @@ static double time_scale_of(const fmu *fmu) {
 /* ---- the driver ---------------------------------------------------------------------------------------- */
 
 /* Writes events and states of a run on the part of the page as those of the page. `states` are those of the
- * whole page at the beginning. */
+ * whole page at the beginning. The rows of the page are wider, so that the last one is written first. */
 static void give_log(tdmf_page_run *run, const double *states) {
     const int count = unit_part->model->state_count;
     double own[UNIT_STATE_COUNT + 1];
@@ -165,6 +165,12 @@ static tdmf_run_outcome run_part(tdmf_page_run *whole, int mode, double until) {
     run.taken = tdmf_events_on_part(unit_part, whole->taken);
     run.above = tdmf_events_on_part(unit_part, whole->above);
     run.late = tdmf_events_on_part(unit_part, whole->late);
+    run.log_count = 0; /* rows that are there are those of the page */
+    if (whole->log_count < whole->log_size) {
+        run.log += whole->log_count;
+        run.log_states += whole->log_count * UNIT_STATE_COUNT;
+    }
+    run.log_size -= whole->log_count;
     tdmf_take_parameters(unit_part, whole->p, p);
     tdmf_take_states(unit_part, whole->x, x);
     const tdmf_run_outcome outcome = tdmf_page_run_to(unit_part->model, &run, until);
@@ -178,6 +184,10 @@ static tdmf_run_outcome run_part(tdmf_page_run *whole, int mode, double until) {
     run.taken = tdmf_events_in_whole(unit_part, run.taken);
     run.above = tdmf_events_in_whole(unit_part, run.above);
     run.late = tdmf_events_in_whole(unit_part, run.late);
+    run.log = whole->log;
+    run.log_states = whole->log_states;
+    run.log_size = whole->log_size;
+    run.log_count += whole->log_count;
     *whole = run;
     return outcome;
 }
@@ -196,10 +206,11 @@ static tdmf_run_outcome drive_on(fmu *fmu, double until, tdmf_page_run *run) {
     tdmf_run_outcome outcome;
     for (long left = run->step_limit;;) {
         const double began = run->time;
-        const long steps = run->steps;
+        const long steps = run->steps, events = run->events;
         run->step_limit = left < stiff_steps ? left : stiff_steps;
         outcome = run_page(run, until);
         left -= run->steps - steps;
+        run->event_limit -= run->events - events;
         if (outcome != TDMF_RUN_TOO_MANY_STEPS || left <= 0) {
             break;
         }
@@ -297,8 +308,10 @@ static tdmf_run_outcome drive_native_to_event(fmu *fmu, double until, tdmf_event
             memcpy(states_of(fmu), states, UNIT_STATE_COUNT * sizeof *states);
             fmu->motion.time = row->time;
             fmu->motion.time_rest = 0.0;
-            fmu->motion.taken = 0;
-            fmu->motion.chain = 0;
+            if (row->time > before.time) {
+                fmu->motion.taken = 0;
+                fmu->motion.chain = 0;
+            }
             fmu->motion.above |= (uint64_t)1 << row->event;
             set_clock(fmu);
             return TDMF_RUN_STOPPED;
@@ -320,8 +333,8 @@ static tdmf_run_outcome drive_cvode_to_event(fmu *fmu, double until, tdmf_event_
             return TDMF_RUN_ENDLESS_CHAIN;
         }
         keep_run(&after, &run);
-        *row = is_counted(&chain.first) ? chain.first : chain.last;
-        if (chain.count > 0 && is_counted(row)) {
+        if (chain.count > 0 && (is_counted(&chain.first) || is_counted(&chain.last))) {
+            *row = chain.first; /* the others of the chain follow when it is taken */
             return TDMF_RUN_STOPPED;
         }
         *fmu = after;

@@ -221,6 +221,23 @@ TEST(a_silent_step_after_a_logged_one_goes_as_far) {
     assert_int_equal(get_integer(component, "event.count"), 2 * EVENTS_OF_TEN_STRIDES);
 }
 
+/* The driver goes on in portions of steps, which share one log of events. With a leg so stiffly damped, one
+ * portion ends between both events. */
+TEST(events_among_very_many_steps_are_logged_once) {
+    fmi2Component component = logging_instance(fmi2True);
+    set_values(&fmi2, component,
+               "leg.damping=1530 ground.friction=10 hip.stance_torque=0 leg.angle=0 "
+               "leg.angle_rate=0 leg.length_rate=0 foot.vx=0 foot.vy=0 foot.y=0.01");
+    initialize(component);
+    assert_int_equal(fmi2DoStep(component, 0.0, 15.0, fmi2True), fmi2OK);
+    assert_true(get_integer(component, "solver.steps") > 30000);
+    assert_int_equal(message_count, 2);
+    assert_true(strncmp(messages[0], "touchdown at 6.564", 18) == 0);
+    assert_non_null(strstr(messages[0], " s: flight, place -> stick, drive"));
+    assert_true(strncmp(messages[1], "slip_onset_negative at 12.230", 29) == 0);
+    assert_non_null(strstr(messages[1], " s: stick, drive -> slip_negative, drive"));
+}
+
 TEST(an_input_that_jumps_between_steps_makes_an_event_too) {
     fmi2Component component = logging_instance(fmi2True);
     initialize(component);
