@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from conftest import RELEASE
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from tdmf_slip import Batch, InputError, Runner, continue_branch, gait_at, plot
+from tdmf_slip import Batch, InputError, Runner, continue_branch, find_gait, gait_at, plot
 from tdmf_slip.analysis.branch_problem import gaits_over
 from tdmf_slip.analysis.branches import branch_dataset
 from tdmf_slip.library.binding import c, ffi
@@ -178,6 +178,16 @@ def test_a_neimark_sacker_point_is_where_plain_strides_spiral_in_or_out(over_ang
         gait = next(gaits_over(gaits[near].runner, ANGLE, [value], gaits[near]))
         apex, ran = settled(gait.runner, gait.apex + 1e-4 * gait.runner.scales)
         assert (ran == STRIDES and apart(gait.runner, apex, gait.apex) < 1e-6) == settles
+
+
+def test_a_gait_is_on_the_branch_of_its_own_model_only():
+    gait = find_gait(friction=0.56)
+    full, reduced = (
+        continue_branch(gait, {FRICTION: (0.57, 0.55)}, model=model, switch=False)
+        for model in (None, "reduced")
+    )
+    assert full.model == "full" and gait.friction in full[FRICTION].values
+    assert reduced.model == "reduced" and reduced.sizes["coordinate"] == 2
 
 
 def test_a_diagram_a_dataset_and_json_with_doubled_gaits_are_one_command(command, tmp_path):

@@ -129,8 +129,8 @@ def continue_branch(
     """Follow the branch of gaits over a range of a parameter, through folds, and classify its special points.
 
     The branch begins at the first end of the range with the gait that `find_gait` gives. Where there is
-    none, it begins at the first value that has one, and is followed both ways. A branch of a gait in the
-    range is followed from that gait, both ways unless it is at the first end.
+    none, it begins at the first value that has one, and is followed both ways. From a gait whose
+    parameter is in the range, the branch is followed both ways, or one way if the gait is at the first end.
 
     Parameters
     ----------
@@ -175,8 +175,8 @@ def continue_branch(
     >>> branch.ended, [str(special) for special in branch["special"].values if special]
     ('end of the range', ['word border', 'word border', 'word border'])
     """
-    known = runner if isinstance(runner, Gait) else None
-    runner = Runner(runner, model=model)
+    given, runner = runner, Runner(runner, model=model)
+    known = given if isinstance(given, Gait) and given.runner == runner else None  # else of another model
     allowed = "both ends of a range, by the name of one parameter or input"
     ((name, (begin, end)),) = ranges_varied(vary, {1}, allowed, runner.model).items()
     switch = checked_flag("switch", switch)
@@ -185,7 +185,7 @@ def continue_branch(
     if begin == end:
         raise InputError(f"vary {name}: {begin:g} to {end:g}; allowed: ends that differ")
     with progress_bar("branch", None, "gaits", progress) as bar:
-        is_inside = known is not None and min(begin, end) <= runner[name] <= max(begin, end)
+        is_inside = min(begin, end) <= runner[name] <= max(begin, end)
         first = known if known is not None and is_inside else _first_gait(runner, name, begin, end)
         problem = BranchProblem(first.runner, name, first.strides)
         limits = Limits(np.array([min(begin, end)]), np.array([max(begin, end)]), max_step, max_points, begin)

@@ -20,6 +20,7 @@ that is copied takes its past along.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -130,13 +131,19 @@ def split_run(
 
 
 def rare_event(
-    chain: Walkers, levels: NDArray[np.float64], *, keep: int, steps: int, seed: int, done: Any = int
+    chain: Walkers,
+    levels: NDArray[np.float64],
+    *,
+    keep: int,
+    steps: int,
+    seed: int,
+    run_finished: Callable[[], object] = lambda: None,
 ) -> tuple[NDArray[np.float64], int, int]:
-    """Independent runs: the weight that met the event in a step of each, events, and steps of all walkers."""
+    """Rate of the event in each of some independent runs, and the numbers of events and steps in all runs."""
     runs = []
     for one in np.random.SeedSequence(seed).generate_state(REPLICAS, np.uint64):
         runs.append(split_run(chain, levels, keep, steps, int(one)))
-        done()
+        run_finished()
     rates, events, made = zip(*runs, strict=True)
     return np.array(rates), sum(events), sum(made)
 
@@ -378,7 +385,7 @@ def rare_falls(
         scores, highest = chain.learn(seed % 2**32)
         bar.update()
         levels = levels_of(scores, highest, LEVELS)
-        found = rare_event(chain, levels, keep=walkers, steps=strides, seed=seed, done=bar.update)
+        found = rare_event(chain, levels, keep=walkers, steps=strides, seed=seed, run_finished=bar.update)
     return RareFalls(start.runner, start.word, ground.roughness, *found)
 
 
