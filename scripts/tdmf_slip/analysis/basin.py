@@ -116,23 +116,25 @@ def basin(
         Two names of `section.COORDINATES` with ranges in the coordinate's unit; None, or the names alone, for
         ranges around the gait. By default height and speed.
     n : int or pair of int, default 128
-        Starts along each of the axes, both ends included.
+        Starts along each axis, both ends included.
     model : as in `find_gait`
     law : callable or AffineLaw, optional
         Law that sets values at each apex, see `Batch`. The gait is that of the law, for an `AffineLaw` near
         the law's apex; the law has to make it stable.
     ball : {"tested", "none"} or Ball, default "tested"
-        Ball of attraction in which a start counts as settled. The norm of a tested ball falls from 10,000
-        points of it; the ball is made only where it saves more than it costs. With `none` a start is followed
-        until it is within 0.01 of the gait, over the scales. A proved ball, as `proved_ball` gives it, is
-        small, so that starts are followed for longer, at a finer tolerance.
+        Ball of attraction in which a start counts as settled. A tested ball is made only where it saves time;
+        simulation shows that its norm falls from 10,000 points. With `none`, each start is followed until it
+        is within 0.01 of the gait, relative to the scales. A proved ball is small: starts are followed for
+        longer, at a finer tolerance.
+
+        `proved_ball` makes a proved ball.
     refine : {"exact", "preview"}, default "exact"
-        `exact` follows every start. `preview` follows starts near a border between fates, and paints squares
-        of at most 16 starts a side with the fate of their corners. Of 256 by 256 starts it takes 7 to 200
-        times fewer strides; it can miss an island smaller than a square.
+        `exact` follows every start. `preview` follows starts near a border between fates, and gives the other
+        starts the fate of the corners of squares of at most 16 by 16 starts. For 256 by 256 starts it takes 7
+        to 200 times fewer strides, but it can miss an island smaller than a square.
     path : Path or str, optional
-        NetCDF file for the result. Rows that are done are kept in a folder beside it, so that a job that
-        stopped is resumed by the same call. A preview is written when it is whole.
+        NetCDF file (.nc) for the result. Rows that are done are kept in a folder beside it, and the same call
+        resumes a job that stopped. A preview is written when it is whole.
     executor, progress : as in `sweep`
 
     Returns

@@ -139,7 +139,7 @@ def continue_branch(
         The parameter or input that is varied, and both ends of its range, in its unit.
     model : as in `find_gait`
     max_step : float, default 0.2
-        Longest step along the branch, over the coordinates' scales and the parameter's.
+        Longest step along the branch, relative to the scales of the apex and of the parameter.
     max_points : int, default 1000
         Largest number of gaits in each direction.
     switch : bool, default True

@@ -110,8 +110,8 @@ def compare(
         Quantities of a gait that are to be equal, by names of `library.quantities.QUANTITIES`, as `speed`,
         `apex_height` and `foot_clearance`.
     vary : sequence of str
-        Parameters and inputs that may change, at least as many as are held. Of more, each step is the
-        shortest one, over their values.
+        Parameters and inputs that may change, at least as many as quantities to match. If there are more,
+        each step is the shortest one, relative to their values.
     model, progress : as in `find_gait`
 
     Returns

@@ -93,8 +93,8 @@ def find_gait(
         of strides, `duty_factor`, `peak_force` of the ground across it, and `cost_of_transport`; in the full
         model also of `library.quantities.MEASURES`, as `foot_clearance`.
     vary : sequence of str
-        Parameters and inputs that may change for the target, at least as many as it prescribes. They begin
-        with the runner's values.
+        Parameters and inputs that may change to meet the target, at least as many as prescribed quantities.
+        The search begins at the runner's values.
     guess : sequence of float, shape (6,), optional
         An apex near the gait's, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s;
         for the reduced map the first two.

@@ -50,9 +50,11 @@ def build(
     folder : str or Path, optional
         Where the result goes. By default the folder `build` beside the page's file.
     platform : str, optional
-        Another platform, as `aarch64-linux`, which Zig compiles for. By default this machine's. Libraries and
-        units for other platforms that are in the folder stay if they are of the same page. FMI 2.0 has one
-        name for each system: its unit has libraries for x86_64, and on macOS for the processor built last.
+        Another platform for which Zig compiles; by default this machine's.
+
+        Libraries and units for other platforms that are in the folder stay if they are of the same page.
+        FMI 2.0 has one name for each system: its unit has libraries for x86_64, and on macOS for the
+        processor built last.
     unit : bool, default True
         Make FMI units, too.
 

@@ -97,10 +97,10 @@ def fit(
         such as `speed`, and of their standard errors, such as `speed_error`; a CSV file with these titles and
         units, such as `speed [m/s]`; or the name of a file in the package, as `human_running`.
     vary : sequence of str
-        Parameters and inputs to fit that all rows share. They begin with the runner's values.
+        Parameters and inputs to fit that all rows share. The search begins at the runner's values.
     vary_each : sequence of str, optional
-        Parameters and inputs to fit that have their own value in each row, as what a runner changes to run
-        faster.
+        Parameters and inputs to fit with a value of their own for each row, such as those that a runner
+        changes to run faster.
     units : mapping of str to str, optional
         Units of columns whose title has none, by quantity, such as `{"speed": "km/h"}`. Columns of a
         DataFrame or a mapping are otherwise in the quantity's own unit.
@@ -115,15 +115,16 @@ def fit(
         the runner settles on, else that near its start values.
     model : as in `find_gait`
     robust : bool, default False
-        Huber's loss instead of squares: residuals beyond 1.345 errors count by their size alone, so that an
-        outlier changes little.
+        Use Huber's loss instead of squares, so that an outlier changes little: residuals beyond 1.345
+        errors count linearly.
     scale_errors : bool, default False
-        The errors are known but for a common factor, which is estimated from the residuals: intervals are
-        wider by the root of chi square over the degrees of freedom, and by Student's quantile.
+        Treat the errors as known except for a common factor, and estimate the factor from the residuals.
+        Intervals are then scaled by the root of chi square over the degrees of freedom, and use Student's
+        quantile.
     profile : bool or sequence of str, default True
         Parameters whose intervals are by the profile likelihood: all, none, or these. Others are linearized.
     starts : int, default 1
-        Largest number of fits, from gaits all over what varies; the best counts.
+        Largest number of fits, from gaits spread over the ranges of what varies; the best one counts.
     progress : bool, default False
         A count of strides on stderr.
 

@@ -139,13 +139,13 @@ def simulate(
     stop_time : float, optional
         End of the run, s; it begins at 0.
     strides : int, optional
-        Strides after which the run ends, in Co-Simulation at the next recorded row. With `stop_time`,
-        whichever comes first; with neither, ten.
+        Strides after which the run ends, in Co-Simulation at the next recorded row. If an end time is given
+        too, the run ends at whichever comes first; if neither is given, after ten strides.
     tolerance : float, default 1e-9
-        Relative tolerance of CVODE, whose absolute tolerances follow from the unit's nominal values. In
+        Relative tolerance of CVODE. Absolute tolerances follow from the unit's nominal values. In
         Co-Simulation the tighter of it and `solver.relative_tolerance` holds.
     output_interval : float, optional
-        Time between recorded rows, s; by default a tenth of sqrt(m/k), over a profile half of that.
+        Time between recorded rows, s. By default a tenth of sqrt(m/k), or half of that over a profile.
     inputs : InputTables, optional
         Tables by input name, see `inputs.InputTables`.
     profile : Profile, optional

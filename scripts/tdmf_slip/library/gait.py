@@ -170,7 +170,7 @@ class Gait:
         path : Path or str, default "stride.gif"
             File to write: .gif, .html, or .mp4 if ffmpeg is installed.
         frames : int, default 120
-            Frames in the stride, twenty a second.
+            Frames per stride, shown at 20 per second.
 
         Returns
         -------

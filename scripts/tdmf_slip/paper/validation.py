@@ -176,7 +176,7 @@ def validate(
     own : bool, default False
         Also compute this project's own claims in every regime, which takes some minutes.
     seed : int, default 1
-        Seed of the random numbers of these claims.
+        Seed of the random numbers in this project's own claims.
     progress : bool, default False
         Bars on stderr, where that is a terminal.
     fmu : Fmu, optional

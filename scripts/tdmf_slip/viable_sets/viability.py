@@ -229,18 +229,19 @@ def viability(
     n : int or pair of int, default 64
         Cells along each axis.
     model : str, default 'reduced'
-        Map from apex to apex: `reduced`, whose states are these planes; or `full`, whose other coordinates
-        are those that the last placement leaves: a leg at rest, unloaded, where the runner's own settings
-        place it. A model of one's own goes by its own map; coordinates that are no axes are those of the gait
-        that is given, else of the one that `find_gait` finds.
+        Map from apex to apex. In the `reduced` map, height and speed describe an apex. In the `full` map,
+        each stride starts with the leg at rest, unloaded, where the runner's own settings place it.
+
+        A model of one's own has its own map. Coordinates that are no axes are those of the given gait, or
+        else of the gait that `find_gait` finds.
     factor : float, default 1.5
-        Derivatives within a cell are assumed to be at most this many times, 1 or above, the largest at its
-        corners, which are differences to the neighbouring corners.
+        Safety factor, at least 1: derivatives within a cell are assumed to be at most this many times the
+        largest at its corners. Those are estimated by differences between neighbouring corners.
     gait : Gait or sequence of float, optional
         A gait, or its apex. The result then also has the fewest strides from each cell to the gait: to a
         cell all of whose points are within three sides of a cell of the apex.
     path : Path or str, optional
-        NetCDF file for the sets and the strides that they rest on; resumed as in `basin`.
+        NetCDF file (.nc) for the sets and the strides that they rest on. An existing file is resumed.
     executor, progress : as in `sweep`
 
     Returns
