@@ -1,12 +1,10 @@
-"""Guards of the events that can end each mode, positive until then.
+"""Guards of the events that can end each mode, and proofs of their signs and zeros along a step.
 
-They are those of the page's events. Falls are guards, too: a stride in which one is not proved to be
-positive is undecided.
+The guards are those of the page's events, each positive until its event. Falls have guards, too: a stride in
+which one of these is not proved to be positive is undecided.
 
-Signs and zeros of guards along a step, proved.
-
-A guard is a tube. It may begin at exactly zero, to an order that follows from the rules of the event
-before: the terms that are zero by them are dropped, and what is left is divided by that power of t.
+A guard is a tube. It may begin at exactly zero, to an order that follows from the rules of the event before.
+The terms that are zero by these rules are dropped, and the rest is divided by that power of t.
 """
 
 from typing import Any

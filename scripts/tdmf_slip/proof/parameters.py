@@ -1,10 +1,8 @@
-"""A runner's parameters as balls, as the laws take them.
+"""Modes of a stride, a runner's parameters as balls, and events that are taken as on one side of a border.
 
-An event that is taken as it would be on one side of a border between gait words.
-
-On the border two things happen at once, and what follows is the same on both sides. The stride of one side,
-taken also where it is not what the foot does, is smooth across the border; the border is where a further
-number, the margin of the event, vanishes.
+On a border between gait words, two events happen at once, and what follows is the same on both sides. The
+stride of one side, continued also where the foot would do something else, is smooth across the border. The
+border is where a further number, the margin of the event, vanishes.
 """
 
 from collections.abc import Mapping

@@ -30,7 +30,14 @@ if TYPE_CHECKING:
     import xarray
 
 STORED = (
-    *("falling_friction", "feedback", "optimal", "rough", "slippery_patch", "slope", "thrust", "viability"),
+    "falling_friction",
+    "feedback",
+    "optimal",
+    "rough",
+    "slippery_patch",
+    "slope",
+    "thrust",
+    "viability",
 )
 """Modules of figures whose data takes minutes to measure, and is stored."""
 FORMATS = ("png", "svg", "pdf")
@@ -40,7 +47,8 @@ MEASURED = 26
 EQUAL, MEASURED_EQUAL = 48, 12
 """Number of matched gaits, and of those whose region of attraction is measured."""
 CLAMP = "hip.swing_clamp"
-GALLERY = tuple(f"figure_{number}" for number in range(5, 10))
+GALLERY = ("figure_5", "figure_6", "figure_7", "figure_8", "figure_9")
+"""Figures that `validate --pictures` draws."""
 STRIDE_COLUMNS = (
     *("time", "com.y", "foot.x", "foot.y", "foot.vx", "leg.length", "leg.angle"),
     *("contact.fx", "contact.fy", "contact.mode"),
@@ -202,10 +210,7 @@ def draw_gallery(folder: Path, progress: bool = False) -> list[Path]:
         return drawing(*needed(results))
 
     drawings: dict[str, Callable[[Path], None]] = {
-        **{
-            f"figure_{number}.png": partial(_write, partial(figure, f"figure_{number}"))
-            for number in range(5, 10)
-        },
+        **{f"{name}.png": partial(_write, partial(figure, name)) for name in GALLERY},
         "snapshots.png": partial(_write, lambda: model.draw_snapshots(results.stride(model.FRICTION))),
         "stride.gif": lambda path: animation.draw(path, results.stride(model.FRICTION)),
         "model.png": partial(_write, model.draw, dots_per_inch=model.DOTS_PER_INCH),
