@@ -1,18 +1,18 @@
-"""One step of the motion in a mode: tubes of all that moves, and the derivative of the step by its start.
+"""One step of the motion in a mode: tubes of all that moves.
 
-The remainder is enclosed by Picard inclusion in its relative form: if with x = p + t^(N+1) rho, rho in R, the
-rates are f = f_0 + ... + f_N t^N + t^(N+1) S, then the solution's rho is in f_N/(N+1) + [0, h] S/(N+2), and
-R holds it as soon as that lies in R. No enclosure of the step is needed beforehand.
+A tube encloses a function of time by a polynomial and a remainder. Over 0 <= t <= h it is p(t) + t^(N+1) R,
+with a polynomial p of degree N, whose coefficients are balls, and a ball R. It holds every function
+p(t) + t^(N+1) rho(t) with coefficients in the balls and rho(t) in R. Because t^(N+1) multiplies the
+remainder, R may be large where the step is short. A solution's tube starts at its initial set whatever R is.
 
-Functions of time, enclosed: a polynomial and a remainder in relative form.
+Taylor coefficients of a solution come one order after the other. The laws are evaluated once over `Series`,
+which makes a graph of sums, products and quotients. Each node then gives its next coefficient from those
+before.
 
-A tube over 0 <= t <= h is  p(t) + t^(N+1) R  with a polynomial p of degree N, whose coefficients are balls,
-and a ball R: it holds every function p(t) + t^(N+1) rho(t) with coefficients in the balls and rho(t) in R.
-The remainder is multiplied by t^(N+1), so that it may be large where the step is short, and a solution's
-tube starts at its initial set whatever R is.
-
-Taylor coefficients of a solution, one order after the other. The laws are evaluated once over `Series`, which
-makes a graph of sums, products and quotients. Each node then gives its next coefficient from those before.
+The remainder is enclosed by Picard inclusion in its relative form. Let x = p + t^(N+1) rho with rho in R, and
+let the rates be f = f_0 + ... + f_N t^N + t^(N+1) S. Then the solution's rho is in
+f_N/(N+1) + [0, h] S/(N+2), and R holds it as soon as that lies in R. No enclosure of the step is needed
+beforehand.
 """
 
 from collections.abc import Callable, Mapping

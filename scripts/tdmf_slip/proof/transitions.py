@@ -217,9 +217,8 @@ class Transition:
         runner = self.runner
         if self.kind == "rest as it lifts off":
             self.margin = self.values["foot_vx"]
-        if (
-            mode.clamped or not runner.has_servo
-        ) and not self.mode.drives:  # both laws are the torque from outside
+        is_free = mode.clamped or not runner.has_servo
+        if is_free and not self.mode.drives:  # both laws are the torque from outside
             self.zeros["touchdown"] = self._order_of_rise()
             return self._fly(mode)
         excess = self.motion(mode).swing_torque() - self.motion(self.mode).stance_torque()

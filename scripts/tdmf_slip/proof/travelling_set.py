@@ -1,29 +1,26 @@
 """A stride of a whole set of starts, with its derivative.
 
-Two motions go along: one of a single start, the centre, and tubes of all starts. The derivative of the
-stride is enclosed over the set, and by the mean value theorem the set at any time lies in  centre +
-derivative (set - centre), so that it does not grow by being wrapped in balls; so it does at an event, and
-the event's derivative is enclosed over what is left. The centre is a point and a drift, which has all its
-errors.
+Two motions go along: that of a single start, the centre, and tubes of all starts. The derivative of the
+stride is enclosed over the set. By the mean value theorem, the set at any time lies in  centre + derivative
+(set - centre), which does not grow by being wrapped in balls at each step. Events are treated in the same
+way, with their derivative enclosed over the set at the event. The centre is a point and a drift, which has
+all errors of the point.
 
-Derivatives of the motion by the start of a stride: products of those of steps and events, enclosed.
-
-A product of enclosures, one after the other, widens at each turn of the motion, far more than the true
-derivative varies over the set. For any matrices L_0, ..., L_n with L_n = 1 the product of A_1, ..., A_n is
-
-    A_n ... A_1 V = L_0 V + sum of (L_k A_k - L_(k-1)) A_(k-1) ... A_1 V.
-
-With L_(k-1) near the middle of L_k A_k, taken from the end to the beginning, each bracket is a small ball
-around zero, which is as wide as one factor and no more; what was enclosed before serves as A_(k-1) ... A_1 V.
-
-One step with the derivative of its end by its start.
-
-The derivative V solves V' = A V along the tube; with weighted norms, what its polynomial leaves out is
-below ::
+In each step the derivative V solves V' = A V along the tube. In weighted norms, what its polynomial leaves
+out is below ::
 
     (|V_(N+1)| + h/(N+2) (H + |B| |V|)) / (1 - h |A|/(N+2))
 
 where H is what A V has beyond t^N and B is A's remainder.
+
+The derivative of the stride is the product of those of steps and events. A product of enclosures, one after
+the other, widens at each turn of the motion, far more than the true derivative varies over the set. For any
+matrices L_0, ..., L_n with L_n = 1 the product of A_1, ..., A_n is
+
+    A_n ... A_1 V = L_0 V + sum of (L_k A_k - L_(k-1)) A_(k-1) ... A_1 V.
+
+Take L_(k-1) near the middle of L_k A_k, from the end to the beginning. Then each bracket is a small ball
+around zero, as wide as one factor and no more. What was enclosed before serves as A_(k-1) ... A_1 V.
 """
 
 from collections.abc import Mapping, Sequence
@@ -354,6 +351,7 @@ class SetTraveller(Traveller):
 
 
 BITS = 80
+"""Working precision of a tube that is drawn."""
 
 
 @dataclass(frozen=True)
