@@ -58,7 +58,7 @@ static bool is_stored(const fmu_variable *variable) {
            variable->storage == STORED_START || variable->storage == STORED_STATE;
 }
 
-/* A state without a start value, of a run that has not begun: the start calculates it. */
+/* Whether this is a state without a start value, before the run: the start calculates it. */
 static bool follows_from_start(const instance *instance, const fmu_variable *variable) {
     return variable->storage == STORED_STATE && !variable->settable_before_start && !instance->fmu.has_begun;
 }
@@ -131,13 +131,13 @@ static const char *when_not_settable(const instance *instance, const fmu_variabl
     return settable_at_times ? name_of_state(instance->state) : "at any time";
 }
 
-/* Some importers' solvers set all inputs wherever they evaluate, and at an event's time those of before it.
+/* Some importers' solvers set all inputs at each evaluation; at the time of an event, to the values before.
  */
 static bool keeps_its_value(const instance *instance, const fmu_variable *variable) {
     return instance->state == CONTINUOUS_TIME_MODE && fmu_is_set_at_events(variable);
 }
 
-/* A state of a run that has begun is a trial value, free to go beyond the range of starts. */
+/* In a run, a state that is set is a trial value of a solver. It may be outside the range of start values. */
 static bool is_trial(const instance *instance, const fmu_variable *variable) {
     return variable->storage == STORED_STATE && (instance->state & BEFORE_START) == 0;
 }

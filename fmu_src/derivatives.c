@@ -1,9 +1,9 @@
 /* Exact derivatives: of state derivatives and outputs by states and inputs, and of outputs along the run.
  *
- * Knowns are, in a run, its states, inputs and tunable parameters; before its start all that the start
- * follows from, which is what has a start value (FMI 2.0, section 2.2.8, and 3.0, 2.4.8: inputs, and
- * variables with initial = exact). Time is one always, though nothing depends on it but the instants of
- * events. */
+ * The knowns of a run are its states, inputs and tunable parameters. Before the start they are all variables
+ * with a start value, because the start follows from these (FMI 2.0, section 2.2.8, and 3.0, 2.4.8: inputs,
+ * and variables with initial = exact). Time is always a known, although only the instants of events depend on
+ * it. */
 #include "instance.h"
 
 #include <math.h>
@@ -50,7 +50,7 @@ static bool are_unknown(const instance *instance, const char *call, const uint32
     return true;
 }
 
-/* Refuses derivatives that are no numbers, as at states so large that their products overflow. */
+/* Refuses derivatives that are NaN, for example where states are so large that their products overflow. */
 static call_status check_derivatives(const instance *instance, const char *call, const uint32_t references[],
                                      size_t count, const double values[]) {
     for (size_t i = 0; i < count; ++i) {
@@ -67,8 +67,8 @@ typedef struct {
     size_t count;
 } variable_list;
 
-/* Derivatives by all knowns together, weighted by the seeds; or, for the adjoint, of all unknowns together by
- * one known after the other. */
+/* The derivative of each unknown along the seeds of the knowns, in one pass. For the adjoint, the derivative
+ * by each known of the sum of the unknowns, weighted by the seeds: a pass for each known. */
 static call_status derivatives(const instance *instance, const char *call, variable_list unknowns,
                                variable_list knowns, const double seeds[], double values[], bool is_adjoint) {
     const variable_list seeded = is_adjoint ? unknowns : knowns, written = is_adjoint ? knowns : unknowns;
@@ -91,10 +91,12 @@ static call_status derivatives(const instance *instance, const char *call, varia
     fmu_view variation;
     call_status status = CALL_OK;
     const fmu *present = present_fmu(instance, call, &preview, &status);
-    for (size_t pass = 0; present != NULL && pass < (is_adjoint ? knowns.count : 1); ++pass) {
+    const size_t passes = is_adjoint ? knowns.count : 1;
+    for (size_t pass = 0; present != NULL && pass < passes; ++pass) {
+        const size_t first = is_adjoint ? pass : 0, end = is_adjoint ? pass + 1 : knowns.count;
         double sum = 0.0;
         memset(&seed, 0, sizeof seed);
-        for (size_t i = is_adjoint ? pass : 0; i < (is_adjoint ? pass + 1 : knowns.count); ++i) {
+        for (size_t i = first; i < end; ++i) {
             const fmu_variable *known = &fmu_variables[knowns.references[i]];
             fmu_set_number(&seed, known, fmu_get_number(&seed, NULL, known) + (is_adjoint ? 1.0 : seeds[i]));
         }

@@ -18,8 +18,8 @@ static bool is_by_cvode(const fmu *fmu) {
     return !fmu->is_exchange && fmu->settings[SETTING_METHOD] == SOLVER_CVODE;
 }
 
-/* Sets the page's clock to the time of the motion, which its own steps have rounded otherwise; and what it
- * has written down at this instant. */
+/* Sets the page's clock to the time of the motion, which may differ by rounding, and with the clock the times
+ * that the page has recorded at this instant. */
 static void set_clock(fmu *fmu) {
     double *x = states_of(fmu);
     for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
@@ -192,16 +192,16 @@ static tdmf_run_outcome run_part(tdmf_page_run *whole, int mode, double until) {
     return outcome;
 }
 
-/* Runs the driver on the page, or on its part where that has all that acts. A start, in the first mode,
- * writes states that the part may not have. */
+/* Runs the driver on the part of the page if the part has everything that acts, else on the page. Starts, in
+ * the first mode, write states that the part may lack. */
 static tdmf_run_outcome run_page(tdmf_page_run *run, double until) {
     const int mode = unit_part == NULL || run->mode == 0 ? -1 : tdmf_mode_on_part(unit_part, run->mode);
     const bool suits = mode >= 0 && unit_part->excess(run->p, run->x) == 0.0;
     return suits ? run_part(run, mode, until) : tdmf_page_run_to(unit_model, run, until);
 }
 
-/* Goes on by the driver up to a limit of steps or events; `run` has its log and its limit of events. A run
- * whose steps are so many in a short time that its laws are stiff is given up. */
+/* Runs the driver up to a limit of steps or events; `run` has its log and its limit of events. Gives a run up
+ * as stiff if it takes very many steps in a short time. */
 static tdmf_run_outcome drive_on(fmu *fmu, double until, tdmf_page_run *run) {
     tdmf_run_outcome outcome;
     for (long left = run->step_limit;;) {

@@ -235,7 +235,7 @@ CALL(GetRealOutputDerivatives, (fmi2Component c, REFERENCES, const fmi2Integer o
 CALL(CancelStep, (fmi2Component c),
      c == NULL ? CALL_ERROR : answer(c, CALL_ERROR, call, "no step is under way: steps are not asynchronous"))
 
-/* Steps are not asynchronous, so there are but two statuses. */
+/* Steps are not asynchronous, so only two statuses exist. */
 
 static call_status refuse_status(const instance *instance, const char *call) {
     return call_is_allowed(instance, call, after_steps)

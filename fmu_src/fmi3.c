@@ -11,7 +11,7 @@ typedef char agrees_status_numbers[(int)fmi3Warning == CALL_WARNING && (int)fmi3
                                        ? 1
                                        : -1];
 
-/* An instance with the importer's callback and what it asked for. */
+/* An instance with the importer's callback and options. */
 typedef struct {
     instance instance;
     bool early_return_allowed;
@@ -64,9 +64,7 @@ fmi3Instance fmi3InstantiateModelExchange(fmi3String name, fmi3String token, fmi
                        environment, logger);
 }
 
-/* `required` variables and `update` are for updates between communication points, of which the unit makes
- * none.
- */
+/* `required` and `update` are for updates between communication points, which the unit does not make. */
 fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3String resource_path,
                                          fmi3Boolean visible, fmi3Boolean logging,
                                          fmi3Boolean event_mode_used, fmi3Boolean early_return_allowed,
@@ -211,7 +209,7 @@ fmi3Status fmi3UpdateDiscreteStates(fmi3Instance component, fmi3Boolean *needs_u
     return (fmi3Status)status;
 }
 
-/* Calls of one interface, in states that the other reaches, too. */
+/* Refuses calls of one interface in states that the other interface has, too. */
 static bool has_interface(const instance *instance, const char *call, bool is_exchange) {
     if (instance != NULL && (instance->interface == MODEL_EXCHANGE) != is_exchange) {
         answer(instance, CALL_ERROR, call, "not allowed in %s",
@@ -305,10 +303,10 @@ CALL(GetOutputDerivatives,
          ? output_derivatives(c, call, references, count, (const int *)orders, values)
          : CALL_ERROR)
 
-/* ---- what every unit has to export, and this one has not ------------------------------------------------
+/* ---- functions that every unit has to export, for what this unit has not --------------------------------
  */
 
-/* Nothing was asked for, or it is refused. */
+/* This unit has none, so only empty requests succeed. */
 static call_status without(const instance *instance, const char *call, bool asked, const char *what) {
     if (!call_is_allowed(instance, call, ANYWHERE)) {
         return CALL_ERROR;
@@ -316,24 +314,28 @@ static call_status without(const instance *instance, const char *call, bool aske
     return asked ? answer(instance, CALL_ERROR, call, "the unit has no %s", what) : CALL_OK;
 }
 
-#define NO_VARIABLES(Type, get, set)                                                                         \
-    CALL(Get##Type, (fmi3Instance c, REFERENCES, get fmi3##Type values[], size_t value_count),               \
-         (IGNORED, without(c, call, count > 0 || value_count > 0, "variable of type " #Type)))               \
-    CALL(Set##Type, (fmi3Instance c, REFERENCES, set const fmi3##Type values[], size_t value_count),         \
-         (IGNORED, without(c, call, count > 0 || value_count > 0, "variable of type " #Type)))
+#define NO_VARIABLES(Type)                                                                                   \
+    CALL(Get##Type, (fmi3Instance c, REFERENCES, fmi3##Type values[], size_t value_count),                   \
+         ((void)references, (void)values,                                                                    \
+          without(c, call, count > 0 || value_count > 0, "variable of type " #Type)))                        \
+    CALL(Set##Type, (fmi3Instance c, REFERENCES, const fmi3##Type values[], size_t value_count),             \
+         ((void)references, (void)values,                                                                    \
+          without(c, call, count > 0 || value_count > 0, "variable of type " #Type)))
 
-#define IGNORED (void)references, (void)values
-NO_VARIABLES(Float32, , )
-NO_VARIABLES(Int8, , )
-NO_VARIABLES(UInt8, , )
-NO_VARIABLES(Int16, , )
-NO_VARIABLES(UInt16, , )
-NO_VARIABLES(UInt32, , )
-NO_VARIABLES(UInt64, , )
-#undef IGNORED
-#define IGNORED (void)references, (void)sizes, (void)values
-#define SIZES   size_t sizes[],
-NO_VARIABLES(Binary, SIZES, const SIZES)
+NO_VARIABLES(Float32)
+NO_VARIABLES(Int8)
+NO_VARIABLES(UInt8)
+NO_VARIABLES(Int16)
+NO_VARIABLES(UInt16)
+NO_VARIABLES(UInt32)
+NO_VARIABLES(UInt64)
+CALL(GetBinary, (fmi3Instance c, REFERENCES, size_t sizes[], fmi3Binary values[], size_t value_count),
+     ((void)references, (void)sizes, (void)values,
+      without(c, call, count > 0 || value_count > 0, "variable of type Binary")))
+CALL(SetBinary,
+     (fmi3Instance c, REFERENCES, const size_t sizes[], const fmi3Binary values[], size_t value_count),
+     ((void)references, (void)sizes, (void)values,
+      without(c, call, count > 0 || value_count > 0, "variable of type Binary")))
 
 #define NO_CLOCKS(name, given, ignored)                                                                      \
     CALL(name, given, (ignored, (void)references, without(c, call, count > 0, "clock")))

@@ -73,7 +73,7 @@ double fmu_longest_step(const fmu *fmu) {
 
 /* ---- events of Model Exchange -------------------------------------------------------------------------- */
 
-/* Largest values, which an importer's solver shows at its steps only. */
+/* Records largest values, which an importer's solver shows at its steps only. */
 static void observe(fmu *fmu) {
     const tdmf_page_instant at = instant_of(fmu);
     tdmf_note_largest(&at, states_of(fmu));
@@ -96,8 +96,7 @@ void take_immediate_events(fmu *fmu) {
     }
 }
 
-/* The run where it goes on as soon as inputs that are 0 move along a direction: some act from then on only.
- */
+/* The run just after inputs that are 0 have begun to move along a direction: some inputs act from then on. */
 static struct fmu moved_along(const fmu *fmu, const struct fmu *seed) {
     struct fmu moved = *fmu;
     double *x = states_of(&moved);
@@ -189,8 +188,7 @@ static bool is_beyond_motion(const fmu *fmu, char text[FMU_TEXT]) {
     return name != NULL;
 }
 
-/* Gives states that an event has left without a number, because a trial state has none, their values before.
- */
+/* Restores states that an event has made NaN, because of a trial state. */
 static void keep_numbers(fmu *fmu, const double states[]) {
     for (int i = 0; i < FMU_STATE_COUNT; ++i) {
         double *x = &states_of(fmu)[unit_states[i].index];
@@ -240,7 +238,7 @@ static void write_obstacle(fmu *fmu, tdmf_run_outcome outcome, char text[FMU_TEX
     tdmf_run_message(unit_model, &run, outcome, text, FMU_TEXT);
 }
 
-/* An input that its ramp has brought out of its range; NULL: there is none. */
+/* Refuses if a ramp has brought an input out of its range. */
 static const char *input_out_of_range(fmu *fmu, char text[FMU_TEXT]) {
     char refusal[FMU_TEXT];
     for (size_t i = 0; i < fmu_variable_count; ++i) {
@@ -255,7 +253,7 @@ static const char *input_out_of_range(fmu *fmu, char text[FMU_TEXT]) {
     return NULL;
 }
 
-/* Completes a run that the driver has brought to its end or to `until`; else it goes back to `begun`. */
+/* Completes a run that the driver has brought to its end or to `until`; otherwise returns to `begun`. */
 static const char *conclude(fmu *fmu, const struct fmu *begun, tdmf_run_outcome outcome, double until,
                             char text[FMU_TEXT]) {
     if (outcome == TDMF_RUN_ENDED) {

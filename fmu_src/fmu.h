@@ -24,41 +24,38 @@ typedef enum { SETTING_TOLERANCE, SETTING_TERMINATES, SETTING_METHOD, SETTING_CO
 /* Work of the solver in Co-Simulation. */
 typedef enum { WORK_STEPS, WORK_EVALUATIONS, WORK_LAYER_STEPS, WORK_COUNT } fmu_work;
 
-/* State of a run between calls of the driver. Numbers are the page's parameters, then its states. Where
- * a mode has coordinates of its own, the states of the world's coordinates follow from them, or in Model
- * Exchange they from those. */
+/* State of a run between calls of the driver. Numbers are the page's parameters, then its states. If a mode
+ * has coordinates of its own, the world's coordinates are computed from them; in Model Exchange, they from
+ * the world's. `shown` is the mode whose outputs are shown: the one before, where a run has ended and keeps
+ * them. */
 typedef struct {
     double numbers[UNIT_NUMBER_COUNT + 1];
     double time, time_rest;
     uint64_t taken, above, late;
     int64_t chain;
-    int32_t mode;
-    int32_t
-        shown; /* the mode whose outputs are shown: the one before where the run has ended and keeps them */
+    int32_t mode, shown;
 } page_motion;
 
-/* Up to `step_limit` it is plain data without padding, of which saved states are copies. */
+/* The fields before `step_limit` are plain data without padding, which saved states copy. */
 typedef struct fmu {
-    int32_t has_begun;        /* or 0, as in the next two */
-    int32_t event_is_pending; /* Co-Simulation with event mode: the run stands at an event that is not yet
-                                 taken */
-    int32_t has_jumped;       /* an input, so that states changed, since the last update */
-    int32_t event;            /* the pending one */
+    int32_t has_begun;        /* 0 or 1, as the next two */
+    int32_t event_is_pending; /* in Co-Simulation with event mode: the run stands just before an event */
+    int32_t has_jumped;       /* since the last update a jump of an input has changed states */
+    int32_t event;            /* number of the pending event */
     page_motion motion;
     double time;  /* the importer's; that of the motion is the page's */
     double epoch; /* the importer's time at the page's time 0 */
     double settings[SETTING_COUNT];
-    double
-        starts[UNIT_STATE_COUNT + 1]; /* of states in other coordinates than the world's, where these begin */
-    double importer_tolerance;        /* infinite where the importer has none */
-    double stop_time;                 /* infinite where the importer has none */
-    /* Numbers up to which jumps have changed other states; in Model Exchange with the rates of states there.
+    double starts[UNIT_STATE_COUNT + 1]; /* start values of states in other coordinates than the world's */
+    double importer_tolerance;           /* infinite if the importer gives none */
+    double stop_time;                    /* infinite if the importer gives none */
+    /* The numbers when states were last changed for jumps; in Model Exchange also the rates of states then.
      */
     double accounted[UNIT_NUMBER_COUNT + 1], accounted_rates[UNIT_STATE_COUNT + 1], accounted_time;
     int64_t work[WORK_COUNT];
     unsigned char watch[8 * (UNIT_EVENT_COUNT / 8 + 1)]; /* a watch_state for each event */
-    int64_t step_limit;                                  /* of a call; no part of the run */
-    double *memory;                                      /* working memory, of no content */
+    int64_t step_limit;                                  /* of a call; not part of the run */
+    double *memory; /* working memory, which holds nothing between calls */
     bool is_exchange;
 } fmu;
 
@@ -73,15 +70,15 @@ typedef struct {
     char words[UNIT_WORD_COUNT + 1][WORD_CAPACITY];
 } fmu_view;
 
-/* A refusal is written into a text of FMU_TEXT characters, and returned; NULL stands for success. Events are
- * reported to an instance whose log wants them; NULL: none does. */
+/* Functions that may refuse write the reason into a text of FMU_TEXT characters and return it; they return
+ * NULL for success. `observer` is the instance to which events are reported, or NULL. */
 enum { FMU_TEXT = 256 };
 struct instance;
 
-/* Back to the start values, at time 0. */
+/* Resets everything to the start values, at time 0. */
 void fmu_reset(fmu *fmu);
 
-/* A requirement of the page that is not met, of parameters alone or with the states of a start. */
+/* Refuses if the page has a requirement that is not met: one of parameters alone, or one of a start. */
 const char *unmet_requirement(const fmu *fmu, bool of_parameters, char text[FMU_TEXT]);
 
 /* Begins the run at its time from the values set so far; on refusal the unit is left as it was. */
@@ -112,29 +109,32 @@ void fmu_flow(const fmu *fmu, struct fmu *seed);
 /* The continuous states as an importer sees them; `view` is that of a run that has not begun, else NULL. */
 void fmu_states(const fmu *fmu, const fmu_view *view, double states[]);
 
-/* The first is far beyond any motion, and far enough from overflow for every product of the equations. The
- * second is beyond whatever is added up from such states, and far enough from overflow for products, too. */
+/* Largest state and largest sum along a run. The first is far beyond any motion, and no product in the
+ * equations overflows with it. The second is beyond every sum of such states, and no product with it
+ * overflows either. */
 #define fmu_largest_state 1e60
 #define fmu_largest_sum   1e200
 
-/* A value that is cut where it is beyond any motion. NaN counts as large. */
+/* Limits a value to the largest state. NaN counts as large. */
 static inline double fmu_within_largest(double value) {
     const double bounded = value < fmu_largest_state ? value : fmu_largest_state;
     return bounded > -fmu_largest_state ? bounded : -fmu_largest_state;
 }
 
-/* Takes a solver's trial states, which are no NaN, and cuts them: so values that follow stay finite. */
+/* Sets trial states of a solver, which are not NaN. They are limited, so that all that follows stays finite.
+ */
 void fmu_try_states(fmu *fmu, const double states[]);
 
-/* Derivatives are cut as trial states are: an importer's solver then sees that its step was too long. */
+/* Derivatives are limited as trial states are: the importer's solver then finds that its step was too long.
+ */
 void fmu_derivatives(const fmu *fmu, double derivatives[]);
 void fmu_event_indicators(const fmu *fmu, double indicators[]);
 
 /* Typical magnitudes of the states, from the parameters; importers make absolute tolerances of them. */
 void fmu_nominals(const fmu *fmu, double nominals[]);
 
-/* Model Exchange: notes what a completed step shows. True where event mode is needed, because an input whose
- * jumps change other states has changed. */
+/* Model Exchange: records the guards and largest values after a completed step. True if event mode is needed,
+ * because a guard is due or an input has changed whose jumps change other states. */
 bool fmu_complete_step(fmu *fmu);
 
 /* Event mode begins: before inputs may jump. */
@@ -144,7 +144,7 @@ void fmu_enter_event_mode(fmu *fmu);
  * and the unit is as it was. */
 const char *fmu_update(fmu *fmu, const struct instance *observer, bool *state_changed, char text[FMU_TEXT]);
 
-/* Whether the run has ended, and its settings say that a simulation is to end there. */
+/* Whether the run has ended and its settings ask to end the simulation then. */
 bool fmu_asks_to_terminate(const fmu *fmu);
 
 /* The longest step that an importer's solver may make from here; infinite mostly. */

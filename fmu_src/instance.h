@@ -40,7 +40,7 @@ typedef struct instance {
     interface_kind interface;
     call_state state;
     unsigned log_categories;
-    bool log_was_chosen; /* by fmi2SetDebugLogging or fmi3SetDebugLogging */
+    bool log_was_chosen; /* by a call of fmi2SetDebugLogging or fmi3SetDebugLogging */
     char *name;
     /* Passes a message to the importer, if it has a logger. */
     void (*send)(const struct instance *instance, call_status status, const char *category, const char *text);
@@ -61,8 +61,8 @@ void log_event(const instance *observer, const char *text);
 /* The instance as an observer of events; NULL while the events' category is off. */
 const instance *observer_of(const instance *instance);
 
-/* Switches categories on or off by name; without names, all of them. The first that are switched on by name
- * take the place of those that the instance was made with; unknown ones are warned of. */
+/* Switches categories on or off by name, or all of them if no names are given. The first call that switches
+ * some on replaces those that the instance was made with. Unknown names give a warning. */
 call_status set_logging(instance *instance, const char *call, bool on, size_t count,
                         const char *const names[]);
 
@@ -72,8 +72,8 @@ char *time_text(double time, char text[TIME_CAPACITY]);
 
 /* ---- calls.c ------------------------------------------------------------------------------------------ */
 
-/* An instance of `size` bytes, all zero beyond its first member. NULL: there is none, for a reason that was
- * given or is found. */
+/* Makes an instance of `size` bytes, which are zero beyond its first member. NULL if it is refused: `reason`
+ * says why. It is NULL before the call, unless the caller has a reason of its own. */
 void *instance_new(size_t size, const char *name, const char *token, interface_kind interface, bool logging,
                    const char **reason);
 void instance_free(instance *instance);
@@ -90,18 +90,18 @@ bool call_is_allowed(const instance *instance, const char *call, unsigned allowe
 bool array_is_given(const instance *instance, const char *call, const void *array, size_t count,
                     size_t wanted);
 
-/* Goes from one of some states of the call sequence to another, and does no more. */
+/* Goes from one of the states `from` of the call sequence to another one, and does nothing else. */
 call_status enter_state(instance *instance, const char *call, unsigned from, call_state to);
 
-/* The unit or, until its run has begun, what it would be if it started from the values set so far, in
- * `preview`. NULL, with a message and the status in `status`, while these contradict each other. */
+/* The unit. Until its run has begun, `preview`, which is the unit started from the values set so far. NULL if
+ * these values contradict each other; `status` is then that of the refusal. */
 const fmu *present_fmu(const instance *instance, const char *call, fmu *preview, call_status *status);
 
-/* The outputs and derivatives for the present values. NULL, with a message and the status in `status`, while
- * the start values contradict each other. */
+/* The outputs and derivatives for the present values. NULL if the start values contradict each other;
+ * `status` is then that of the refusal. */
 const fmu_view *current_view(instance *instance, const char *call, call_status *status);
 
-/* Something that outputs or derivatives depend on has changed. */
+/* Discards the view, because something that outputs or derivatives depend on has changed. */
 void discard_view(instance *instance);
 
 call_status set_experiment(instance *instance, const char *call, bool tolerance_defined, double tolerance,
@@ -133,8 +133,8 @@ call_status get_numbers(instance *instance, const char *call, unsigned types, co
  *     continuous-time mode    continuous inputs and states, these as trial values of the importer's solver
  *     step mode               inputs, tunable parameters
  *
- * What is set at events only keeps its value in continuous-time mode, and a set of another is warned of.
- * An input's rate is 0 once it is set.
+ * In continuous-time mode, variables that change at events only keep their values, and a call that sets
+ * another value gives a warning. Setting an input also sets its rate to 0.
  * (FMI 2.0, table of section 3.2.3, whose note 5 has the states; FMI 3.0.2, sections 2.3.5 and 3.2.1.) */
 call_status set_numbers(instance *instance, const char *call, unsigned types, const uint32_t references[],
                         size_t count, const void *values, number_reader read);

@@ -7,7 +7,7 @@
 
 enum { MESSAGE_CAPACITY = 512 };
 
-/* By status; the last name is that of all. */
+/* The category of each status, then that of all. */
 static const char *const categories[] = {"logEvents", "logStatusWarning", "logStatusDiscard",
                                          "logStatusError", "logAll"};
 
@@ -34,7 +34,7 @@ const instance *observer_of(const instance *instance) {
     return (instance->log_categories & LOG_EVENTS) != 0 ? instance : NULL;
 }
 
-/* The categories of that name; 0 if there are none. */
+/* The set of categories with this name; 0 if the name is unknown. */
 static unsigned category_named(const char *name) {
     for (unsigned i = 0; i <= CALL_ERROR; ++i) {
         if (strcmp(categories[i], name) == 0) {

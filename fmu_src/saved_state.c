@@ -1,6 +1,6 @@
 /* Saved and serialized states: the plain data of a run behind a header that shows whether this unit wrote it.
- * A serialized state has the same bytes as a saved one, so it restores in any instance and process. All of it
- * is checked first, however it came about: whatever is accepted may be gone on with. */
+ * A serialized state has the same bytes as a saved one, so that it restores in any instance and process.
+ * Every field is checked before a state is restored: a run can go on from any state that is accepted. */
 #include "guid.h"
 #include "instance.h"
 #include "run.h"
@@ -13,7 +13,7 @@
 enum { RUN_SIZE = offsetof(fmu, step_limit) };
 
 typedef struct {
-    uint64_t zero; /* an importer that frees a state where its address is due frees a null pointer */
+    uint64_t zero; /* for importers that pass a state to be freed instead of its address */
     char guid[40]; /* of the unit that saved it: its variables and version */
     uint32_t byte_order;
     uint32_t size;
@@ -43,14 +43,14 @@ static void write_header(saved_state *saved) {
     saved->checksum = checksum_of(saved);
 }
 
-/* ---- what a run may hold ------------------------------------------------------------------------------- */
+/* ---- ranges of fields ---------------------------------------------------------------------------------- */
 
-/* NaN lies between nothing. */
+/* False for NaN. */
 static bool lies_between(double value, double least, double most) {
     return value >= least && value <= most;
 }
 
-/* Settings are in their ranges. Booleans, enumerations and counts are whole numbers. */
+/* The name of the first setting that is out of its range, or is not whole but of another type than Real. */
 static const char *wrong_setting(const fmu *fmu) {
     for (size_t i = 0; i < fmu_variable_count; ++i) {
         const fmu_variable *v = &fmu_variables[i];
@@ -106,7 +106,7 @@ static const char *wrong_call(const saved_state *saved, const fmu *fmu) {
     return suits ? NULL : "the state of the call sequence";
 }
 
-/* Fields that no other one bounds. */
+/* Checks fields that do not depend on others. */
 static const char *wrong_field(const fmu *fmu) {
     if (!lies_between(fmu->importer_tolerance, DBL_MIN * DBL_EPSILON, INFINITY)) {
         return "the importer's tolerance";
@@ -130,7 +130,7 @@ static const char *wrong_field(const fmu *fmu) {
             return "how a guard was seen";
         }
     }
-    for (int i = 0; i < WORK_COUNT; ++i) { /* which no run brings near the end of the counter */
+    for (int i = 0; i < WORK_COUNT; ++i) { /* half the range is left for the run to go on */
         if (!(fmu->work[i] >= 0 && fmu->work[i] <= INT64_MAX / 2)) {
             return "the work done";
         }
@@ -138,7 +138,7 @@ static const char *wrong_field(const fmu *fmu) {
     return fmu->has_begun ? number_out_of_range(fmu->accounted) : NULL;
 }
 
-/* ---- what has to agree in a run that has begun --------------------------------------------------------- */
+/* ---- consistency of a run that has begun --------------------------------------------------------------- */
 
 /* In Co-Simulation the states in the world's coordinates follow from those of the mode. */
 static const char *wrong_coordinate(const fmu *fmu) {
@@ -154,7 +154,7 @@ static const char *wrong_coordinate(const fmu *fmu) {
     return NULL;
 }
 
-/* A state that keeps the page's bounds no more, or holds a time that has not passed. */
+/* The name of the first state that is beyond the page's bounds, or holds a time in the future. */
 static const char *wrong_state(const fmu *fmu) {
     const double *x = states_of(fmu);
     for (int i = 0; i < UNIT_BOUND_COUNT; ++i) {
@@ -200,8 +200,8 @@ static const char *wrong_run(const fmu *fmu) {
 
 /* ---- reading and writing ------------------------------------------------------------------------------- */
 
-/* Checks the bytes of a state and reads them into `saved` and `fmu`, which has working memory. NULL; or why
- * they are refused, perhaps written into `text`. */
+/* Checks the bytes of a state and reads them into `saved` and `fmu`, which has working memory. Returns NULL,
+ * or the reason why they are refused, for which `text` is room. */
 static const char *read_state(const void *bytes, saved_state *saved, fmu *fmu, char text[FMU_TEXT]) {
     memcpy(saved, bytes, sizeof *saved);
     saved_state wanted = *saved;
@@ -238,7 +238,7 @@ static const char *read_state(const void *bytes, saved_state *saved, fmu *fmu, c
     return text;
 }
 
-/* A place for a state: the importer's old one if it has one. */
+/* Memory for a state: that of the importer's old state, if it passes one. */
 static void *room_for_state(void *old) {
     return old != NULL ? old : malloc(sizeof(saved_state));
 }

@@ -1,5 +1,5 @@
-/* Time goes on: in Model Exchange the importer integrates, the unit gives derivatives and event indicators
- * and takes the transitions; in Co-Simulation the unit integrates itself. Event mode serves both. */
+/* Calls that advance time. In Model Exchange the importer integrates; the unit gives derivatives and event
+ * indicators, and takes events. In Co-Simulation the unit integrates. Both interfaces have event mode. */
 #include "instance.h"
 
 #include <float.h>
@@ -18,7 +18,7 @@ call_status enter_event_mode(instance *instance, const char *call, unsigned allo
     return CALL_OK;
 }
 
-/* An importer's solver makes steps as long as it likes, but none beyond a time event. */
+/* The longest step of an importer's solver is reported as a time event, which no solver steps over. */
 call_status update_discrete_states(instance *instance, const char *call, discrete_update *update) {
     if (!call_is_allowed(instance, call, EVENT_MODE)) {
         return CALL_ERROR;
@@ -88,7 +88,7 @@ call_status get_states(instance *instance, const char *call, double states[], si
     return status;
 }
 
-/* Values of a run, or of the one that would start. */
+/* Writes values of the run or, before it begins, of the run that would start now. */
 static call_status get_values(const instance *instance, const char *call, double values[], size_t count,
                               size_t wanted, void (*write)(const fmu *fmu, double values[])) {
     if (!call_is_allowed(instance, call, evaluable) ||
@@ -123,13 +123,14 @@ call_status get_nominals(instance *instance, const char *call, double nominals[]
 
 /* ---- Co-Simulation ------------------------------------------------------------------------------------- */
 
-/* What importers that add up or scale their times may be off by: rounding, and a share of the step. */
+/* How far the times of importers may be off if they add them up or scale them: rounding, and a share of the
+ * step. */
 static double clock_rounding(double time, double step) {
     return 16.0 * DBL_EPSILON * fabs(time) + 1e-6 * step;
 }
 
-/* Without event mode an event inside a step is the unit's own business: it is located and taken, and the step
- * ends exactly where the importer wants it. */
+/* Without event mode the unit locates and takes events inside a step, and the step ends where the importer
+ * wants it. */
 call_status step_on(instance *instance, const char *call, double time, double step, bool stop_at_event,
                     bool *event) {
     char text[FMU_TEXT], length[TIME_CAPACITY], clock[TIME_CAPACITY];

@@ -21,7 +21,7 @@ OWN_WORDS = """real mask interval select any broadcast power order series consta
     given of_states of_events varied tables seed watched at d_at TERMS KERNEL"""
 FUNCTIONS = """sin cos exp log expm1 log1p atan2 sqrt fabs memset memcpy product product_of product_so_far
     square_of quotient_of root_of own_root_of drift_times exp_of log_of sine_and_cosine sine_and_cosine_of
-    sine_and_cosine_by_rate     constant_of with_constant rough_root first_root moving"""
+    sine_and_cosine_by_rate constant_of with_constant rough_root first_root moving"""
 RESERVED = set(f"{C_WORDS} {CPP_WORDS} {MACROS} {OWN_WORDS} {FUNCTIONS}".split())
 """Words of C, C++ and MSVC, macros of headers, and names of the generator; a quantity so named gets a `_`."""
 

@@ -42,8 +42,8 @@ for _kind, _into in WRITTEN.items():
 
 def c_name(key):
     """The name in C of a mode, in which the value of a word may have any characters."""
-    words = (str(value).replace("-", "minus_") for _, value in key[1])
-    return "_".join([key[0], *(re.sub(r"\W", lambda at: f"_{ord(at[0]):x}", word) for word in words)])
+    words = "_".join([key[0], *(str(value).replace("-", "minus_") for _, value in key[1])])
+    return re.sub(r"\W", lambda at: f"_{ord(at[0]):x}", words, flags=re.ASCII)
 
 
 class Functions:

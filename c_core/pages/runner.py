@@ -465,7 +465,7 @@ class PlainRunner(RunnerOnOneLine):
 
     @staticmethod
     def excess(whole):
-        """Number of what acts on the whole runner and is not on the plain page, which runs where it is 0."""
+        """Number of things that act on this runner and are not on the plain page, which runs if it is 0."""
         r, patch = whole, select(whole.patch_end > whole.patch_begin, 1, 0)
         acting = (
             r.ground_height, r.ground_slope, r.height, r.slope, r.thrust, r.more_thrust, r.retraction_rate,

@@ -654,8 +654,7 @@ static void step_once(lane_pool *w, lane_batch *b, int number) {
     }
 }
 
-/* Makes steps in the lanes of a mode until a runner leaves its lane: so long the mode has the most runners.
- */
+/* Makes steps in the lanes of a mode until a runner leaves its lane. Until then no mode has more runners. */
 static void step_lanes(lane_pool *w, int number) {
     lane_batch *b = &w->batches[number];
     fill_lanes(w, b);

@@ -18,8 +18,8 @@ static const double divisor_change = 0.75;      /* of a divisor within a step, r
 static const double guard_tolerance = 10.0;     /* of a guard's series, relative to that of a step */
 static const double variation_tolerance = 10.0; /* of a variation's, relative to that of a step */
 
-/* Corrections, as shares of a step, with which the search for an only zero ends: Newton's, whose error is the
- * square of that, and any. */
+/* The search for an only zero ends after a correction this small, as a share of the step: one of Newton's,
+ * after which the error is about the square of the correction, or any other. */
 static const double last_newton = 1e-9, last_halving = 4e-16;
 static const double short_line = 1e-10; /* share of a step in which a guard is a straight line */
 
@@ -67,7 +67,7 @@ typedef struct {
     guard_watch guards[TDMF_GUARD_LIMIT];
     mask begins;      /* no time has passed in the mode */
     bool looks;       /* some guard may be near */
-    bool rises;       /* some guard does, from zero */
+    bool rises;       /* some guard rises from zero */
     uint64_t watched; /* a bit for each guard that a lane watches, then for each observed quantity */
     /* Written by each step. */
     int order;         /* of the series */

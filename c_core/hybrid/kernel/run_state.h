@@ -14,7 +14,7 @@ typedef struct {
     double reach;                  /* time for which the series of the last step can be trusted */
 } run_state;
 
-/* What is known of a guard in a mode. */
+/* Flags of a guard in a mode. */
 enum {
     IS_WATCHED = 1,
     IS_CROSSING = 2, /* it has to cross zero */
@@ -22,7 +22,7 @@ enum {
     WAS_ABOVE = 8,   /* above zero since the mode began */
     IS_LATE = 16,    /* below zero since its event was taken */
     IS_NEAR = 32,    /* the last step ended at its root, and its event was not taken */
-    RISES = 64       /* from zero, as soon as time passes */
+    RISES = 64       /* it rises from zero as soon as time passes */
 };
 
 typedef struct {
