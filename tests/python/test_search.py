@@ -81,6 +81,12 @@ def test_no_gait_says_what_was_tried(command):
     assert (status, out) == (1, "") and "starts all over the section" in said
 
 
+def test_a_search_ends_after_a_bounded_number_of_strides():
+    """Without a bound of its own it takes a hundred times as many."""
+    few = search.search_from_spread(Runner({"leg.damping": 0.0}), max_strides=1500)
+    assert 1500 <= few.strides <= 1500 + search.MAX_TRIED * search.ITERATIONS * search.SHORTENINGS
+
+
 def test_a_search_whose_strides_take_too_many_steps_ends_and_says_so(monkeypatch):
     """A stride of this runner takes 3,000 steps or more, two hundred times as many as is usual."""
     monkeypatch.setattr(search, "STARTS", 64)
