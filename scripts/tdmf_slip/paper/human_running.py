@@ -131,10 +131,13 @@ class FitRow(NamedTuple):
     """One claim about the fit on the page of results, as texts."""
 
     claim: str
+    """What is said of the fit, in a sentence."""
     value: str
+    """The numbers that the sentence rests on."""
     control: str
     """The number with other possible causes varied."""
     command: str
+    """The command that computes it."""
 
 
 ASSUMED: Mapping[str, tuple[float, float]] = {

@@ -90,8 +90,11 @@ class Proved:
     """What all proofs have: a sentence that says what is proved or left open, and assumptions."""
 
     proved: bool
+    """Whether the sentence is proved; else it is undecided."""
     values: Mapping[str, Exact]
+    """The runner's values, as the proof takes them."""
     version: str
+    """The version of the package that proved it."""
 
     def __repr__(self) -> str:
         """The sentence, of as much as fits two lines."""
