@@ -66,6 +66,30 @@ CONTINUOUS_INPUTS = {
 }
 
 
+PROMISED = """
+    leg.work energy.external_work ground.pending contact.normal contact.tangential leg.force stride.rise
+    stride.hip_work stride.leg_work body.mass foot.mass leg.stiffness leg.damping leg.free_length
+    leg.min_length gravity ground.static_friction_ratio ground.stribeck_velocity ground.patch_begin
+    ground.patch_end ground.patch_friction hip.swing_clamp status.terminate_on_fall foot.x foot.y
+    leg.length leg.angle foot.vx foot.vy leg.length_rate leg.angle_rate hip.work hip.place_time
+    energy.damper_loss energy.friction_loss body.x body.y body.vx body.vy com.x com.y com.vx com.vy
+    contact.fx contact.fy hip.torque energy.kinetic energy.potential energy.elastic energy.total
+    hip.liftoff_angle contact.mode hip.phase energy.impact_loss event.count event.last_time
+    status.fallen contact.mode_index hip.phase_index stride.count stride.period stride.length
+    stride.speed stride.work stride.cost_of_transport stride.touchdowns stride.word stride.word_code
+    stride.stance_time stride.duty_factor stride.slip_distance stride.positive_work stride.peak_force
+    stride.peak_vertical_force apex.time apex.com_height apex.com_speed apex.leg_length apex.leg_angle
+    apex.leg_length_rate apex.leg_angle_rate
+"""
+"""Variables beside the inputs and settings above, by the names that users were promised."""
+
+
+def test_promised_names_are_there(description):
+    names = {variable.name for variable in description.modelVariables}
+    assert TUNABLE | DISCRETE_INPUTS | CONTINUOUS_INPUTS | {*PROMISED.split()} <= names
+    assert sum(f"der({name})" in names for name in names) == 15
+
+
 def test_causality_variability_and_initial(description):
     variables = {variable.name: variable for variable in description.modelVariables}
     inputs = {"continuous": set(), "discrete": set()}
