@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from tdmf_slip.errors import RunError
+from tdmf_slip.errors import InputError, RunError
 from tdmf_slip.numerics.following import halved, walk
 from tdmf_slip.numerics.newton import NotSolvedError, solve
 
@@ -144,12 +144,27 @@ def test_a_walk_stops_before_what_cannot_be_passed():
     assert 0.0 < math.pi - values[-1] < 2e-6  # the step that failed last was shorter than twice the shortest
 
 
+def test_a_walk_ends_at_once_where_its_input_is_refused():
+    tried = []
+
+    def advance(_known, _at, to):
+        tried.append(to)
+        raise InputError("refused")
+
+    with pytest.raises(InputError, match="refused"):
+        list(walk(0.0, 0.0, 1.0, advance, shortest=1e-6))
+    assert tried == [1.0]
+
+
 def test_halving_finds_the_longest_step_that_succeeds():
+    """It ends where there is none, also with a step that is not a number."""
+
     def attempt(step):
-        if step > 0.3:
+        if not step <= 0.3:
             raise RunError("too long")
         return "found"
 
     assert halved(attempt, 1.0, 0.25) == ("found", 0.25)
-    with pytest.raises(RunError, match="too long"):
-        halved(attempt, 1.0, 0.26)
+    for step in (1.0, math.nan):
+        with pytest.raises(RunError, match="too long"):
+            halved(attempt, step, 0.26)
