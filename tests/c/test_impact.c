@@ -103,6 +103,9 @@ TEST(sticks_up_to_the_edge_of_the_cone) {
     assert_true(vx_after(nextafter(edge, 0.0), -0.5, 0.75) == 0.0);
     assert_true(vx_after(outside, -0.5, 0.75) == outside - edge);
     assert_true(vx_after(-outside, -0.5, 0.75) == edge - outside);
+    /* Without friction it slides on, with a huge one it sticks. */
+    assert_true(vx_after(-0.3, -0.5, 0.0) == -0.3 && vx_after(0.0, -0.5, 0.0) == 0.0);
+    assert_true(vx_after(1e3, -0.5, 1e6) == 0.0);
 }
 
 /* rho = 1.5: inside its cone of 1.5 * 0.5 * 0.5 the foot sticks, outside it slides with the friction itself.
