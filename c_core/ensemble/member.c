@@ -5,6 +5,7 @@
 #include "mapped_stride.h"
 #include "page_fields.h"
 #include "page_run.h"
+#include "runner_pages.h"
 #include "settings.h"
 #include "settled.h"
 #include "stride_limits.h"
@@ -160,7 +161,9 @@ bool tdmf_member_is_plain(const tdmf_ensemble *ensemble, int64_t index) {
     tdmf_parameters parameters = its_case->model->parameters;
     tdmf_inputs inputs = its_case->inputs;
     tdmf_page_point point;
-    if (rules->roughness != 0.0 || (tdmf_has_terrain(rules) && !tdmf_is_one_line(rules))) {
+    const tdmf_ensemble_checkpoint *from = ensemble->goes_on ? &ensemble->checkpoints[index] : NULL;
+    if (rules->roughness != 0.0 || (tdmf_has_terrain(rules) && !tdmf_is_one_line(rules)) ||
+        (from && tdmf_mode_on_part(tdmf_page_for(ensemble->map, true), from->mode) < 0)) {
         return false;
     }
     if (rules->law) {
@@ -169,9 +172,7 @@ bool tdmf_member_is_plain(const tdmf_ensemble *ensemble, int64_t index) {
     if (ensemble->given) {
         set_to_one(ensemble->given->settings, ensemble->given->count, &parameters, &inputs);
     }
-    const double *states =
-        ensemble->goes_on ? ensemble->checkpoints[index].states : tdmf_runner_model.state_defaults;
-    memcpy(&point.x, states, sizeof point.x);
+    memcpy(&point.x, from ? from->states : tdmf_runner_model.state_defaults, sizeof point.x);
     point.p = tdmf_page_parameters(&parameters, &inputs);
     const bool has_extended = point.x.leg_work != 0.0 || point.x.external_work != 0.0;
     tdmf_write_page_inputs(&inputs, &point.x);

@@ -95,3 +95,18 @@ TEST(who_has_fallen_stands_nowhere) {
         assert_false(crowd->checkpoints[FALLS].stands);
     }
 }
+
+/* The plain page has fewer modes than a checkpoint may name: a runner of another mode goes on without it. */
+TEST(a_run_goes_on_in_any_mode) {
+    int mode = 0;
+    for (bool is_taken = true; is_taken; ++mode) {
+        crowd *crowd = gather(0, 1);
+        run_crowd(crowd, TDMF_BEST_INSTRUCTIONS);
+        crowd->checkpoints[0].mode = mode;
+        crowd->ensemble.goes_on = true;
+        crowd->cases[0].rules.max_strides = 2;
+        is_taken = tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL);
+        assert_int_equal(crowd->ends[1].strides, is_taken ? 2 : 1);
+    }
+    assert_true(mode > 7);
+}
