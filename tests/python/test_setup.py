@@ -205,6 +205,14 @@ def test_the_development_guide_names_files_that_there_are():
         assert [name for name in named if f"/{name}\n" not in files] == []
 
 
+def test_the_fast_tests_of_a_check_are_there():
+    (names,) = re.findall(
+        r"^FAST_TESTS=\((.+?)\)", (ROOT / "scripts/check").read_text(encoding="utf-8"), re.S | re.M
+    )
+    assert len(names.split()) > 5
+    assert [name for name in names.split() if not (ROOT / f"tests/python/{name}.py").is_file()] == []
+
+
 def test_contributing_names_scripts_and_presets_that_there_are():
     text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
     scripts = set(re.findall(r"^(?:\./)?scripts/(\w+)\b", text, re.MULTILINE))
