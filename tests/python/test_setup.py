@@ -106,7 +106,7 @@ def test_scripts_install_python_packages_by_hash_only():
     )
     assert len(re.findall(r"pip install .*", text)) == 1  # in pip_install
     calls = re.findall(r"^ *(?:step \".*\" +)?pip_install .*", text.replace("\\\n", " "), re.MULTILINE)
-    assert len(calls) == 2
+    assert len(calls) == 3
     assert all("--require-hashes" in call or re.search(r"--no-deps .*\.$", call) for call in calls), calls
 
 
