@@ -69,8 +69,7 @@ def copied(models: Sequence[Any]) -> NDArray[Any]:
 
 def address(array: NDArray[Any]) -> int:
     """Address of an array; whoever writes the address into a struct keeps the array alive."""
-    begin: int = array.ctypes.data
-    return begin
+    return int(ffi.cast("uintptr_t", ffi.from_buffer(array)))
 
 
 def written(structs: NDArray[Any], values: Mapping[str, NDArray[np.float64]]) -> NDArray[Any]:
@@ -115,7 +114,8 @@ def exact_strides(
     systems = np.empty((len(apices), 2), np.uintp)
     systems[:, 0] = address(models) + models.itemsize * (np.arange(len(apices)) if len(models) > 1 else 0)
     systems[:, 1] = address(inputs) + inputs.itemsize * (np.arange(len(apices)) if len(inputs) > 1 else 0)
-    until = np.broadcast_to(LONGEST_STRIDE * models["scales"]["time"], len(apices)).copy()
+    until = np.empty(len(apices))
+    until[:] = LONGEST_STRIDE * models["scales"]["time"]
     system, longest = ffi.from_buffer("tdmf_system[]", systems), ffi.from_buffer("double[]", until)
     if reduced:
         for k in range(len(apices)):

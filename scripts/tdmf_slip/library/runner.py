@@ -1,9 +1,9 @@
 """Runners as the C library takes them."""
 
 from collections.abc import Iterator, Mapping
-from functools import cached_property
+from functools import cache, cached_property
 from operator import itemgetter
-from typing import TYPE_CHECKING, Any, ClassVar, NoReturn, Self
+from typing import TYPE_CHECKING, Any, ClassVar, NoReturn, Self, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -90,6 +90,8 @@ class Runner(Mapping[str, Value]):
         if isinstance(own, cls):
             return own.replace(values, model=model, tolerance=tolerance)
         of = model_of(given, model)
+        if (given is None or given is of) and not values and tolerance is None:
+            return cast("Self", _of_start_values(of))
         by_name = {
             **start_values_of(None if given is of else given, of.aliases),
             **by_full_name(values, "start values", RUNNER, of.aliases),
@@ -395,6 +397,12 @@ class Runner(Mapping[str, Value]):
             Other coordinates, or a parameter is refused.
         """
         return {**self, **self.state_at(apex)}
+
+
+@cache
+def _of_start_values(model: Model) -> Runner:
+    """The runner that is meant where none is given."""
+    return Runner._made(model.starts, model, TOLERANCE)
 
 
 def _fixed(array: NDArray[Any]) -> NDArray[Any]:
