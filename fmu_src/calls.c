@@ -1,5 +1,4 @@
-/* An instance from its making to its end, the checks that every call of FMI makes first, and the view that
- * calls read from. */
+/* Life cycle of an instance, the checks that every call of FMI makes first, and the view that calls read. */
 #include "guid.h"
 #include "instance.h"
 #include "run.h"

@@ -31,7 +31,7 @@ typedef struct {
     }
 #define REFERENCES const fmi2ValueReference references[], size_t count
 
-/* ---- an instance from its making to its end ------------------------------------------------------------ */
+/* ---- life cycle of an instance ------------------------------------------------------------------------- */
 
 const char *fmi2GetTypesPlatform(void) {
     return fmi2TypesPlatform;

@@ -26,7 +26,7 @@ typedef struct {
     }
 #define REFERENCES const fmi3ValueReference references[], size_t count
 
-/* ---- an instance from its making to its end ------------------------------------------------------------ */
+/* ---- life cycle of an instance ------------------------------------------------------------------------- */
 
 const char *fmi3GetVersion(void) {
     return fmi3Version;
@@ -307,20 +307,20 @@ CALL(GetOutputDerivatives,
  */
 
 /* This unit has none, so only empty requests succeed. */
-static call_status without(const instance *instance, const char *call, bool asked, const char *what) {
+static call_status accept_empty(const instance *instance, const char *call, bool is_asked, const char *what) {
     if (!call_is_allowed(instance, call, ANYWHERE)) {
         return CALL_ERROR;
     }
-    return asked ? answer(instance, CALL_ERROR, call, "the unit has no %s", what) : CALL_OK;
+    return is_asked ? answer(instance, CALL_ERROR, call, "the unit has no %s", what) : CALL_OK;
 }
 
 #define NO_VARIABLES(Type)                                                                                   \
     CALL(Get##Type, (fmi3Instance c, REFERENCES, fmi3##Type values[], size_t value_count),                   \
          ((void)references, (void)values,                                                                    \
-          without(c, call, count > 0 || value_count > 0, "variable of type " #Type)))                        \
+          accept_empty(c, call, count > 0 || value_count > 0, "variable of type " #Type)))                   \
     CALL(Set##Type, (fmi3Instance c, REFERENCES, const fmi3##Type values[], size_t value_count),             \
          ((void)references, (void)values,                                                                    \
-          without(c, call, count > 0 || value_count > 0, "variable of type " #Type)))
+          accept_empty(c, call, count > 0 || value_count > 0, "variable of type " #Type)))
 
 NO_VARIABLES(Float32)
 NO_VARIABLES(Int8)
@@ -331,14 +331,14 @@ NO_VARIABLES(UInt32)
 NO_VARIABLES(UInt64)
 CALL(GetBinary, (fmi3Instance c, REFERENCES, size_t sizes[], fmi3Binary values[], size_t value_count),
      ((void)references, (void)sizes, (void)values,
-      without(c, call, count > 0 || value_count > 0, "variable of type Binary")))
+      accept_empty(c, call, count > 0 || value_count > 0, "variable of type Binary")))
 CALL(SetBinary,
      (fmi3Instance c, REFERENCES, const size_t sizes[], const fmi3Binary values[], size_t value_count),
      ((void)references, (void)sizes, (void)values,
-      without(c, call, count > 0 || value_count > 0, "variable of type Binary")))
+      accept_empty(c, call, count > 0 || value_count > 0, "variable of type Binary")))
 
 #define NO_CLOCKS(name, given, ignored)                                                                      \
-    CALL(name, given, (ignored, (void)references, without(c, call, count > 0, "clock")))
+    CALL(name, given, (ignored, (void)references, accept_empty(c, call, count > 0, "clock")))
 
 NO_CLOCKS(GetClock, (fmi3Instance c, REFERENCES, fmi3Clock values[]), (void)values)
 NO_CLOCKS(SetClock, (fmi3Instance c, REFERENCES, const fmi3Clock values[]), (void)values)
@@ -361,15 +361,15 @@ NO_CLOCKS(SetShiftFraction,
           (fmi3Instance c, REFERENCES, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[]),
           ((void)counters, (void)resolutions))
 CALL(ActivateModelPartition, (fmi3Instance c, fmi3ValueReference clock, fmi3Float64 time),
-     ((void)clock, (void)time, without(c, call, true, "clock")))
+     ((void)clock, (void)time, accept_empty(c, call, true, "clock")))
 
-CALL(EnterConfigurationMode, (fmi3Instance c), without(c, call, true, "structural parameter"))
-CALL(ExitConfigurationMode, (fmi3Instance c), without(c, call, true, "structural parameter"))
+CALL(EnterConfigurationMode, (fmi3Instance c), accept_empty(c, call, true, "structural parameter"))
+CALL(ExitConfigurationMode, (fmi3Instance c), accept_empty(c, call, true, "structural parameter"))
 CALL(GetNumberOfVariableDependencies, (fmi3Instance c, fmi3ValueReference reference, size_t *count),
-     ((void)reference, (void)count, without(c, call, true, "dependencies per array element")))
+     ((void)reference, (void)count, accept_empty(c, call, true, "dependencies per array element")))
 CALL(GetVariableDependencies,
      (fmi3Instance c, fmi3ValueReference dependent, size_t dependent_elements[],
       fmi3ValueReference independents[], size_t independent_elements[], fmi3DependencyKind kinds[],
       size_t count),
      ((void)dependent, (void)dependent_elements, (void)independents, (void)independent_elements, (void)kinds,
-      (void)count, without(c, call, true, "dependencies per array element")))
+      (void)count, accept_empty(c, call, true, "dependencies per array element")))

@@ -179,11 +179,11 @@ static bool take_pending_event(fmu *fmu, const struct instance *observer) {
     return false;
 }
 
-/* Whether a run has come to states beyond any motion; says which in `text`. */
+/* Whether states are larger than those of any motion; `text` receives the name of the first. */
 static bool is_beyond_motion(const fmu *fmu, char text[FMU_TEXT]) {
     const char *name = number_out_of_range(fmu->motion.numbers);
     if (name != NULL) {
-        snprintf(text, FMU_TEXT, "%.200s has grown beyond what any motion has", name);
+        snprintf(text, FMU_TEXT, "%.200s is larger than in any motion", name);
     }
     return name != NULL;
 }
@@ -337,6 +337,9 @@ const char *fmu_start(fmu *fmu, char text[FMU_TEXT]) {
     }
     ready.has_begun = 1;
     show_to_world(&ready);
+    if (is_beyond_motion(&ready, text)) {
+        return text;
+    }
     account_for_all(&ready);
     for (int i = 0; i < UNIT_EVENT_COUNT; ++i) {
         ready.watch[i] = (ready.motion.late >> i & 1) != 0 ? WATCH_RISING : WATCH_BELOW;

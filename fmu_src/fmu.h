@@ -1,6 +1,6 @@
-/* A run of a page as a unit holds it, and what the calls of FMI ask of it, whatever version drives it. */
-#ifndef TDMF_PAGE_FMU_H
-#define TDMF_PAGE_FMU_H
+/* A run of a page in a unit, and the operations that calls of FMI need, independent of FMI's version. */
+#ifndef TDMF_FMU_FMU_H
+#define TDMF_FMU_FMU_H
 
 #include "unit_page.h" /* the generator's: how many things the page has */
 
@@ -140,8 +140,7 @@ bool fmu_complete_step(fmu *fmu);
 /* Event mode begins: before inputs may jump. */
 void fmu_enter_event_mode(fmu *fmu);
 
-/* Takes a pending event and resolves whatever else is due now. NULL; or why it cannot, written into `text`,
- * and the unit is as it was. */
+/* Takes a pending event and all others that are due now. If it refuses, the unit is as it was. */
 const char *fmu_update(fmu *fmu, const struct instance *observer, bool *state_changed, char text[FMU_TEXT]);
 
 /* Whether the run has ended and its settings ask to end the simulation then. */

@@ -1,6 +1,6 @@
-/* An instance of the unit, FMI's version left out: a unit, the state of its call sequence, and the importer's
- * logger. Every function here is a call of FMI 2.0 and 3.0 or a part of one; it is given the call's name, for
- * its messages, and, where the versions differ, the states in which the call is allowed. */
+/* An instance of the unit for both versions of FMI: a run, the state of its call sequence, and the importer's
+ * logger. Every function here is a call of FMI 2.0 and 3.0 or a part of one. It takes the name of the call
+ * for its messages and, where the versions differ, the states in which the call is allowed. */
 #ifndef TDMF_FMU_INSTANCE_H
 #define TDMF_FMU_INSTANCE_H
 
@@ -111,7 +111,8 @@ call_status reset(instance *instance, const char *call);
 
 /* ---- access.c ----------------------------------------------------------------------------------------- */
 
-/* The variable of a value reference and of one of these types; NULL, after a refusal, if there is none. */
+/* Finds the variable of a value reference, which must be of one of `types`. Refuses the call and returns NULL
+ * if there is none. */
 const fmu_variable *find_variable(const instance *instance, const char *call, uint32_t reference,
                                   unsigned types);
 

@@ -23,7 +23,8 @@ const tdmf_mode_kind *shown_mode_of(const fmu *fmu);
 double *parameters_of(const fmu *fmu);
 double *states_of(const fmu *fmu);
 
-/* The name of a parameter or state that is out of its range, or beyond any motion; NULL: there is none. */
+/* The name of the first parameter that is out of its range, or state that is larger than in any motion, or
+ * NULL. */
 const char *number_out_of_range(const double numbers[]);
 
 /* Writes the world's states that follow from those of the mode, or the mode's from the world's. */
@@ -35,7 +36,7 @@ void vary_at(const fmu *fmu, const double *dp, const double *dx, fmu_view *varia
 
 /* ---- drive.c ------------------------------------------------------------------------------------------- */
 
-/* A run of the driver from where the unit stands, and the unit where it has got to. Times are the page's. */
+/* Makes a run of the driver from the state of the unit, and copies a run back. Times are the page's. */
 tdmf_page_run run_of(fmu *fmu);
 void keep_run(fmu *fmu, const tdmf_page_run *run);
 
@@ -48,10 +49,10 @@ void report(const fmu *fmu, const struct instance *observer, const tdmf_event_ro
 /* Takes the events that another solver finds due, until none is. False where they do not come to an end. */
 bool settle(fmu *fmu, const struct instance *observer, bool *changed);
 
-/* Goes on, and reports every event. `events` receives the number of events. */
+/* Runs to `until` and reports every event. `events` receives the number of events. */
 tdmf_run_outcome drive(fmu *fmu, double until, const struct instance *observer, long *events);
 
-/* Goes on up to the first event that counts, and stands before it then. */
+/* Runs up to the first event that counts, and stops just before it. */
 tdmf_run_outcome drive_to_event(fmu *fmu, double until, tdmf_event_row *row);
 
 /* ---- jumps.c ------------------------------------------------------------------------------------------- */
@@ -62,7 +63,7 @@ void account_for_all(fmu *fmu);
 /* Whether a quantity has jumped since the last such record. */
 bool quantity_has_jumped(const fmu *fmu);
 
-/* Changes the states that depend on jumps since then, and records it. True where there was one. */
+/* Changes the states that depend on jumps since then, and records it. True if there was a jump. */
 bool account_for_jumps(fmu *fmu);
 
 /* Changes the states that depend on inputs that an importer's solver has moved along the last step. */

@@ -1,6 +1,6 @@
 /* Tables of a page's unit, which the generator writes beside the tables of the page. */
-#ifndef TDMF_PAGE_UNIT_TABLES_H
-#define TDMF_PAGE_UNIT_TABLES_H
+#ifndef TDMF_FMU_UNIT_TABLES_H
+#define TDMF_FMU_UNIT_TABLES_H
 
 #include "page_part.h"
 

@@ -23,8 +23,7 @@ typedef struct {
     tdmf_page_solver solver;
 } tdmf_mapped_stride;
 
-/* The state at an apex as of tdmf_section_state, with the foot at x = foot_x, as high above the ground there.
- */
+/* Gives the state of tdmf_section_state with the foot at x = foot_x, as high above the ground there. */
 void tdmf_section_state_at(tdmf_system system, double foot_x, const double section[TDMF_SECTION_COUNT],
                            double state[TDMF_STATE_COUNT]);
 

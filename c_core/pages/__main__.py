@@ -38,7 +38,7 @@ const tdmf_page_part tdmf_{file}_part = {{
 def part_of(whole, part):
     """C that says where parameters, states, modes and events of a page are in another page.
 
-    A mode of the other page may have further words. What the other page does not have is at -1.
+    The other page has them all but for modes, which are then at -1. Its modes may have further words.
     """
 
     def place_of_mode(key):
@@ -47,8 +47,7 @@ def part_of(whole, part):
     tables = list_in_c("int", "modes", map(place_of_mode, part.keys))
     for what in ("parameters", "states", "events"):
         of_whole = list(getattr(whole, what))
-        places = [of_whole.index(n) if n in of_whole else -1 for n in getattr(part, what)]
-        tables += list_in_c("int", what, places)
+        tables += list_in_c("int", what, map(of_whole.index, getattr(part, what)))
     states, copies = list(whole.states), getattr(part.model, "copies", {})
     pairs = [f"{{{states.index(to)}, {states.index(of)}}}" for to, of in copies.items()]
     tables += f"static const int copies[][2] = {{{', '.join(pairs) or '{0}'}}};\n"

@@ -234,6 +234,10 @@ def test_refusals_name_the_variable_its_value_and_what_is_allowed():
     with pytest.raises(FMICallException):
         run.begin()
     assert "y = 0.5 m is refused: it must be above the length of the spring" in run.messages[-1]
+    run.write("y", 1e80)
+    with pytest.raises(FMICallException):
+        run.begin()
+    assert "y is larger than in any motion" in run.messages[-1]
     run.write("y", 1.2)
     run.begin()
     run.to(0.5)
