@@ -52,7 +52,7 @@ def _errors(proof: Proof, runner: Runner, found: Mapping[str, float]) -> Numbers
 
 
 def distance(value: float, ball: arb) -> float:
-    """From a number to the farthest of a ball."""
+    """Distance from a number to the farthest point of a ball."""
     return float(abs(ball - arb(value)).upper())
 
 

@@ -51,7 +51,7 @@ class UndecidedError(Exception):
         self.guard, self.time = guard, time
 
     def as_json(self) -> dict[str, object]:
-        """Where a proof ended."""
+        """Place where a proof ended, as a plain object."""
         return {"guard": self.guard, "time": self.time}
 
 
@@ -60,7 +60,7 @@ Number = Any
 
 
 class Arithmetic:
-    """What follows from a number's sum, product and inverse. Its other operand may be of any kind."""
+    """Operators that follow from sum, product and inverse. The other operand may be of any kind."""
 
     __slots__ = ()
 

@@ -146,7 +146,7 @@ class Series(Arithmetic):
 
 
 Rates = Callable[[Mapping[str, Any]], Mapping[str, Any]]
-"""From states by name to their rates, over any kind of number."""
+"""Function from states by name to their rates, over any kind of number."""
 
 
 def coefficients(

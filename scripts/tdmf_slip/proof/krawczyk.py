@@ -26,15 +26,15 @@ from .stride import Stride, Traveller
 from .travelling_set import SetTraveller
 
 SMALL = 1e6
-"""An eigenvalue so many times the enclosure's width, or less, is taken with those that vanish,"""
+"""Eigenvalues of at most so many times the enclosure's width are treated like those that vanish."""
 LARGE = 0.05
-"""but not where it is more than this much of the largest. A norm is rounder without them."""
+"""Eigenvalues above this share of the largest one are kept in any case. A norm is rounder without others."""
 
 
 def eigenvalues(matrix: arb_mat, rank: int) -> list[acb]:
-    """Discs that hold all eigenvalues of every matrix in an enclosure that has a rank at the most.
+    """Discs that hold all eigenvalues of every matrix of rank at most `rank` in an enclosure.
 
-    The largest comes first. Discs that overlap hold as many together as they are.
+    The largest comes first. Discs that overlap hold, together, as many eigenvalues as there are discs.
     """
     size = matrix.nrows()
     try:
@@ -48,9 +48,9 @@ def eigenvalues(matrix: arb_mat, rank: int) -> list[acb]:
 
 
 def stability(matrix: arb_mat) -> bool | None:
-    """All eigenvalues are inside the unit circle, or one is outside; None where neither is proved.
+    """Whether all eigenvalues are inside the unit circle: False if one is outside, None if neither is proved.
 
-    The latter by Gershgorin's discs, in a basis in which the matrix is nearly diagonal.
+    Gershgorin's discs prove that one is outside, in a basis in which the matrix is nearly diagonal.
     """
     if contraction(matrix)[0] < 1:
         return True
@@ -81,9 +81,9 @@ def contraction(matrix: arb_mat) -> tuple[arb, acb_mat, list[float]]:
 
 
 def _weights(sizes: NDArray[np.float64], basis: acb_mat) -> NDArray[np.float64]:
-    """Over which sums of rows are below 1, if any are: w = v + B w/kappa, where v is the unit cube's extent.
+    """Weights with which sums of rows are below 1, if there are any: w = v + B w/kappa.
 
-    So the ball of the norm is as round as it may be.
+    Here v is the extent of the unit cube, which makes the ball of the norm as round as possible.
     """
     largest = float(np.max(np.abs(np.linalg.eigvals(sizes)))) if np.all(np.isfinite(sizes)) else np.inf
     inverse = np.array([[complex(x) for x in row] for row in basis.inv().tolist()])
@@ -96,7 +96,7 @@ def _weights(sizes: NDArray[np.float64], basis: acb_mat) -> NDArray[np.float64]:
 
 
 def _basis(matrix: arb_mat, large: float) -> acb_mat:
-    """Nearly eigenvectors, and a complement of those that are left out; points, and nothing rests on them."""
+    """Approximate eigenvectors, and a complement of those that are left out. No proof rests on them."""
     width = max(float(x.rad()) for x in matrix.entries()) + 1e-300
     values, left, right = eig(middle_of(matrix), left=True, right=True)
     sizes = np.abs(values)
@@ -180,7 +180,7 @@ def slopes_of(stride: Stride, tilt: Sequence[arb] = ()) -> arb_mat:
 
 
 def middle_of(matrix: arb_mat) -> NDArray[np.float64]:
-    """Its midpoints as doubles."""
+    """Midpoints of a matrix as doubles."""
     middle = np.array([[float(x.mid()) for x in row] for row in matrix.tolist()])
     if not np.all(np.isfinite(middle)):
         raise UndecidedError("the derivative of the stride")
@@ -223,7 +223,7 @@ class Inclusion:
     def __init__(
         self, parameters: Parameters, starts: Starts, bits: int, forced: Forced | None = None
     ) -> None:
-        """The operator, by the stride of all starts of the box."""
+        """Compute the operator by the stride of all starts of the box."""
         self.stride = SetTraveller(parameters, starts, bits, forced).stride()
         with ctx.workprec(bits):
             self._solve(starts, residual(self.stride, starts.centre), slopes_of(self.stride, starts.tilt))
@@ -242,7 +242,7 @@ class Inclusion:
         balls = zip(image.entries(), starts.radii, strict=False)
         widths = floats_above(absolute(rest))
         self.contraction = spectral_radius(widths)
-        """About how much of the box is left; 1 and more proves nothing. No proof rests on it."""
+        """Approximate share of the box that the operator leaves; 1 or more proves nothing."""
         if not all(ball.is_finite() and abs(ball) < radius for ball, radius in balls):
             raise NotIncludedError(self._better_box(widths, floats_above(absolute(shift))))
         for _ in range(SHARPENINGS):
@@ -250,10 +250,10 @@ class Inclusion:
         self.image = [float(abs(ball).upper()) for ball in image.entries()]
         """Radii around the centre that hold the solution, to rounding of doubles."""
         self.solution = [x + dx for x, dx in zip(starts.centre, image.entries(), strict=False)]
-        """Enclosed, shape (6,) or (7,)."""
+        """Enclosure of the solution, shape (6,) or (7,)."""
 
     def _better_box(self, widths: NDArray[np.float64], shift: NDArray[np.float64]) -> list[float] | None:
-        """Just larger than the solution of  box = shift + widths box."""
+        """Radii of a box just larger than the solution of  box = shift + widths box."""
         if not self.contraction < 1.0:
             return None
         minimum = np.linalg.solve(np.eye(len(widths)) - widths, shift.ravel())

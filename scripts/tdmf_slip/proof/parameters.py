@@ -102,7 +102,7 @@ class Forced:
 
 
 LONGEST_STEP = 1.0
-"""In units of sqrt(m/k)."""
+"""Longest step, in units of sqrt(m/k)."""
 MAX_LEG_ROTATION = 10.0
 """Largest rotation of the leg in a step in flight; for longer steps no bound of the variations holds."""
 
@@ -133,7 +133,7 @@ class Parameters:
         return name == self.varied or self.values[name] != Exact(Fraction(none))
 
     def _derived(self, runner: Any) -> dict[str, Any]:
-        """What follows from the parameters alone."""
+        """Attributes of the runner that follow from its parameters alone."""
         matters, thrust = self._matters, value_of(runner.thrust + runner.more_thrust)
         if not (thrust > 0 or thrust <= 0):
             raise UndecidedError("the sign of the leg's thrust")

@@ -87,7 +87,7 @@ def decimal(value: Fraction, digits: int = 60) -> str:
 
 
 class Proved:
-    """What all proofs have: a sentence that says what is proved or left open, and assumptions."""
+    """Base of all proofs: a sentence that says what is proved or left open, and assumptions."""
 
     proved: bool
     """Whether the sentence is proved; else it is undecided."""
@@ -156,7 +156,7 @@ class Proof(Proved):
     events: Sequence[tuple[str, arb]] = field(default=(), repr=False)
     """Events of the stride, with their times since the apex, s."""
     undecided: Mapping[str, object] = field(default_factory=dict)
-    """Where it ended: `guard` and `time`."""
+    """Place where an undecided proof ended: `guard` and `time`."""
     version: str = field(default=__version__, repr=False, compare=False)
     """The version that proved it."""
 

@@ -169,13 +169,13 @@ def bits_for(decimals: int) -> int:
 
 
 def known_digits(balls: Sequence[arb | acb]) -> int:
-    """After the point, of the least exact of some numbers."""
+    """Digits after the point that are known of the least exact of some numbers."""
     worst = max(float(ball.rad()) for ball in balls)
     return math.floor(-math.log10(worst)) if 0.0 < worst < math.inf else (MAX_DIGITS if not worst else 0)
 
 
 class _Prover:
-    """One gait."""
+    """Prover of one gait."""
 
     def __init__(self, gait: Gait, values: Mapping[str, Exact], digits: int, given: bool) -> None:
         self.gait, self.values, self.digits, self.given = gait, values, digits, given
@@ -183,7 +183,7 @@ class _Prover:
         self.scales = [float(scale) for scale in gait.runner.scales]
 
     def proof(self, asked: Fraction | None) -> Proof:
-        """With a box, or the largest that is proved."""
+        """Proof for the given box, or for the largest that is proved."""
         smallest = 0 if asked is None else math.ceil(-math.log10(asked))
         start = [arb(float(x)) for x in self.gait.apex]
         radii = BOXES if asked is None else (asked,)
@@ -202,7 +202,7 @@ class _Prover:
         return refined(self.parameters, start, jacobian, bits, 10.0 ** -(narrow + 1))
 
     def _reported(self, box: Box, near: Sequence[arb], narrow: int) -> Proof:
-        """With the digits that are asked for: from a smaller box where the map takes too many of them."""
+        """Proof with the digits that are asked for, from a smaller box where the map loses too many."""
         found = self._enclosed(box, near, narrow)
         for _ in range(REFINEMENTS):
             missing = self.digits - known_digits([*found.apex, *found.eigenvalues])

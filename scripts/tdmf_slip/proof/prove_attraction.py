@@ -38,7 +38,7 @@ class Attraction(Proved):
     """Starts that are proved to settle on a gait."""
 
     proved: bool
-    """False is undecided."""
+    """Whether the attraction is proved; False means undecided."""
     values: Mapping[str, Exact] = field(repr=False)
     """The runner's parameters, exactly, by the unit's names."""
     radius: float = 0.0
@@ -160,7 +160,7 @@ def _above(value: arb) -> float:
 
 
 ENGINE_ERROR = 50.0
-"""A stride errs by so many tolerances at the most, over the scales; see `library.batch.ACCURACY`."""
+"""Largest error of a stride over the scales, in tolerances; see `library.batch.ACCURACY`."""
 
 
 def proved_ball(gait: Gait) -> Ball:

@@ -39,7 +39,7 @@ class BorderProof(Proved):
     """A border between gait words, with enclosures, or what could not be decided."""
 
     proved: bool
-    """False is undecided: it says nothing against the border."""
+    """Whether the border is proved. False means undecided, and says nothing against the border."""
     name: str
     """Name of the varied parameter."""
     values: Mapping[str, Exact] = field(repr=False)
@@ -59,7 +59,7 @@ class BorderProof(Proved):
     sides: tuple[Proof, ...] = field(default=(), repr=False)
     """Proofs of a gait on each side."""
     undecided: Mapping[str, object] = field(default_factory=dict)
-    """Where it ended: `guard` and `time`."""
+    """Place where an undecided proof ended: `guard` and `time`."""
     version: str = field(default=__version__, repr=False, compare=False)
     """The version that proved it."""
 

@@ -98,7 +98,7 @@ class RangeProof(Proved):
     """The version that put the subintervals together; a file records the version of each part."""
 
     def __post_init__(self) -> None:
-        """Sum up."""
+        """Set whether all subintervals are proved."""
         object.__setattr__(self, "proved", all(subinterval.proved for subinterval in self.subintervals))
 
     @property

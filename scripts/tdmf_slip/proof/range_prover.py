@@ -37,11 +37,11 @@ from .range_proof import BITS, RangeProof, Subinterval
 from .starts import Starts
 
 FIRST = Fraction(1, 4)
-"""Share of a subinterval that is too wide which is tried next, until the first one is proved."""
+"""Share of a too wide subinterval that is tried next, until the first one is proved."""
 NARROWEST = Fraction(1, 10**10)
-"""A box that is undecided and no wider is left."""
+"""Width below which an undecided subinterval is not divided further."""
 GROWTH = 4.0
-"""At the most, from one subinterval to the next."""
+"""Largest growth of the width from one subinterval to the next."""
 SHRINKAGE = Fraction(3, 4)
 RECOVERY = Fraction(103, 100)
 """Growth of the width by each subinterval that is proved after one that was too wide."""
@@ -65,7 +65,7 @@ class RangeProver:
         self.growth = 1.0
 
     def subintervals(self, begin: Fraction, end: Fraction) -> Iterator[Subinterval]:
-        """Pieces from one end to the other."""
+        """Prove subintervals from one end to the other."""
         width, gait, shrinkage, splits = end - begin, None, FIRST, SPLITS
         maximum = width
         while begin < end:
@@ -92,7 +92,7 @@ class RangeProver:
         return gait_near(runner, last.apex, along=self.name)
 
     def _subinterval(self, begin: Fraction, end: Fraction, gait: Gait) -> Subinterval:
-        """One box, or no decision."""
+        """Prove a subinterval in one box."""
         tilt = np.linalg.solve(np.eye(6) - gait.jacobian, np.asarray(gait.by_parameter))
         square = float((end - begin) / 2) ** 2
         box: Sequence[float] = [bend * square + 1e-11 for bend in self.bend]
@@ -148,7 +148,7 @@ def short_decimal(width: Fraction, digits: int = 2) -> Fraction:
 
 
 PARTS = 256
-"""Into which a wide range is cut, to be proved side by side; each is written to a file as it is done."""
+"""Number of parts of a wide range. They are proved side by side; each is written to a file as it is done."""
 NARROWEST_PART = Fraction(1, 500)
 """Smallest width of a part, over the greater end of the range."""
 
@@ -178,7 +178,7 @@ def prove_part(part: Part) -> list[Subinterval]:
 
 
 def parts_of(begin: Fraction, end: Fraction) -> int:
-    """Into how many parts a range is cut."""
+    """Number of parts that a range is cut into."""
     minimum = NARROWEST_PART * max(abs(begin), abs(end))
     return max(1, min(PARTS, math.floor((end - begin) / minimum)))
 

@@ -1,4 +1,4 @@
-"""Where strides are followed from, and how finely."""
+"""Starts of strides, and the precision with which strides are followed."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -61,7 +61,7 @@ class Starts:
     centre: Sequence[arb]
     """Points, shape (6,) or with what is varied (7,)."""
     radii: Sequence[arb]
-    """Around them."""
+    """Radii around the points of the centre."""
     tilt: Sequence[arb] = ()
     """Points: by how much the centre moves for each unit of what is varied, shape (6,) or none."""
 
@@ -71,7 +71,7 @@ class Starts:
         return cls(centre, [(radius * scale).upper().mid() for scale in scales])
 
     def balls(self) -> list[arb]:
-        """All of them."""
+        """Balls that hold all starts."""
         found = [c + arb(0, r) for c, r in zip(self.centre, self.radii, strict=True)]
         for i, slope in enumerate(self.tilt):
             found[i] += slope * arb(0, self.radii[6])

@@ -20,14 +20,14 @@ class Ledger:
     """Sums of a stride."""
 
     def __init__(self, runner: Any) -> None:
-        """At its beginning."""
+        """Begin the sums of a stride at zero."""
         self.runner = runner
         self.along, self.hip_work, self.leg_work, self.slid = arb(0), arb(0), arb(0), arb(0)
         self.stance_time = arb(0)
         self.at_liftoff: dict[str, arb] = {}
 
     def add(self, flow: Flow, end: arb) -> None:
-        """A part of a step."""
+        """Add a part of a step."""
         motion, mode, runner = flow.motion(self.runner), flow.mode, self.runner
         if mode.contact == "flight":
             self.along += integral(motion.along, end)
@@ -48,7 +48,7 @@ class Ledger:
             self.hip_work += torque * (flow.at(end)["angle"] - flow.start["angle"])
 
     def record(self, before: Mode, entered: Entered) -> None:
-        """An event."""
+        """Record an event."""
         after = entered.mode
         if (before.touches or entered.impact) and not after.touches:
             self.at_liftoff = {"liftoff_angle": arb(value_of(entered.values["angle"]))}
@@ -88,12 +88,12 @@ MAX_STEPS = 5000
 
 @dataclass(frozen=True)
 class Event:
-    """One of a stride."""
+    """An event of a stride."""
 
     name: str
-    """One of `guards.EVENTS`."""
+    """Name of the event, one of `guards.EVENTS`."""
     time: arb
-    """Since the apex, s, over all starts."""
+    """Time since the apex, s, over all starts."""
     mode: Mode
     """Mode that the event leads to."""
 
@@ -105,15 +105,15 @@ class Met:
     guard: Guard
     """Guard that falls through zero."""
     times: arb
-    """In the step, over all starts."""
+    """Times of the event in the step, over all starts."""
     values: Values
-    """The motion's numbers then."""
+    """Numbers of the motion at the event."""
     before: Mode
-    """Which ends."""
+    """Mode that ends."""
     entered: Entered
     """Mode and motion that come next."""
     forced: Forced | None
-    """Where it is taken as on one side of a border."""
+    """Constraint, if the event is taken as on one side of a border."""
 
 
 @dataclass
@@ -121,17 +121,17 @@ class Stride:
     """Proved enclosures of a stride."""
 
     centre: list[arb]
-    """The apex that the centre comes to, shape (6,)."""
+    """The apex that the centre reaches, shape (6,)."""
     derivative: arb_mat
     """Derivative of the map over all starts, shape (6, 6), or (6, 7) with the varied parameter."""
     word: str
     """The gait word, the same for all starts."""
     events: list[Event]
-    """In the order in which they are taken."""
+    """Events in the order in which they are taken."""
     rank: int
-    """Largest rank of the map's derivative: each mode ends on a surface in its own few numbers."""
+    """Bound of the rank of the map's derivative: one less than the numbers of the mode with the fewest."""
     quantities: dict[str, arb]
-    """Over all starts."""
+    """Quantities of the stride, over all starts."""
     margin: arb
     """Margin of the forced event, at the centre."""
     margin_slopes: list[arb]
@@ -148,7 +148,7 @@ class Traveller:
         bits: int,
         forced: Forced | None = None,
     ) -> None:
-        """From an apex."""
+        """Begin at an apex."""
         self.bits, self.parameters, self.forced = bits, parameters, forced
         self.margin = arb(0)
         self.margin_slopes: list[arb] = []
@@ -189,7 +189,7 @@ class Traveller:
         return self._go(flow, flow)
 
     def _go(self, thin: Flow, flow: Flow) -> bool:
-        """As far as a step reaches, or to the first event; whether that ends the stride."""
+        """Go to the end of a step or to the first event, and say whether that ends the stride."""
         motion, end = flow.motion(self.wide), flow.reach
         guards = [Guard(name, guard_of(name, motion), self.zeros.get(name, 0)) for name in watched(motion)]
         while True:

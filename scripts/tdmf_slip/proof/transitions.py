@@ -16,7 +16,7 @@ from .guards import EVENTS, guard_of
 from .parameters import Forced, Mode, at, names_of
 
 NARROWEST_GRAZE = arb(10) ** -10
-"""In units of k l0^2: nearer than this both laws agree at a lift-off, and the foot flies."""
+"""Difference of the two laws' torques at a lift-off, in units of k l0^2, below which the foot flies."""
 
 
 @dataclass
@@ -30,9 +30,9 @@ class Entered:
     zeros: Mapping[str, int] = field(default_factory=dict)
     """Order in time to which each guard begins at exactly zero."""
     closes: bool = False
-    """A stride ends here, at an apex in flight."""
+    """True if a stride ends here, at an apex in flight."""
     impact: bool = False
-    """The foot came down."""
+    """True if the foot came down."""
     margin: Number | None = None
     """Margin of an event that is forced: zero on the border."""
 
@@ -53,7 +53,7 @@ class Transition:
     def __init__(
         self, runner: Any, mode: Mode, values: Mapping[str, Number], forced: Forced | None = None
     ) -> None:
-        """At the event, in the mode that ends."""
+        """Begin at the event, in the mode that ends."""
         self.runner, self.mode = runner, mode
         self.kind = forced.kind if forced is not None else ""
         self.forced_sign = forced.sign if forced is not None else 0
@@ -147,7 +147,7 @@ class Transition:
         return self._enter(replace(stands, contact="slip", sign=-1 if forwards else 1))
 
     def _slip_on(self, stands: Mode) -> Entered:
-        """At the limit of the cone, as at an onset, though the foot would rest there as well."""
+        """Slip from the limit of the cone, as at an onset, though the foot would rest there as well."""
         sign = self.forced_sign
         onset = "slip onset forwards" if sign > 0 else "slip onset backwards"
         self.margin = guard_of(onset, self.motion(stands))
@@ -155,7 +155,7 @@ class Transition:
         return self._onset(sign)
 
     def _onset(self, sign: int) -> Entered:
-        """At the edge of the cone the foot is at rest and not accelerated, if friction does not jump."""
+        """Begin to slip. On the cone the foot is at rest, and not accelerated if friction does not jump."""
         jumps = self.runner.is_stickier and not self.runner.falls_with_speed
         self.zeros["end of slip"] = 1 if jumps else 2
         self.values["foot_vx"] = arb(0)

@@ -42,7 +42,7 @@ from .stride import Ledger, Met, Stride, Traveller, gradient_of_guard
 from .transitions import Entered, Transition
 
 OFTEN = 8
-"""After so many factors the sum is taken, and at each event."""
+"""Number of factors after which the sum is taken; it is also taken at each event."""
 
 
 class Spread:
@@ -76,7 +76,7 @@ class Drift:
     """Distance that the true motion may have from the point that stands for it: Q e, with balls e."""
 
     def __init__(self, size: int) -> None:
-        """None yet, of a motion of so many numbers."""
+        """Begin without drift, for a motion of `size` numbers."""
         self._frame, self._inside = identity(size), arb_mat(size, 1)
 
     def follow(self, derivative: arb_mat, fresh: list[arb]) -> None:
@@ -221,7 +221,7 @@ class SetTraveller(Traveller):
         bits: int,
         forced: Forced | None = None,
     ) -> None:
-        """From their apexes."""
+        """Begin at the starts' apexes."""
         super().__init__(parameters, starts.centre, bits, forced)
         self.columns = (*COORDINATES, *([PARAMETER] if self.varied else []))
         with ctx.workprec(bits):
@@ -359,7 +359,7 @@ class Section:
     """A tube at the end of a step or an event."""
 
     time: float
-    """Since the apex, s."""
+    """Time since the apex, s."""
     contact: str
     """Mode of the foot: flight, stick, slip or graze."""
     middle: dict[str, float]
