@@ -57,7 +57,7 @@ def test_gaits_that_are_lost_on_the_way_are_told():
     """A speed that no gait has by this parameter, told precisely: chi square is above 1e8."""
     found = fit(None, Measurements(({"speed": Measured(4.0, 1e-4)},), "too fast"), ["hip.touchdown_angle"])
     notes = " ".join(found.notes)
-    assert "has no gait" in notes and "the data are not met" in notes and "tell nothing" in notes
+    assert "has no gait" in notes and "the data are not met" in notes and "mean nothing" in notes
     assert found.residuals[0].fitted < 2.0
     assert found.chi_square > 1e8 and not found.converged
     assert not any(estimate.is_profiled for estimate in found.estimates)
@@ -309,6 +309,7 @@ def test_the_command_prints_writes_and_draws(tmp_path, command):
     assert len(printed["residuals"]) == len(MEASURED) and printed["unidentified"] == []
     text = page.read_text(encoding="utf-8")
     assert "leg.stiffness" in text and "data:image/png;base64," in text and "<script" not in text
+    assert "Intervals are by the profile likelihood." in text
     assert picture.read_text(encoding="utf-8").startswith("<?xml")
     status, out, _ = command(*arguments[:4])
     assert status == 0 and "leg.stiffness" in out and "degrees of freedom" in out

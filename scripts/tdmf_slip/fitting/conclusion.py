@@ -41,7 +41,7 @@ class BetterFitError(Exception):
     """The loss with a parameter held is less than the least one."""
 
     def __init__(self, at: NDArray[np.float64]) -> None:
-        """Where."""
+        """Keep the unknowns at which the loss is less."""
         super().__init__("the loss is less elsewhere")
         self.at = at
 
@@ -189,7 +189,7 @@ class Conclusion:
         return self.scale * float(stdtrit(self.request.degrees_of_freedom, 0.5 + 0.5 * CONFIDENCE))
 
     def fit(self) -> Fit:
-        """All of it."""
+        """The fit with its estimates, intervals and notes."""
         problem, request = self.problem, self.request
         values = problem.values(self.found.at)
         labels = [parameter.label for parameter in problem.parameters]
@@ -277,7 +277,7 @@ class Conclusion:
         elif not self.is_spent and not self.converged:
             yield (
                 "the search ended where the sum of squares is not least, or is far too large: its values and "
-                "intervals tell nothing; begin elsewhere, by other values or more starts"
+                "intervals mean nothing; begin elsewhere, with other values or more starts"
             )
         if np.isnan(self.probability) and self.chi_square > 1.0:
             yield "the data are not met, though as many numbers are fitted as were measured"

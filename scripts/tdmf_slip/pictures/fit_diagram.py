@@ -114,11 +114,25 @@ def write(path: Path, fit: Fit) -> None:
         where=html.escape(fit.measurements.where),
         confidence=f"{100.0 * CONFIDENCE:.0f}",
         parameters=_table(PARAMETER_HEADER, fit.parameter_rows()),
+        intervals=html.escape(_intervals(fit)),
         sentences="\n".join(f"<li>{html.escape(sentence)}</li>" for sentence in fit.sentences()),
         picture=_picture(fit),
         residuals=_table(RESIDUAL_HEADER, fit.residual_rows()),
     )
     write_whole(path, lambda beside: beside.write_text(page, encoding="utf-8", errors="backslashreplace"))
+
+
+def _intervals(fit: Fit) -> str:
+    """Sentences about the errors of the data and the kind of each interval."""
+    factor = ", known except for a common factor" if fit.request.scale_errors else ""
+    linear = [estimate.label for estimate in fit.estimates if not estimate.is_profiled]
+    kinds = "by the profile likelihood" if len(linear) < len(fit.estimates) else "linearized"
+    exceptions = f", except those of {', '.join(linear)}, which are linearized"
+    is_mixed = 0 < len(linear) < len(fit.estimates)
+    return (
+        f"The errors of the data are standard errors{factor}. "
+        f"Intervals are {kinds}{exceptions if is_mixed else ''}."
+    )
 
 
 def _picture(fit: Fit) -> str:
