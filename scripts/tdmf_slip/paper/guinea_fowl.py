@@ -125,9 +125,9 @@ STEP = 0.1
 ANGLES = np.arange(50.0, 76.0, 1.0)
 """Contact angles, degrees from the ground."""
 NEAR = 5.0
-"""Degrees: how far a border may be from the published one and agree, for the friction is not known."""
+"""Largest difference, degrees, of a border that agrees with the published one, as its friction is unknown."""
 GRAVITY = 9.81
-"""m/s2."""
+"""Gravitational acceleration, m/s2."""
 MAXIMUM = 0.9
 """Share that counts as nearly all."""
 
@@ -144,7 +144,7 @@ class Map:
     """Falls over speed and contact angle."""
 
     gaits: tuple[Gait, ...]
-    """On ground of high friction, by rising speed."""
+    """Gaits on ground of high friction, by rising speed."""
     outcomes: Mapping[float, PatchOutcomes]
     """Outcomes by the friction of the patch; one of them is the high friction."""
 
@@ -236,13 +236,12 @@ def claims(found: Map) -> list[Claim]:
     known = down[np.isfinite(down)]
     long = float(np.mean(known >= said["slip_distance"]))
     of_slow, of_fast = np.nanmax(borders[slow]), np.nanmax(borders[~slow])
-    speeds = found.speeds
-    fast, covered = f"{said['fast']:g} m/s", speeds[0] < said["slowest"] + 0.5 * STEP
-    covered &= speeds[-1] > said["fastest"] - 0.5 * STEP
+    speeds, fast = found.speeds, f"{said['fast']:g} m/s"
+    begins, ends = speeds[0] < said["slowest"] + 0.5 * STEP, speeds[-1] > said["fastest"] - 0.5 * STEP
     near = abs(of_slow - said["contact_angle"]) <= NEAR
     slips_up = f"for {100 * short:.0f} %, the largest {100 * np.max(up):.0f} cm"
     said_and_found = [
-        ("speeds", "1.3 to 3.6 m/s", f"{speeds[0]:.1f} to {speeds[-1]:.1f} m/s", covered),
+        ("speeds", "1.3 to 3.6 m/s", f"{speeds[0]:.1f} to {speeds[-1]:.1f} m/s", begins and ends),
         ("contact angle to stay up", "> 70°", f"> {of_slow - 1:.0f}° up to {fast}", near),
         (
             "falls above 70°",

@@ -14,6 +14,7 @@ from ..errors import GaitNotFoundError
 from ..fitting.fitted import fit
 from ..fitting.result import Fit
 from ..library.gait import Gait
+from ..library.quantities import weight_of
 from ..variables.parameters import read_parameters
 from ..variables.variable import Given
 from .claims import CLAMP, FREE, Claim, Finding, alike
@@ -24,6 +25,11 @@ SCATTER = 2.0
 """Standard deviations between people within which a gait agrees."""
 
 
+def peak_force(gait: Gait) -> float:
+    """Largest normal force of the stride, body weights."""
+    return float(gait.stride["peak_force"] / weight_of(gait.runner))
+
+
 TUNED: Mapping[str, Mapping[str, Given]] = {
     FREE: {},
     CLAMP: {"hip.stance_torque": 336.0, "hip.liftoff_angle_factor": 0.63, "hip.swing_clamp": True},
@@ -32,10 +38,7 @@ TUNED: Mapping[str, Mapping[str, Given]] = {
 MEASURED: Sequence[tuple[str, float, float, str, str, Callable[[Gait], float]]] = (
     ("steps per second, tuned", 2.62, 0.16, "Hz", "Karamanidis 2005", lambda gait: 1.0 / gait.period),
     ("contact", 271, 23, "ms", "Karamanidis 2005", lambda gait: 1000.0 * gait.stride["stance_time"]),
-    (
-        *("peak force", 2.36, 0.19, "body weights", "Front. Physiol. 2022"),
-        lambda gait: gait.stride["peak_force"] / weight(gait),
-    ),
+    ("peak force", 2.36, 0.19, "body weights", "Front. Physiol. 2022", peak_force),
 )
 """Quantities of people at 2.5 to 3.1 m/s, as the preset cites them.
 
@@ -60,12 +63,6 @@ def _fit(runner: str | Mapping[str, Given], data: str, vary: Sequence[str], each
 def fitted() -> Fit:
     """One stiffness at eight speeds, torque and touchdown angle at each."""
     return _fit(RUNNER, "human_running", [STIFFNESS], EACH)
-
-
-def weight(gait: Gait) -> float:
-    """Weight of body and foot, N."""
-    values = gait.runner
-    return (values["body.mass"] + values["foot.mass"]) * values["gravity"]
 
 
 def claims() -> list[Claim]:
@@ -111,7 +108,7 @@ def _of_fit(found: Fit) -> list[Claim]:
     """Claims about the runner of Matijevich and others; the reduced map has no swing."""
     source = "Matijevich 2019"
     stiffness, gait = found.parameters[STIFFNESS].value, found.gaits[0]
-    relative = stiffness * gait.runner["leg.free_length"] / weight(gait)
+    relative = stiffness * gait.runner["leg.free_length"] / weight_of(gait.runner)
     values = [one.lambda_max for one in found.gaits]
     expected = found.degrees_of_freedom + SCATTER * np.sqrt(2.0 * found.degrees_of_freedom)
     chi_square = f"chi2 {found.chi_square:.1f} of {found.degrees_of_freedom}"
@@ -131,7 +128,7 @@ class FitRow(NamedTuple):
     """One claim about the fit on the page of results, as texts."""
 
     claim: str
-    """What is said of the fit, in a sentence."""
+    """One sentence about the fit."""
     value: str
     """The numbers that the sentence rests on."""
     control: str
@@ -163,8 +160,8 @@ def fit_rows() -> list[FitRow]:
     """Claims about the fit of one stiffness at eight speeds."""
     found = fitted()
     stiffness, gait = found.parameters[STIFFNESS], found.gaits[0]
-    length, mass = gait.runner["leg.free_length"], weight(gait) / gait.runner["gravity"]
-    relative = length / weight(gait)
+    length, mass = gait.runner["leg.free_length"], weight_of(gait.runner) / gait.runner["gravity"]
+    relative = length / weight_of(gait.runner)
     low, high = (relative * end for end in (stiffness.low, stiffness.high))
     by_mass = [f"{stiffness.value * one / mass / 1000.0:.1f} at {one:g} kg" for one in MASSES]
     refitted = [_refitted(name, end) for name, ends in ASSUMED.items() for end in ends]

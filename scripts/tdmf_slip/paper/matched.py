@@ -12,7 +12,7 @@ from ..library.runner import Runner
 from ..variables.table import FRICTION
 
 HOLD = ("speed", "apex_height", "apex_leg_angle")
-"""With these equal the foot is carried as high at the apex, too."""
+"""Quantities to match. The foot is then equally high at the apex, too."""
 VARY = ("hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor")
 
 

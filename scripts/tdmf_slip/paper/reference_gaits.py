@@ -33,7 +33,7 @@ class Drift:
     reference: float | str
     """Recorded value."""
     deviation: float
-    """Relative for a gait's quantities, over its scale for its apex; 0 or 1 for its word; else absolute."""
+    """Relative deviation of quantities; over the scales for an apex; 0 or 1 for a word; else absolute."""
     allowed: float
     """Largest deviation that passes."""
     reading: str = ""
@@ -41,7 +41,7 @@ class Drift:
 
     @property
     def passed(self) -> bool:
-        """Within what is allowed; nothing that is not a number is."""
+        """Whether the deviation is allowed; NaN never is."""
         return self.deviation <= self.allowed
 
 

@@ -54,7 +54,7 @@ class SettledRun:
     start_values: Mapping[str, Value]
     """Everything a run needs to begin at this gait's apex: parameters, friction and state."""
     strides: int
-    """How many were run."""
+    """Number of strides in the run."""
     change: float
     """How far the mean apex moved from the last window of strides but one to the last, over its scales."""
 

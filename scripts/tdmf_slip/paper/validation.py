@@ -24,7 +24,7 @@ from .settling import DEFAULT_TOLERANCE, SettledRun, settle_fmu
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Validation:
-    """The five gaits in both readings, what is published of them, and how far they are from the reference."""
+    """The five gaits in both readings, the published statements about them, and their reference."""
 
     gaits: Mapping[str, Sequence[SettledRun]]
     """Gaits of the unit at the five frictions, by reading."""
@@ -39,7 +39,7 @@ class Validation:
 
     @property
     def passed(self) -> bool:
-        """No computed value is farther from its recorded reference than allowed, nor a claim of our own."""
+        """Whether all computed values are near enough to their references, and our own claims hold."""
         return all(drift.passed for drift in self.drifts) and self.own.passed
 
     @property

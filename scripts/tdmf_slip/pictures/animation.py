@@ -227,7 +227,7 @@ class _Scene:
         self.force.set_color(colour)
 
     def _leave_streaks(self, time: float) -> None:
-        """Where the foot has slipped so far; also those of the stride before, so that the loop closes."""
+        """Draw where the foot has slipped, also in the stride before, so that the loop closes."""
         slips = [interval for interval in self.stride.intervals if interval.mode in SLIPS]
         for streak in self.streaks:
             streak.set_data([], [])

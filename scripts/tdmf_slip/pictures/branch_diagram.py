@@ -78,7 +78,7 @@ def figure_of(data: xarray.Dataset, quantity: str = DRAWN, display: DisplayUnits
     label = f"{kind}.{quantity}" if variable else quantity
     panels[0].set_ylabel(style.with_unit(label, display.label(variable.unit) if variable else ""))
     panels[1].set_ylabel("modulus of the largest eigenvalue")
-    panels[1].set_xlabel(style.tell_in(panels[1].xaxis, name, display))
+    panels[1].set_xlabel(style.mark_in_display_unit(panels[1].xaxis, name, display))
     begin = display.value(name, float(data[name].values[0]))
     panels[0].set_title(f"{name} from {begin:g}: {data.ended}", wrap=True)
     for axes, drawn in zip(panels, (quantity, "lambda_max"), strict=True):
@@ -189,9 +189,8 @@ def of_curves(data: xarray.Dataset, display: DisplayUnits | None = None) -> Figu
     curves, names = curves_in(data), str(data.over).split(", ")
     display = display or DisplayUnits(values=Runner(runner_in(data), model=data.model))
     figure, axes = style.subplots(figsize=(7.6, 5.4))
-    labels = [
-        style.tell_in(axis, name, display) for axis, name in zip((axes.xaxis, axes.yaxis), names, strict=True)
-    ]
+    pairs = zip((axes.xaxis, axes.yaxis), names, strict=True)
+    labels = [style.mark_in_display_unit(axis, name, display) for axis, name in pairs]
     shown = set()
     for curve in curves:
         border = curve.kind == WORD_BORDER

@@ -22,9 +22,9 @@ class Pose:
     """Positions of body and foot, over l0."""
 
     body: tuple[float, float]
-    """x and y."""
+    """Position of the body, x and y."""
     foot: tuple[float, float]
-    """x and y."""
+    """Position of the foot, x and y."""
 
 
 def pose(stride: Stride, time: float) -> Pose:

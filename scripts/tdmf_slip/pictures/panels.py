@@ -247,7 +247,7 @@ def of_gait(gait: Gait) -> Figure:
 
 
 def velocity_and_ratio(stride: Stride) -> Figure:
-    """The two panels."""
+    """Draw the velocity of the foot and the ratio of its forces, along the stance."""
     figure, (left, right) = style.subplots(1, 2, figsize=(8.4, 3.7))
     for axes in (left, right):
         mark_stance(axes, stride)

@@ -27,9 +27,9 @@ if TYPE_CHECKING:
 
 POINTS = 400
 SPAN = (1e-2, 10.0)
-"""Over the mean: strides that are drawn."""
+"""Least and largest number of strides that are drawn, over the mean."""
 SMALLEST = 1e-6
-"""Share of the first distance: a deviation is followed until it is proved to be as small."""
+"""Share of the first distance to which a deviation is followed."""
 
 
 def of_falls(found: FirstPassage | RareFalls) -> Figure:
@@ -79,7 +79,7 @@ LAMBDA_MAX = "lambda_max"
 ZERO = 1e-12
 """A value of a reference that is as small has no relative change."""
 HEIGHT, BAR = 1.6, 0.2
-"""Inches: of a figure without bars, and of a row of them."""
+"""Heights of a figure without bars, and of a row of bars, inches."""
 
 
 def of_optimum(found: Optimum) -> Figure:
@@ -89,9 +89,8 @@ def of_optimum(found: Optimum) -> Figure:
     after = quantities_of(found.gait, names) | {LAMBDA_MAX: found.gait.lambda_max}
     given = {name: found.before.runner[name] for name in found.parameters}
     rows = len(before) + len(given)
-    figure, (upper, lower) = style.subplots(
-        *(2, 1), figsize=(7.6, HEIGHT + BAR * rows), height_ratios=[len(before), max(2, len(given))]
-    )
+    size, ratios = (7.6, HEIGHT + BAR * rows), [len(before), max(2, len(given))]
+    figure, (upper, lower) = style.subplots(2, 1, figsize=size, height_ratios=ratios)
     _changes(upper, before, {"optimum": after}, bold=(found.objective,))
     _changes(lower, given, {"optimum": found.parameters})
     style.label(upper, "change from the runner that was given (%)", "quantity")

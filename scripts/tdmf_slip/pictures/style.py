@@ -38,7 +38,7 @@ GROUND = "#c9d1d8"
 BODY = "#22303c"
 CURVE = "#22303c"
 SECOND_CURVE = "#0b7a75"
-"""For a second quantity in the same axes."""
+"""Colour of a second quantity in the same axes."""
 
 MODE_COLOURS: Mapping[str, str] = {
     "flight": "#8a97a3",
@@ -224,8 +224,8 @@ class _Scaled(AutoLocator):
         return [mark / self.factor for mark in marks]
 
 
-def tell_in(axis: Axis, name: str, display: DisplayUnits) -> str:
-    """Have an axis, whose values are in a variable's own unit, marked in the one that it is told in."""
+def mark_in_display_unit(axis: Axis, name: str, display: DisplayUnits) -> str:
+    """Mark an axis, whose values are in a variable's own unit, in the display unit, and return its label."""
     factor = display.factor(name)
     if factor != 1.0:
         axis.set_major_locator(_Scaled(factor))

@@ -70,7 +70,7 @@ def _curves(gaits: "xarray.Dataset", borders: "xarray.Dataset | None", display: 
     for axes in panels:
         for value in [] if borders is None else borders[name].values:
             axes.axvline(value, **style.STANCE_LINE)
-    label = style.tell_in(panels[-1].xaxis, name, display)
+    label = style.mark_in_display_unit(panels[-1].xaxis, name, display)
     if display.factor(name) == 1.0 and min(values) > 0 and max(values) > DECADES * min(values):
         panels[-1].set_xscale("log")
         panels[-1].xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
@@ -113,7 +113,7 @@ def _map(gaits: "xarray.Dataset", display: DisplayUnits) -> Figure:
         handles.append(Patch(color=colour, label=style.word(word)))
     panels[1].legend(handles=handles, title="word", loc="upper left", bbox_to_anchor=(1.01, 1.0))
     for axes in panels:
-        axes.set_xlabel(style.tell_in(axes.xaxis, horizontal, display))
-    panels[0].set_ylabel(style.tell_in(panels[0].yaxis, vertical, display))
+        axes.set_xlabel(style.mark_in_display_unit(axes.xaxis, horizontal, display))
+    panels[0].set_ylabel(style.mark_in_display_unit(panels[0].yaxis, vertical, display))
     panels[0].set_title(f"{speeds.count():,} of {words.size:,} gaits")
     return figure

@@ -50,9 +50,18 @@ CLAMP = "hip.swing_clamp"
 GALLERY = ("figure_5", "figure_6", "figure_7", "figure_8", "figure_9")
 """Figures that `validate --pictures` draws."""
 STRIDE_COLUMNS = (
-    *("time", "com.y", "foot.x", "foot.y", "foot.vx", "leg.length", "leg.angle"),
-    *("contact.fx", "contact.fy", "contact.mode"),
+    "time",
+    "com.y",
+    "foot.x",
+    "foot.y",
+    "foot.vx",
+    "leg.length",
+    "leg.angle",
+    "contact.fx",
+    "contact.fy",
+    "contact.mode",
 )
+"""Recorded quantities in the data of figures of strides."""
 
 
 class Results:
@@ -164,7 +173,7 @@ FIGURES: Mapping[str, Entry] = {
     "reduced_stability": (reduced.draw_planes, reduced.plane_table, lambda of: (of.planes,)),
     **{name: _stored(name) for name in STORED},
 }
-"""By name of a figure: how it is drawn, its data by column, and the results that both are made of."""
+"""Figures by name: how each is drawn, its data by column, and the results that both need."""
 
 
 def draw(

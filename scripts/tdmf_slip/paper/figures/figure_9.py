@@ -28,7 +28,7 @@ CONTROL = {
 }
 """Look of matched runners."""
 HEIGHTS, LEADER = np.linspace(0.05, 0.95, 19), 14.0
-"""Where the word of a narrow range may stand: share of the axes' height, and points beside its border."""
+"""Places for the word of a narrow range: shares of the axes' height, and points beside its border."""
 NARROW = 1.02
 """Largest ratio of two borders of friction between which a word does not fit above the axes."""
 PAPER_SHOWS = {"eigenvalue": ((0.3, 2.0), (7.0, 10.0)), "gait": ((0.1, 2.0), (7.0, 10.0))}

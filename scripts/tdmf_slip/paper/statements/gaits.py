@@ -323,7 +323,7 @@ SLOPES_CHECKS = {
 # Thrust of the leg beside torque of the hip, at equal speed
 
 FASTER = 1.3
-"""Speed over the speed of the gait on friction 0.2 as it comes."""
+"""Speed over that of the unmatched gait on friction 0.2."""
 HELPED = 0.1
 """Thrust, over the leg's length."""
 

@@ -49,7 +49,7 @@ SEGMENT = 5.0
 
 
 def runner_on(regime: Regime, friction: float, reference: float | None) -> Gait:
-    """The runner on a friction, as it comes or made equal to the runner on friction `reference`."""
+    """The runner on a friction, unmatched or matched to the runner on friction `reference`."""
     return stable_gait(regime, friction) if reference is None else matched(regime, reference, friction)
 
 
@@ -150,7 +150,7 @@ ROUGH_CHECKS = {
 # A slippery patch, on level ground and downhill: the share of runners that fall
 
 SLOPE = -4.0
-"""Degrees."""
+"""Slope, degrees."""
 ON_PATCH, LENGTH, BEGIN = 0.02, 300.0, 100.0
 """Friction of the patch, its length and where it begins, l0."""
 GRIPPY_GROUND, SLIPPERY_GROUND = STICKS, 0.6
