@@ -144,7 +144,7 @@ def number_in(text: str) -> float:
 
 
 MAX_NUMBERS = 100_000_000
-"""In what is given at once; they take 800 MB."""
+"""Largest number of numbers in one argument; they take 800 MB."""
 
 
 def check_size(what: str, count: int, of: str, maximum: int = MAX_NUMBERS) -> None:

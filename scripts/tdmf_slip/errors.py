@@ -35,7 +35,7 @@ class StoppedError(KeyboardInterrupt):
     """An interrupt from the keyboard ended a run of many: what was complete is kept."""
 
     def __init__(self, ends: "NDArray[np.void]") -> None:
-        """With what became of each."""
+        """Keep what became of each run."""
         super().__init__()
         self.ends = ends
         """Ends of the runners that had begun, with the fields of `Batch.run`."""

@@ -112,7 +112,7 @@ def test_a_runner_that_stands_still_comes_to_no_apex_soon(my_runner):
     vary = {"hip.touchdown_angle": draw(0.3, 1.1, 150), "hip.stance_torque": draw(0.05, 0.4, 150)}
     strides = Batch(my_runner, starts, vary=vary).stride()
     said = {strides.why_not[k] for k in np.flatnonzero(strides.outcome)}
-    assert said == {"the run comes to no `apex` and is in the mode `stick` after 10000 s"}
+    assert said == {"the run has not reached `apex` and is in the mode `stick` after 10000 s"}
 
 
 def test_what_new_writes_works_as_it_stands(tmp_path, ball):

@@ -44,14 +44,14 @@ LEG_LENGTH = COORDINATES.index("leg_length")
 """The leg's length and the coordinates before it are positive; their ranges are relative to their values."""
 NOT_YET = -1
 STRIDES = "strides_until_known"
-"""Name of the variable."""
+"""Name of the variable that counts strides."""
 FOLLOWED = "is_followed"
 """Name of a variable of previews."""
 POINTS_AT_ONCE = 1024
 """Largest number of starts in a block of a preview."""
 
 MAX_STARTS = MAX_ALONG**2
-"""A map of as many is 2 GB."""
+"""Largest number of starts of a map, which then takes 2 GB."""
 MAX_AXIS = MAX_STARTS // 2
 
 

@@ -33,7 +33,7 @@ from .search import periodic_gait
 MAX_RUNNERS = 100_000_000
 MAX_STRIDES = 1_000_000
 STRIDES_IN_A_BLOCK = 200_000
-"""At the most, unless runners are few: the library hears of no interrupt until it returns."""
+"""Largest number, unless runners are few: the library hears of no interrupt until it returns."""
 MIN_IN_A_BLOCK, MAX_IN_A_BLOCK = 64, 4096
 """Runners; fewer would leave lanes empty."""
 
@@ -65,7 +65,7 @@ class FirstPassage:
     """Runners that the solver did not get through; they count as censored, too."""
 
     def __repr__(self) -> str:
-        """In a line: whose, and the mean number of strides with its interval."""
+        """One line: the runner's gait, and the mean number of strides with its interval."""
         low, high = self.interval
         return (
             f"<FirstPassage of the gait {self.word} "
@@ -243,7 +243,7 @@ def rough_start(runner: RunnerLike, gait: Gait | None) -> tuple[Runner, Gait]:
 def _feet(
     foot_x: ArrayLike | None, start: Gait, runner: Runner, runners: int, seed: int
 ) -> NDArray[np.float64]:
-    """Where the feet are at the start, shape (runners,)."""
+    """Positions of the feet at the start, shape (runners,)."""
     if isinstance(foot_x, str) and foot_x == "random":
         before = np.random.default_rng(seed).uniform(1.0, 2.0, runners)
         return runner["ground.patch_begin"] - before * float(start.stride["length"])

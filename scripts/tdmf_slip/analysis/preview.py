@@ -27,9 +27,9 @@ class Preview:
     fate: NDArray[np.int32]
     """Fate of each start, followed or painted."""
     strides: NDArray[np.int32]
-    """Closed until the fate of a followed start was known; of a painted one, those of a corner."""
+    """Strides closed until the fate of a followed start was known; for a painted start, those of a corner."""
     is_followed: NDArray[np.bool_]
-    """The rest is painted."""
+    """True for starts that were followed; the others are painted."""
 
 
 def preview_of(shape: Sequence[int], follow: Follow) -> Preview:

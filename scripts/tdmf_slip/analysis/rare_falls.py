@@ -61,7 +61,7 @@ SHARE_OF_STRIDES = 40
 LEVELS = 16
 MAX_WALKERS, MAX_STEPS = 10_000, 100_000
 SMOOTHEST = 1e-9
-"""Roughness, m."""
+"""Smallest roughness, m."""
 
 
 def logistic_weights(features: NDArray[np.float64], falls: NDArray[np.bool_]) -> NDArray[np.float64]:
@@ -94,7 +94,7 @@ def levels_of(scores: NDArray[np.float64], highest: float, count: int) -> NDArra
 def resampled(
     weights: NDArray[np.float64], level: NDArray[np.intp], keep: int, random: np.random.Generator
 ) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
-    """Which walkers go on, with which weights: as many at each level that has any."""
+    """Walkers that go on, and their weights: equally many at each level that has any."""
     chosen, shares = [], []
     for number in np.unique(level):
         here = np.flatnonzero(level == number)
@@ -302,7 +302,7 @@ class RareFalls:
         return low, 1.0 / (rate - reach) if rate > reach else math.inf
 
     def __repr__(self) -> str:
-        """In a line: the mean with its interval."""
+        """One line: the mean with its interval."""
         low, high = self.interval
         roughness = f"{self.roughness:.4g} {self.runner.label('m')}"
         return (

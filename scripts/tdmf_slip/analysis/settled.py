@@ -1,10 +1,10 @@
 """Gaits of runners whose parameters are spread over a box, side by side: thousands of them in a second.
 
 Each runner begins near a gait that is known and makes strides until they repeat themselves. A runner that
-falls begins once more, where its nearest neighbour among those that run has come to. Gaits that are found so
-are stable, because others attract nobody. Of many points, `linked` chooses those where a search is worth
-beginning, by multi-level single linkage (Rinnooy Kan and Timmer 1987, Mathematical Programming 39, 57-78):
-within a critical distance of a better point a search would lead into the same basin.
+falls begins once more, at the present apex of its nearest neighbour among those that run. Gaits found in this
+way are stable, because unstable ones attract no runner. Of many points, `linked` chooses those where a search
+is worth beginning, by multi-level single linkage (Rinnooy Kan and Timmer 1987, Mathematical Programming 39,
+57-78): within a critical distance of a better point a search would lead into the same basin.
 """
 
 import contextlib
@@ -23,7 +23,7 @@ from ..library.gait import Gait
 from ..library.runner import Runner
 
 RUNNERS = 1024
-"""Spread over what varies."""
+"""Number of runners that are spread over what varies."""
 FACTOR = 4.0
 """Largest factor between a parameter's value and that of a runner, to both sides."""
 FROM_ZERO = 0.4
@@ -49,7 +49,7 @@ class Settled:
     runners: tuple[Runner, ...]
     """The runners."""
     points: NDArray[np.float64]
-    """Where they are in the box, from 0 to 1, shape (m, d)."""
+    """Positions of the runners in the box, from 0 to 1, shape (m, d)."""
     apexes: NDArray[np.float64]
     """Apices next to those of their gaits, shape (m, n)."""
 
@@ -129,7 +129,7 @@ class _Runs:
         self.returns = np.full(len(rows), np.inf)
 
     def begin(self) -> None:
-        """From the apex given; those that fall from there on, from where their neighbours have come to."""
+        """Begin at the given apex. Runners that fall begin again where their neighbours are."""
         from scipy.spatial import KDTree  # slow to load
 
         self.go_on(self.able)

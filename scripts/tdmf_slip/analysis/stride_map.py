@@ -31,7 +31,7 @@ MAX_STRIDES = 1_000_000
 MAX_IN_ALL = 10_000_000
 """Strides of all runners: each is kept, in 700 bytes."""
 STRIDES_IN_A_BLOCK = 100_000
-"""At the most, unless runners are few: the library hears of no interrupt until it returns."""
+"""Largest number, unless runners are few: the library hears of no interrupt until it returns."""
 MIN_IN_A_BLOCK, MAX_IN_A_BLOCK = 64, 4096
 """Runners; fewer would leave lanes empty."""
 
@@ -213,7 +213,7 @@ def _strides_of(strides: int, batch: Batch) -> dict[str, NDArray[Any]]:
 def _in_blocks(
     batch: Batch, strides: int, executor: Executor | None, progress: bool
 ) -> dict[str, NDArray[Any]]:
-    """Block by block."""
+    """Strides of all runners, computed block by block."""
     runners = len(batch)
     size = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // strides))
     blocks = [batch.part(first, min(size, runners - first)) for first in range(0, max(runners, 1), size)]

@@ -76,7 +76,7 @@ class Row:
     name: str
     """Name of the parameter or input."""
     values: tuple[float, ...]
-    """The range."""
+    """Values of the parameter."""
     by_value: tuple[Gait | None, ...]
     """Gaits by value; None where there is none, or it was not found."""
     borders: tuple[Border, ...]

@@ -28,15 +28,15 @@ from ..terminal.progress import progress_bar
 from .settled import around, settled_gaits
 
 NEWTON_ITERATIONS, SHORTENINGS = 40, 6
-"""To what is prescribed at once."""
+"""Newton iterations, and shortenings of a step, if all that is prescribed is asked for at once."""
 LONGEST_STEP = 1.0
 """Longest Newton step over the scales of apex and parameters: far beyond them a stride may take an age."""
 CLOSE_ITERATIONS, CLOSE_SHORTENINGS = 10, 3
-"""Where a point is near a gait that is sought, or else is of no use."""
+"""Newton iterations and shortenings for a point that is near the gait, or else of no use."""
 STEPS = 40
 """Steps on the way from the first gait's quantities to those prescribed, with the refused ones."""
 LEAST_ITERATIONS, LEAST_STEP = 30, 1e-7
-"""To the least change of parameters, and the last step there, over the parameters' values."""
+"""Iterations to the least change of parameters, and the last step, over the parameters' values."""
 SHORTEST_SHARE = 5e-3
 """Shortest step, as a share of the way from the first gait's quantities to those prescribed."""
 NONE = 1e-6
@@ -314,7 +314,7 @@ class Help:
     name: str
     """Name of the parameter or input."""
     instead_of: str
-    """Which varied parameter then keeps its value; empty where all of them vary."""
+    """Varied parameter that then keeps its value; empty where all of them vary."""
     left: float
     """Share of the gap that is left; 0 where the target is met."""
     changed: float

@@ -38,7 +38,7 @@ MINIMUM, MAXIMUM = 1e-9, 1e9
 MET = 1e-10
 """Largest deviation of a gait that meets a target, over the prescribed values."""
 LAST_STEPS = 10
-"""From the nearest gait towards the target, and from each of the others."""
+"""Steps from the nearest gait towards the target, and from each of the others."""
 MAX_BEGINNINGS = 8
 """Other gaits that a search begins from."""
 DESCENTS = 2
@@ -51,7 +51,7 @@ class TargetNotMetError(RunError):
     """No gait was found that has what is prescribed."""
 
     def __init__(self, message: str, nearest: Gait, helps: tuple[str, ...]) -> None:
-        """With the gait that is nearest to the target, and the parameters that would bring it nearer."""
+        """Keep the gait nearest to the target, and the parameters that would bring it nearer."""
         super().__init__(message)
         self.nearest, self.helps = nearest, helps
 
@@ -177,9 +177,9 @@ def _check_keywords(values: Mapping[str, Given], model: Model) -> None:
 def _met_from_elsewhere(
     target: Target, known: Sequence[Iterate], others: Iterator[Iterate]
 ) -> tuple[Iterate, float, Iterate]:
-    """From gaits all over the varied parameters, and from the nearest one that the nearest of them lead to.
+    """Search from gaits all over the varied parameters, and from the nearest gait that these lead to.
 
-    The point that was come to, the share of the way to the target, and the nearest of all that were seen.
+    Returns the point that was reached, the share of the way to the target, and the nearest point of all.
     """
     seen = [*known]
     for other in islice(others, MAX_BEGINNINGS):
@@ -246,7 +246,7 @@ def _check_action(target: Target, iterate: Iterate) -> None:
 
 
 def _not_met(target: Target, nearest: Iterate, helps: Sequence[Help]) -> TargetNotMetError:
-    """With the nearest gait, and what would help."""
+    """The error, with the nearest gait and what would help."""
     gait = target.gait(nearest)
     has = quantities_of(gait, target.names)
     wanted = ", ".join(f"{n} {v:.6g}" for n, v in zip(target.names, target.prescribed, strict=True))

@@ -1,4 +1,4 @@
-"""What all commands share: options from signatures and docstrings, and how an answer is shown."""
+"""Parts that all commands share: options from signatures and docstrings, and how an answer is shown."""
 
 import functools
 import inspect
@@ -19,20 +19,20 @@ from .runner import Asked, runner_options, values_given
 from .workers import WORKERS_OPTIONS, Workers
 
 Option: TypeAlias = Callable[[Any], Any]
-"""What `click.option` gives: it adds the option to a command."""
+"""Result of `click.option`, which adds the option to a command."""
 PARAMETERS = "\n\nParameters\n-----"
-"""Where the description of parameters begins in a docstring."""
+"""Heading of the description of parameters in a docstring."""
 JSON_OPTION = click.option("--json", "as_json", is_flag=True, help="Print one JSON object and nothing else.")
 
 
 @dataclass(frozen=True)
 class Answer:
-    """What a command found, as JSON, as text and as a picture."""
+    """Result of a command, as JSON, as text and as a picture."""
 
     plain: Mapping[str, Any]
     """Object that --json prints."""
     text: str
-    """What is printed without --json."""
+    """Text that is printed without --json."""
     drawn: Callable[[], Any] | None = None
     """Gives the result that --plot draws."""
     look: Mapping[str, Any] = field(default_factory=dict)

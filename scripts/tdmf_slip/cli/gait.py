@@ -20,7 +20,7 @@ from .options import TARGET_OPTION, NewPicture, names_given, targets_given
 from .runner import Asked
 
 PICTURE = "gait.png"
-"""Where --plot without a file draws."""
+"""File that --plot writes if none is given."""
 
 
 @command(

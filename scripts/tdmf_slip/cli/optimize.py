@@ -117,7 +117,7 @@ def _front_text(objectives: Sequence[str], optima: Sequence[Optimum], display: D
 
 
 def _judgement(best: Optimum) -> str:
-    """In a sentence."""
+    """One sentence on what the optimum is."""
     maximum = "least" if best.is_minimum else "most"
     if best.why:
         return f"the {maximum} {best.objective} that was found; not shown to be an optimum: {best.why}"

@@ -114,7 +114,7 @@ class Number(click.ParamType[float]):
     name = "number"
 
     def __init__(self, low: float, high: float, *, whole: bool = False) -> None:
-        """From `low` to `high`, on request a whole one."""
+        """Allow numbers from `low` to `high`, or only whole ones."""
         self.low, self.high, self.whole = low, high, whole
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float | int:

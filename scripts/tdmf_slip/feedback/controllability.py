@@ -230,10 +230,10 @@ class Controllability:
     uncontrollable: NDArray[Any]
     """Eigenvalues of the modes that no setting moves, shape (modes - rank,)."""
     strides: int | None
-    """In so few a dead-beat law moves all modes to the gait; None where some cannot be moved."""
+    """Fewest strides in which a dead-beat law moves all modes to the gait; None if some cannot be moved."""
 
     def __repr__(self) -> str:
-        """In a line: how many of the modes can be moved, by what, and how well."""
+        """One line: how many of the modes can be moved, by what, and how well."""
         return (
             f"<Controllability by {', '.join(self.inputs)}: {self.rank} of {len(self.eigenvalues)} modes, "
             f"least over largest singular value {self.conditioning:.3g}>"

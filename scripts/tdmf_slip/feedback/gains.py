@@ -97,7 +97,7 @@ class Feedback(AffineLaw):
     S: NDArray[np.float64] | None = None
     """Solution of the Riccati equation over the scales, shape (n, n); None of laws other than `lqr`."""
     strides: int | None = None
-    """After so many a dead-beat law has moved every mode that it does not leave alone; None of another."""
+    """Number of strides in which a dead-beat law moves every mode that it acts on; None for other laws."""
 
     def __repr__(self) -> str:
         """One line: the settings, the gait, and the closed loop's largest eigenvalue."""
@@ -199,9 +199,9 @@ def dead_beat(
 ) -> Feedback:
     """The feedback that brings a runner back to its gait in the fewest strides, to first order.
 
-    With as many settings as modes that last it is one stride; with fewer it takes more, as `controllability`
-    tells. Where several feedbacks do it, this is the one with the least settings, over their scales. What a
-    setting moves after the foot has last come to stick is forgotten in the stride that follows.
+    One stride suffices with as many settings as lasting modes. With fewer it takes more strides, which
+    `controllability` reports. Of several such feedbacks, this is the one with the least settings, over their
+    scales. The effect of a setting that acts after the foot last sticks is gone after the next stride.
 
     Parameters
     ----------

@@ -88,7 +88,7 @@ def apex_covariance(feedback: Feedback, roughness: float = 0.0) -> NDArray[np.fl
 SAMPLES = 4000
 """Starts drawn for the region of attraction."""
 RUNNERS, MAX_STRIDES = 256, 400
-"""On rough ground."""
+"""Runners on rough ground, and strides after which one is censored."""
 
 
 @dataclass(frozen=True, eq=False)

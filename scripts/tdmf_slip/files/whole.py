@@ -103,7 +103,7 @@ def write_whole(path: Path, write: Callable[[Path], object]) -> None:
 
 
 def _created(resolved: Path, suffix: str) -> Path:
-    """An empty file beside a path, with the mode of any new file, or private where it is to hand on one."""
+    """An empty file beside a path, with the mode of new files, or private if it will get an old mode."""
     mode = 0o600 if resolved.exists() else 0o666  # less what the process's mask takes away
     while True:
         beside = resolved.with_name(f".tdmf-slip-{secrets.token_hex(8)}{suffix}")

@@ -174,8 +174,8 @@ def fit(
     )
     if request.scale_errors and request.degrees_of_freedom < 1:
         raise InputError(
-            "scale_errors: as many numbers are fitted as were measured, and no residual tells the errors' "
-            "factor; allowed: more data, or errors that are known"
+            "scale_errors: as many numbers are fitted as were measured, so the residuals do not determine "
+            "the errors' factor; allowed: more data, or errors that are known"
         )
     first = _first(begun, guess)
     with progress_bar("fit", None, "strides", progress) as bar:
@@ -218,7 +218,7 @@ def _begun(request: Request, first: Gait, strides_made: Callable[[int], object])
 
 
 def _reported(request: Request, problem: Problem, found: Ended, starts: int) -> Fit:
-    """With intervals; begun anew where a profile has led to a better fit."""
+    """The fit with its intervals, begun anew where a profile has led to a better fit."""
     for _ in range(AGAIN):
         try:
             return Conclusion(request, problem, found, starts).fit()

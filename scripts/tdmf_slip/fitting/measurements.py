@@ -42,7 +42,7 @@ class Measured:
     """A quantity as it was measured."""
 
     value: float
-    """In its unit."""
+    """Measured value in the quantity's unit."""
     error: float
     """Its standard error, in the same unit."""
 
@@ -60,9 +60,9 @@ class Measurements:
     """Conditions in which a gait was measured."""
 
     rows: tuple[Row, ...]
-    """One for each condition."""
+    """Rows of the table, one for each condition."""
     where: str
-    """Where they come from, for messages."""
+    """Source of the measurements, for messages."""
 
     @property
     def count(self) -> int:

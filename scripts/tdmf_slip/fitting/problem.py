@@ -89,7 +89,7 @@ class SearchLog:
     """Obstacles of the search."""
 
     strides: int = 0
-    """Made by all rows."""
+    """Strides made by all rows."""
     lost: int = 0
     """Tries at which a row had no gait."""
     crossed: bool = False
@@ -128,8 +128,8 @@ FIRST_STEP = 0.1
 CLOSED = 1e-11
 """Largest difference of apex and next apex over the scales."""
 FAR = 1e3
-"""Of a parameter's scale: an end of its range that is farther away is no bound, as SciPy's search scales the
-parameters by how far their bounds are."""
+"""Distance, over a parameter's scale, from which on an end of its range is no bound, because SciPy's search
+scales the parameters by how far their bounds are."""
 MAX_STRIDES = 20_000
 """Largest number of strides of all rows in a fit: nearly thirty times what the package's data take."""
 STRIDES_OF_SEARCH = 50

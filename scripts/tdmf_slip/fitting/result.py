@@ -146,7 +146,7 @@ class Estimate:
     name: str
     """The parameter's own name."""
     value: float
-    """In the unit's unit, as all that follows."""
+    """Estimate in the unit's unit, like all values below."""
     standard_error: float
     """Standard error by the linearized fit; infinite if the data do not determine it."""
     low: float
@@ -187,7 +187,7 @@ class Fit:
     measurements: Measurements
     """Measurements that were fitted."""
     runners: tuple[Runner, ...]
-    """With the fitted parameters, one for each row."""
+    """Runners with the fitted parameters, one for each row."""
     apexes: tuple[NDArray[np.float64], ...]
     """Apexes of the fitted gaits, one for each row."""
     words: tuple[str, ...]
@@ -199,7 +199,7 @@ class Fit:
     unidentified: tuple[Combination, ...]
     """Combinations of parameters that the data determine badly or not at all."""
     residuals: tuple[Residual, ...]
-    """Row by row."""
+    """Measured and fitted values, row by row."""
     priors: tuple[Residual, ...]
     """Priors beside the fitted values, by parameters' names; their rows are 0."""
     probability: float
@@ -217,7 +217,7 @@ class Fit:
     """Notes on the search and on how to read the fit, a sentence each."""
 
     def __repr__(self) -> str:
-        """In a line: what was found."""
+        """One line with the estimates."""
         found = ", ".join(f"{e.label} = {e.value:.6g}" for e in self.estimates[:4])
         more = ", ..." if len(self.estimates) > 4 else ""
         return (

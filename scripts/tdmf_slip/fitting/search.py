@@ -50,7 +50,7 @@ class Ended:
     at: NDArray[np.float64]
     """The unknowns."""
     residuals: NDArray[np.float64]
-    """There."""
+    """Residuals at the unknowns."""
     loss: float
     """The sum of squares, or of the loss."""
     at_bound: NDArray[np.int_]
@@ -201,7 +201,7 @@ class _Walk:
         self.problem, self.bounds, self.robust = problem, bounds, robust
 
     def step(self, ended: Ended) -> _Step:
-        """From a place that is not level."""
+        """The next step from a place that is not level."""
         free = ended.at_bound == 0
         if not free.any():
             return _Step(None, False)
@@ -273,7 +273,7 @@ class Across:
     """Residuals of quantities and of closing, over parameters and apices."""
 
     def __init__(self, problem: Problem, unknowns: NDArray[np.float64]) -> None:
-        """From the gaits at which the problem's Jacobian was asked for last."""
+        """Begin at the gaits at which the problem's Jacobian was last computed."""
         self.problem = problem
         self._apexes = np.array(problem.apexes())
         self._steps = FIRST_STEP * problem.runner.scales

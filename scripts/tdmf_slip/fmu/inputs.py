@@ -19,10 +19,11 @@ PAIR = "a pair of times and values"
 TIME = "time"
 """Name of the column of times in a table."""
 InputTables = Mapping[str, tuple[ArrayLike, ArrayLike]]
-"""By name of an input or a tunable parameter: times in s, ascending, and values. Values of a continuous input
-are interpolated linearly, and a time given twice is a jump; a discrete input and a tunable parameter keep a
-value until the next. Before and after the table its first and last value hold. A DataFrame with a column or
-an index `time`, and a column for each input, will do, too, and a Series over such an index for an input."""
+"""Times in s, ascending, and values, by the name of an input or a tunable parameter. Values of a continuous
+input are interpolated linearly, and a time given twice is a jump; a discrete input and a tunable parameter
+keep a value until the next. Before and after the table its first and last value hold. A DataFrame with a
+column or an index `time`, and a column for each input, will do, too, and a Series over such an index for an
+input."""
 
 
 def signals(

@@ -138,7 +138,7 @@ class Experiment:
     tolerance: float
     """Relative tolerance of the importer."""
     output_interval: float
-    """Between recorded rows."""
+    """Time between recorded rows, s."""
     start_values: Mapping[str, Value]
     """Start values by name, checked."""
     inputs: NDArray[np.void] | None = None

@@ -23,9 +23,9 @@ class Line:
     """A line of ground, y = height + x tan(slope)."""
 
     height: float
-    """At x = 0, m."""
+    """Height at x = 0, m."""
     slope: float
-    """rad."""
+    """Slope, rad."""
 
 
 class Profile:

@@ -128,7 +128,7 @@ class Run:
 
     @property
     def strides(self) -> int:
-        """How many were completed."""
+        """Number of completed strides."""
         return int(self.final["stride.count"])
 
 

@@ -253,7 +253,7 @@ def time_unit(fmu: Fmu, starts: Mapping[str, Value]) -> float:
 
 
 def longest_time(fmu: Fmu, starts: Mapping[str, Value], strides: int) -> float:
-    """A time, in s, in which so many strides have closed if they close at all."""
+    """A time, s, within which `strides` strides close if they close at all."""
     length, gravity = (fmu.variables.start_of(name, starts) for name in ("leg.free_length", "gravity"))
     return strides * LONGEST_STRIDE * (math.sqrt(length / gravity) + time_unit(fmu, starts))
 

@@ -387,7 +387,7 @@ class Batch(Given):
 
     @property
     def apices(self) -> NDArray[np.float64]:
-        """Apices that `step` has come to, shape (runners, n); before its first call the starts."""
+        """Apices that `step` has reached, shape (runners, n); the starts before its first call."""
         apices = self.starts if self._stepping is None else self._stepping.engine.ends["apex"]
         return apices[:, : self.size]
 

@@ -44,8 +44,9 @@ class Gait:
     liftoff_angle: float
     """Leg angle at lift-off, rad."""
     stride: Mapping[str, float]
-    """Quantities by the names in `STRIDE_QUANTITIES`, `LEDGER` and, in the full model, `quantities.MEASURES`,
-    in the reduced map those of the apex. There `positive_work` is that of the hip, else of hip and leg."""
+    """Quantities by the names in `STRIDE_QUANTITIES` and `LEDGER`; in the full model also by those in
+    `quantities.MEASURES`, in the reduced map those of the apex. `positive_work` is the work of hip and leg,
+    in the reduced map that of the hip alone."""
     jacobian: NDArray[np.float64]
     """Jacobian of the map, shape (n, n); [i, k] is the change of coordinate i by coordinate k."""
     along: Along | None
@@ -59,7 +60,7 @@ class Gait:
     events: tuple[Event, ...] = field(repr=False)
     """Events of the stride, in their order."""
     following: tuple[NDArray[np.float64], ...] = ()
-    """Where the gait takes more than one stride: the apexes between them, each of shape (6,)."""
+    """Apexes between the strides of a gait that takes more than one, each of shape (6,)."""
     residual: NDArray[np.float64] = field(default_factory=lambda: np.zeros(len(COORDINATES)), repr=False)
     """Last apex minus first, shape (n,), where the strides need not lead back; else zero."""
 

@@ -15,9 +15,9 @@ from ..given import numbers_of, row_of
 from .binding import c
 
 LARGEST = 1e9
-"""Roughness, m."""
+"""Largest roughness, m."""
 MIN_SEGMENT = 1e-3
-"""Over l0; shorter ones the library refuses."""
+"""Shortest segment, over l0; the library refuses shorter ones."""
 LARGEST_SPREAD = 10.0
 """Largest standard deviation of the logarithm of friction."""
 LAST_SEED = 2**64 - 1
@@ -82,19 +82,19 @@ class RoughGround:
     """A step is the sum of weight j times the deviate of j strides before; none: each is its own deviate. See
     `correlated_weights` and `spectrum_weights`."""
     trips: bool = False
-    """A foot that is below a step as it comes has met it, and the runner falls. By default it passes the step
-    on its way up, and falls only where it stays below for a whole stride. On a terrain a foot trips
-    where it swings or slips into the face of a segment."""
+    """Whether the runner falls if its foot is below a step that it meets. By default the foot passes the step
+    on its way up, and the runner falls only if the foot stays below for a whole stride. On a terrain a foot
+    trips where it swings or slips into the face of a segment."""
     friction_spread: float = 0.0
     """Standard deviation of the logarithm of a stride's friction, about the runner's own."""
     friction_weights: tuple[float, ...] = ()
     """Weights of the friction's deviates, like `step_weights`."""
     segment_length: float = 0.0
-    """Of level segments, m, from `MIN_SEGMENT` l0 on: heights and frictions are then of segments, drawn as
-    steps and frictions of strides are else, by the segment's number. By default the ground is by stride."""
+    """Length of level segments, m, at least `MIN_SEGMENT` l0. Each segment then has its own height and
+    friction, drawn by its number. By default, each stride has them."""
     heights: tuple[float, ...] = ()
-    """Of the segments, m, instead of those that are drawn; after the last the first comes again, and runner
-    n begins on segment n."""
+    """Heights of the segments, m, instead of drawn ones. They repeat after the last one, and runner n begins
+    on segment n."""
 
     def __post_init__(self) -> None:
         """Refuse values out of range."""

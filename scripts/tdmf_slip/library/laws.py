@@ -27,8 +27,9 @@ from .settings import check_acts, check_settings, checked_values, setting_number
 LARGEST = 1e100
 """Largest number in a law: sums of products stay finite."""
 Law: TypeAlias = Callable[[NDArray[np.float64], int], Mapping[str, ArrayLike]]
-"""From apices, shape (runners, n), and the number of the stride that begins there, to settings by name: each
-a number, or one for each runner. Each row is set by itself. Rows of runners whose run is over are NaN."""
+"""Function of apices, shape (runners, n), and the number of the stride that begins there. It gives settings
+by name, each as a number, or as one for each runner. Each row is set by itself. Rows of runners whose run is
+over are NaN."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +57,7 @@ class AffineLaw:
     inputs: Sequence[str]
     """Names of what is set: one or more of `settings.SETTINGS`."""
     apex: Apex
-    """Where the settings are nominal, shape (n,): in the order of `COORDINATES`, or `REDUCED`."""
+    """Apex at which the settings are nominal, shape (n,): in the order of `COORDINATES`, or `REDUCED`."""
     nominal: Sequence[float] | NDArray[np.float64]
     """Values of the settings there, shape (k,), in their units; so are the limits."""
     gain: ArrayLike
@@ -270,7 +271,7 @@ class CheckedLaw:
 
 
 def numbers_up_to(what: str, given: object, dimensions: int) -> NDArray[np.float64]:
-    """An array of numbers, of up to so many dimensions."""
+    """An array of numbers with at most `dimensions` dimensions."""
     values = numbers_of(what, given)
     if values.ndim > dimensions or not values.size:
         raise InputError(

@@ -18,7 +18,7 @@ from .own_runs import OwnStrides, strides_of
 
 NO_START = FATES.index("no_start")
 RUNNING = -1
-"""Fate of runners that have not come to an end."""
+"""Fate of runners that still run."""
 _FATES = np.full(7, UNSOLVED)
 """Fates of runners, by outcomes of runs."""
 _FATES[[c.TDMF_PAGE_CROSSED, c.TDMF_PAGE_ENDED, c.TDMF_PAGE_TOO_LONG]] = RUNNING, FELL, UNDECIDED
@@ -78,7 +78,7 @@ class OwnEngine:
         self._first_recorded = self.made
 
     def keep_checkpoints(self) -> Mapping[str, NDArray[Any]]:
-        """Which runners still run."""
+        """Mask of the runners that still run."""
         return {"stands": self.ends["fate"] == RUNNING}
 
     def save(self) -> NDArray[Any]:

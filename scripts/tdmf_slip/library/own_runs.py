@@ -121,7 +121,7 @@ class OwnStrides:
         return {
             c.TDMF_PAGE_CROSSED: "",
             c.TDMF_PAGE_ENDED: f"the run ends {at}",
-            c.TDMF_PAGE_TOO_LONG: f"the run comes to no `{event}` and is {at}",
+            c.TDMF_PAGE_TOO_LONG: f"the run has not reached `{event}` and is {at}",
             c.TDMF_PAGE_REFUSED: self.model.why_refused(end["requirement"], self.states[number]),
         }.get(end["outcome"], f"the run cannot be followed {at}")
 

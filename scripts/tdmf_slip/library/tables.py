@@ -68,7 +68,7 @@ class Table(Mapping[str, Any]):
         return name in self._dimensions
 
     def __iter__(self) -> Iterator[str]:
-        """Over the names."""
+        """Iterate over the names."""
         return iter(self._dimensions)
 
     def __len__(self) -> int:

@@ -72,7 +72,7 @@ def solve(
 ) -> Iterate:
     """Solve equations from an initial guess; with fewer equations than unknowns by the shortest steps.
 
-    `jacobian` is one from nearby. A damped step is tried at so many lengths, each half of the one before,
+    `jacobian` is one from nearby. A damped step is tried at several lengths, each half of the one before,
     until it leaves less than `gain` of the residual; it changes no unknown by more than `longest`. With no
     shortenings whole steps are taken wherever they lead: where an event is just touched the map has a square
     root, and only whole steps lead across.
@@ -90,7 +90,7 @@ def solve(
         except np.linalg.LinAlgError:
             if at.error <= GOOD_ENOUGH:
                 break
-            raise RunError("Newton's method comes to where the Jacobian is singular") from None
+            raise RunError("Newton's method reached a point where the Jacobian is singular") from None
         if is_exact:
             following = _damped(equations, at, step, shortenings, gain)
             if following is None:

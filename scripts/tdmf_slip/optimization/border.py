@@ -56,9 +56,9 @@ class Border:
     """Gaits on both sides of a border between two regions."""
 
     short: Candidate
-    """On this side."""
+    """Gait on this side."""
     beyond: Candidate
-    """On the other."""
+    """Gait on the other side."""
     is_smooth: bool
     """Nothing has a kink here."""
     normal: NDArray[np.float64]
@@ -90,7 +90,7 @@ def between(gaits: Gaits, inside: Candidate, outside: Candidate, region: Region)
 
 
 def _border(short: Candidate, beyond: Candidate, way: NDArray[np.float64]) -> Border:
-    """With its normal, which leads to the side that the way does."""
+    """The border with its normal, which points to the side that the way leads to."""
     scales = short.gait.runner.scales[:, None]
     if np.max(np.abs(beyond.gait.apex - short.gait.apex) / scales[:, 0]) > CONTINUOUS:
         raise RunError("the gaits end where the word changes")
@@ -123,7 +123,7 @@ class OnBorder(Candidate):
     """A gait on a border; `at` is u, over which the slopes are."""
 
     border: Border
-    """There."""
+    """Border at this point."""
     plane: NDArray[np.float64]
     """Changes of the parameters by u, shape (d, d - 1): T + n ds/du."""
 

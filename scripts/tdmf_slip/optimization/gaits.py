@@ -126,7 +126,7 @@ class Spectrum:
     slopes: NDArray[np.float64]
     """Their changes, in rows, shape (m, d)."""
     positive: NDArray[np.bool_]
-    """Which of them are of positive real eigenvalues, shape (m,)."""
+    """True for those of positive real eigenvalues, shape (m,)."""
     fold: float
     """det(I - J)^2."""
     fold_slopes: NDArray[np.float64]
@@ -134,7 +134,7 @@ class Spectrum:
 
     @classmethod
     def none(cls, count: int) -> "Spectrum":
-        """Empty spectrum over so many parameters."""
+        """Empty spectrum over `count` parameters."""
         return cls(np.zeros(0), np.zeros((0, count)), np.zeros(0, dtype=bool), np.inf, np.zeros(count))
 
     def along(self, directions: NDArray[np.float64]) -> "Spectrum":

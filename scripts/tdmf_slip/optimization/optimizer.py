@@ -46,9 +46,9 @@ RADIUS, SMALLEST = 0.25, 1e-7
 """Half the width of the first box, and of the last one before a search gives up; of the bounds' width."""
 ROUNDS = 80
 PATIENCE, LITTLE = 12, 1e-6
-"""A search that was kept from going on gives up after so many runs that make the merit less by no more."""
+"""Number of runs with smaller improvements of the merit after which a blocked search gives up."""
 PROGRESS = 1e-9
-"""Least progress: a run that makes the merit less by no more has come to nothing."""
+"""Least improvement of the merit that counts as progress of a run."""
 STILL_VIOLATED = 1e-3
 """Violation of the constraints at which a search that makes no progress has nothing to hope for."""
 EDGES = 3
@@ -87,13 +87,13 @@ class Found:
     """Result of a search."""
 
     gait: Candidate
-    """The best one."""
+    """Best gait that was found."""
     remaining_improvement: dict[str, float]
     """Largest decrease of the merit per size of a step, by gait word next to it; zero at an optimum."""
     border: Border | None = None
     """On which it lies, if on any."""
     why: str = ""
-    """Why the search did not come to an optimum; empty where it did."""
+    """Reason why the search did not reach an optimum; empty where it did."""
 
 
 class Search:
@@ -204,11 +204,11 @@ class Best(NamedTuple):
     """The best of several searches."""
 
     found: Found
-    """Where it ended."""
+    """End of the best search."""
     starts: int
-    """How many searches were made."""
+    """Number of searches."""
     basins: int
-    """At how many different optima they ended."""
+    """Number of different optima at which they ended."""
 
     @property
     def start(self) -> Start:
@@ -244,7 +244,7 @@ class Optimizer:
         return settled_gaits(self.first.gait, tuple(self.space.bounds), between_bounds)
 
     def starts(self, problem: Problem) -> list[Start]:
-        """Where the searches for a problem begin: at the runner's own gait, and where it promises most.
+        """Starts of the searches for a problem: at the runner's own gait, and where it promises most.
 
         Where too few runners settle, from points that are reached along the gaits from the first.
         """
@@ -299,7 +299,7 @@ class Optimizer:
         return Best(best, len(begun), _basins(allowed))
 
     def _searched(self, problem: Problem, start: Start) -> Found:
-        """From one start; where it is far from meeting the constraints, first to where they are met."""
+        """Search from one start; if that is far from meeting the constraints, first find one that does."""
         if problem.violation(self._gaits(problem.goal).candidate(start.gait, start.at)) > ROUGHLY:
             nearest = self._off_folds(Feasibility(problem.goal, problem.scales), start)
             if problem.violation(nearest.gait) > NEARLY:
@@ -308,7 +308,7 @@ class Optimizer:
         return self._off_folds(problem, start)
 
     def _off_folds(self, problem: Problem, start: Start) -> Found:
-        """From one start; once more, and kept off folds, where gaits were lost."""
+        """Search from one start; where gaits were lost, search once more, kept off folds."""
         found = self._search(problem, start)
         if not found.why or problem.goal.fold:
             return found

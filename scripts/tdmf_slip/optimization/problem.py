@@ -1,8 +1,8 @@
 """An objective and constraints of a gait without dimension, their violation, and the SLSQP method over gaits.
 
-A quantity is taken over its scale, and a parameter over the width of its bounds. A linear program tells
-how near a gait is to an optimum of its region: within a small box, how much less could the objective be,
-and the constraints be violated, if all were linear? Where that is zero, the conditions of Karush, Kuhn
+A quantity is taken over its scale, and a parameter over the width of its bounds. A linear program shows
+how near a gait is to an optimum of its region: within a small box, by how much could the objective and the
+violation of the constraints decrease if all were linear? Where that is zero, the conditions of Karush, Kuhn
 and Tucker hold.
 
 Sequential quadratic programming (Kraft's SLSQP, of SciPy) runs in a box, on one smooth region. It ends
@@ -255,11 +255,11 @@ class Feasibility(Problem):
         return 0.5 * float(off @ off + short @ short), off @ off_slopes + short @ left_slopes
 
     def equations(self, gait: Candidate) -> Rows:
-        """None."""
+        """No equations: the deviations are in the objective."""
         return np.zeros(0), np.zeros((0, len(gait.at)))
 
     def margins(self, gait: Candidate) -> Rows:
-        """None."""
+        """No margins: the violations are in the objective."""
         return np.zeros(0), np.zeros((0, len(gait.at)))
 
 

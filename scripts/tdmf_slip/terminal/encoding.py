@@ -22,7 +22,7 @@ EQUIVALENTS: Mapping[str, str] = {
     "µ": "mu",
     "θ": "theta",
 }
-"""In ASCII, of characters that have no such part by themselves, as the e of an accented one."""
+"""ASCII texts of characters that do not decompose into an ASCII letter and an accent."""
 UNKNOWN = "?"
 UNDECODED = range(0xDC80, 0xDD00)
 """Characters that Python makes of bytes of a file's name which are no text."""

@@ -127,7 +127,7 @@ def loads_json(text: str) -> object:
 
 
 def _loads_toml(text: str) -> object:
-    """As `tomllib`, which takes the square of the parts of a key, but not so many of them."""
+    """Read TOML by `tomllib`, but refuse keys of many parts: its time grows with their number squared."""
     long = DEEP_KEY.search(text)
     if long is not None:
         line = text.count("\n", 0, long.start()) + 1

@@ -19,9 +19,9 @@ from .variable import Given, Value, Variable, attributes_of
 FRICTION = "ground.friction"
 """Name of the friction of the ground."""
 ALIASES: Mapping[str, str] = MappingProxyType(data.ALIASES)
-"""From the short name of a variable to its own. `gravity` is a variable's own name."""
+"""Own names of variables by their short names. `gravity` is a variable's own name."""
 SHORT_NAMES: Mapping[str, str] = MappingProxyType({full: short for short, full in ALIASES.items()})
-"""From a variable's own name to the short one."""
+"""Short names of variables by their own names."""
 DIMENSIONS: Mapping[str, tuple[int, int, int]] = MappingProxyType(data.DIMENSIONS)
 """Powers of length, time and mass in each unit; an angle has none."""
 PARAMETERS: tuple[str, ...] = data.PARAMETERS
@@ -134,7 +134,7 @@ class Model:
     variables: Variables
     """Its variables."""
     aliases: Mapping[str, str]
-    """From short names of variables to their own."""
+    """Own names of variables by their short names."""
     names: tuple[str, ...]
     """Names of a runner's values, in their order: parameters, inputs, and states that take a start value."""
     varied: tuple[str, ...]

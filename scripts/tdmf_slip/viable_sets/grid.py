@@ -54,7 +54,7 @@ MAX_CELLS = 2048
 MAX_ACTIONS = 4096
 """Largest number of values of one setting."""
 MAX_STRIDES = 50_000_000
-"""In all: those of that many take 1.5 GB, and are made in two to four minutes by two processors."""
+"""Largest number of strides of a grid. They take 1.5 GB, and two to four minutes on two processors."""
 VALUES = 16
 """Number of values of a setting, by default."""
 
@@ -263,7 +263,7 @@ class Boxes:
     """Last row and column, shape (2, pairs)."""
 
     def some(self, which: NDArray[np.bool_] | NDArray[np.intp]) -> Boxes:
-        """Some of the pairs."""
+        """The boxes of some of the pairs."""
         return Boxes(self.cells[which], self.actions[which], self.low[:, which], self.high[:, which])
 
 

@@ -42,7 +42,7 @@ GRADES = ("not viable", "open", "viable")
 
 
 class ViableController:
-    """At each apex the viable action nearest to a wish, over the ranges of the settings.
+    """Law that sets, at each apex, the viable action nearest to a wish, over the ranges of the settings.
 
     Actions are those of the inner set where the apex's cell has some, else those of the outer one. Where
     neither has any, or outside of the grid, nothing is known to help, and the wish itself is set; `grade_at`
