@@ -33,7 +33,7 @@ NORMAL_QUANTILE = 1.959963984540054
 """Two-sided quantile of CONFIDENCE."""
 MAX_SAMPLES = 100_000_000
 FARTHEST = 5.0
-"""Over the scales: beyond this no disturbance is tried."""
+"""Largest disturbance that is tried, over the scales."""
 COARSE, REFINEMENTS = 500, 2
 """Tries along the line, and how often the interval between two of them is divided again."""
 EDGE_TOLERANCE = 1e-8

@@ -42,7 +42,7 @@ ROUNDS = 20
 POINTS = 10_000
 """Points on which a ball is tested."""
 SHELLS = tuple(0.1 * k for k in range(1, 10))
-"""Their radii over the ball's; each gets a twentieth of the points, the surface what is left."""
+"""Radii of inner shells over the ball's. Each gets a twentieth of the points, the surface gets the rest."""
 FIRST_POINTS = 500
 """Points that are tried before a radius is tested on all of them."""
 RADII = tuple(0.6 * 2.0 ** (-k / 6) for k in range(30))
@@ -54,7 +54,7 @@ WIDTHS = ((0.3, 1.5), (0.3, 2.5), (0.7, 1.5))
 MARGIN = 0.75
 """Share of the way from the largest eigenvalue to 1: the norm has to fall below it in a stride."""
 STRIDES = 2
-"""After which the norm is looked at: the first may raise it for a start whose height is far off."""
+"""Strides after which the norm is compared: the first may raise it for a start whose height is far off."""
 TOLERANCE = 1e-5
 """Relative tolerance of a step, as of maps and volumes."""
 CHOICES = ("tested", "none")

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     import xarray
 
 MATCHED = 1e-8
-"""Over its size: a quantity as near to the reference's is held."""
+"""Largest relative deviation of a quantity that counts as held."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class NotHeld:
     """A quantity that a runner could not be given."""
 
     runner: int
-    """Its number; the reference is 0."""
+    """Number of the runner; the reference is 0."""
     quantity: str
     """Name of the quantity."""
     wanted: float

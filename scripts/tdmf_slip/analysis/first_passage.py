@@ -58,7 +58,7 @@ class FirstPassage:
     falls: int
     """Number of runners that fell."""
     strides: int
-    """Begun by all, those that end in a fall included."""
+    """Strides that all runners began, including those that end in a fall."""
     stopped: int = 0
     """Runners that came to stand, so that no further stride closed; they count as censored there."""
     unsolved: int = 0
@@ -81,7 +81,7 @@ class FirstPassage:
 
     @property
     def mean_strides(self) -> float:
-        """Until the fall, the stride that ends in it included; infinite where none fell."""
+        """Mean number of strides until the fall, including the one that ends in it; infinite if none fell."""
         return self.strides / self.falls if self.falls else math.inf
 
     @property
@@ -107,7 +107,7 @@ class FirstPassage:
         return 1.0 if self.mean_strides == 1.0 else end(0.5), end(2.0)
 
     def _likelihood(self, mean: float) -> float:
-        """Its logarithm: each stride is a trial that ends in a fall with probability 1/mean."""
+        """Logarithm of the likelihood: each stride is a trial that ends in a fall with probability 1/mean."""
         if mean <= 1.0:
             return 0.0 if self.falls == self.strides else -math.inf
         return (self.strides - self.falls) * math.log1p(-1.0 / mean) - self.falls * math.log(mean)

@@ -51,11 +51,11 @@ PROMISING, MAX_TRIED = 12, 48
 ITERATIONS, SHORTENINGS, GAIN = 20, 6, 0.9
 """Steps of each, lengths at which a step is tried, and the share of the residual that it may leave."""
 APART = 1e-2
-"""Over the scales: a point as near to one that was tried is not tried."""
+"""Distance, over the scales, within which a point near a tried one is not tried."""
 SAME = 1e-6
-"""Over the scales: gaits as near are one."""
+"""Largest distance of gaits that count as one, over the scales."""
 SETTLED = 1e-4
-"""Over the scales: a stride that comes back as near is next to a gait."""
+"""Distance, over the scales, to which a stride returns next to a gait."""
 HEIGHTS, SPEEDS, ANGLES = (0.7, 1.3), (0.05, 3.0), (-1.2, 1.5)
 """Least and largest height in l0, of low apexes; speed in l0 sqrt(k/m); angle of the leg in rad."""
 RISE = 0.6
@@ -184,11 +184,11 @@ class _Found:
 
     @property
     def stable(self) -> int:
-        """How many of them are."""
+        """Number of stable gaits."""
         return sum(gait.stable for gait in self.gaits)
 
     def try_from(self, apex: NDArray[np.float64]) -> None:
-        """Once more, unless a point near this one was tried or is a gait's."""
+        """Search from a point, unless a point near it was tried or belongs to a gait."""
         _, steps, _ = self.work.done()
         if (
             len(self._tried) >= MAX_TRIED

@@ -35,9 +35,9 @@ AT_ONCE = 8
 BEGINNINGS, LOOKS = 3, 6
 """Beginnings of a runner that falls, and further looks after the last of them."""
 SETTLED = 1e-3
-"""Over the scales: a stride that comes back as near is next to a gait."""
+"""Distance, over the scales, to which a stride returns next to a gait."""
 TAKEN_IN = 0.5
-"""Over the widths of the box: a neighbour that is farther is none to begin from."""
+"""Largest distance of a neighbour to begin from, over the widths of the box."""
 SIGMA = 4.0
 """Factor of the share of points near one. From 4 on, the number of searches stays finite."""
 

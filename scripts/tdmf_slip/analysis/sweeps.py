@@ -122,10 +122,10 @@ class Sweep(NamedTuple):
     """Gaits over a grid, and the borders between their words."""
 
     gaits: xarray.Dataset
-    """Over the varied names, in the order asked for: quantities, apex, eigenvalues and word of each gait."""
+    """Quantities, apex, eigenvalues and word of each gait, over the varied names in the order asked for."""
     borders: xarray.Dataset
-    """Over `border`: the values of the varied names where the word changes, and the words `before` and
-    `after`, in the order of the range."""
+    """Values of the varied names where the word changes, and the words `before` and `after` in the order of
+    the range, over `border`."""
 
     def _repr_html_(self) -> str:
         """Both datasets as boxes for a notebook."""

@@ -21,7 +21,7 @@ LONGEST_CELL = 100
 DECIMAL_COMMA = re.compile(r"([+-]?\d*),(\d+)([^.]*)$")
 DECIMAL_POINT = re.compile(r"[+-]?\d*\.\d*(e[+-]?\d+)?( .*)?$", re.IGNORECASE)
 SEPARATORS = {",": ",", ";": ";", "\t": "a tabulator"}
-"""Between cells, and how messages name them; the first that the header has, for it has no decimal comma."""
+"""Separators of cells, and their names in messages. The first one in a header counts: it has no numbers."""
 
 
 def cells_of(lines: Iterable[tuple[int, str]], where: str) -> list[tuple[int, list[str]]]:

@@ -58,7 +58,7 @@ class Profile:
         covariance: NDArray[np.float64],
         rise: float,
     ) -> None:
-        """Around the fit `best`, by its linear covariance and the loss's rise at an interval's end."""
+        """Begin at the fit `best`, with its linear covariance and the loss's rise at an interval's end."""
         self.problem, self.best, self.bounds, self.robust = problem, best, bounds, robust
         self.covariance, self.root = covariance, float(np.sqrt(rise))
         self._apexes = problem.apexes()

@@ -32,7 +32,7 @@ DATA = Path(__file__).parent / "data"
 NOTHING = ("", "nan", "na", "<na>", "nat", "none", "null")
 """Cells that say that nothing was measured, in lower case; upper case counts as well."""
 SMALLEST_ERROR = 1e-12
-"""Over the value, or over `MINIMUM` where that is less: it is beyond what a gait is computed to."""
+"""Smallest error over the value, or over `MINIMUM` if that is larger; gaits are no more accurate."""
 COMMENT = "#"
 """Lines that begin with it are skipped: they say where the data come from."""
 
@@ -44,7 +44,7 @@ class Measured:
     value: float
     """Measured value in the quantity's unit."""
     error: float
-    """Its standard error, in the same unit."""
+    """Standard error, in the same unit."""
 
 
 Row = Mapping[str, Measured]

@@ -142,7 +142,7 @@ class Estimate:
     """A parameter that was fitted."""
 
     label: str
-    """Its name, with the number of its row, from 1, where each row has its own."""
+    """Name of the parameter, with the number of its row, from 1, where each row has its own."""
     name: str
     """The parameter's own name."""
     value: float
@@ -170,7 +170,7 @@ class Residual:
     measured: float
     """Value that was measured."""
     error: float
-    """Its standard error."""
+    """Standard error of the measured value."""
     fitted: float
     """Value of the fitted gait."""
 

@@ -227,7 +227,7 @@ class Batch(Given):
     _stepping: Session | None = None
 
     def __getstate__(self) -> dict[str, Any]:
-        """Without what is under way, whose memory belongs to this object."""
+        """State without strides under way, whose memory belongs to this object."""
         return {**super().__getstate__(), "_stepping": None}
 
     # ---- one stride -----------------------------------------------------------------------------------

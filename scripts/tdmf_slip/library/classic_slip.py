@@ -151,7 +151,7 @@ def highest(slip: PageMap, energy: float = ENERGY) -> float:
 
 
 def heights(slip: PageMap, count: int, energy: float = ENERGY) -> NDArray[np.float64]:
-    """So many apex heights, m, from that at which the foot is on the ground to the highest, both left out."""
+    """`count` apex heights, m, between that with the foot on the ground and the highest, both left out."""
     angle, slope = slip.parameters["touchdown_angle"], slip.parameters["slope"]
     low = slip.parameters["free_length"] * (math.cos(angle) + math.sin(angle) * math.tan(slope))
     return np.linspace(low, highest(slip, energy), count + 2)[1:-1]

@@ -23,7 +23,7 @@ SETTLING_STRIDES = 400
 LOOK = 8
 """Strides between two looks at how near to its start a stride comes back."""
 NEAR = 3e-3
-"""Over the scales: after a stride that comes back as near, Newton's method is tried."""
+"""Distance, over the scales, to which a stride has to return before Newton's method is tried."""
 
 
 class Closing:
@@ -39,7 +39,7 @@ class Closing:
         along: Along | None = None,
         scales: NDArray[np.float64] | None = None,
     ) -> None:
-        """So many strides of a runner; `along` names what the gait is differentiated by, too.
+        """Close `strides` strides of a runner; `along` names what the gait is differentiated by, too.
 
         The scales are the runner's own, unless others are given.
         """

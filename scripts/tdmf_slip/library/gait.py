@@ -77,7 +77,7 @@ class Gait:
 
     @property
     def strides(self) -> int:
-        """After how many the gait repeats itself; word, quantities and Jacobian are of all of them."""
+        """Number of strides after which the gait repeats itself. Word, quantities and Jacobian cover all."""
         return 1 + len(self.following)
 
     def __getattr__(self, name: str) -> float:

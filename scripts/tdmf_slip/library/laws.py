@@ -127,7 +127,7 @@ class AffineLaw:
         )
 
     def __getstate__(self) -> dict[str, object]:
-        """Without what the library takes, which holds addresses of this process."""
+        """State without what the library takes, which holds addresses of this process."""
         return {name: value for name, value in self.__dict__.items() if name != "settings"}
 
     def __call__(

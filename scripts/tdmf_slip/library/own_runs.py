@@ -18,7 +18,7 @@ from .returns import RunnerStrides
 EVENT_ROOM = 64
 """Events of a stride that are kept."""
 BETWEEN_EVENTS = "-"
-"""Between the events in the word of a stride."""
+"""Separator of the events in the word of a stride."""
 LONGEST = 1e4
 """Duration of a stride at the most, s, as that of the package's models in units of theirs."""
 SEEDS = 8

@@ -51,8 +51,8 @@ SHORTEST_SHARE = 2.0**-5
 FARTHEST = 0.7
 """How far a gait may be from where it was predicted, over how far it is from the one before."""
 NEAR = 1e-2
-"""Over the scales: a gait as near to where it was predicted is of the branch, if it is on its side of the
-fold."""
+"""Largest distance, over the scales, of a gait from its prediction at which it belongs to the branch, if it
+is on the same side of the fold."""
 DIFFERENCES = (1e-5, 1e-7)
 """Steps of differences over the width of the bounds, along the gaits; the second one where a region is
 narrow."""
@@ -122,15 +122,15 @@ class Spectrum:
     """Sizes of leading eigenvalues."""
 
     sizes: NDArray[np.float64]
-    """The largest first, shape (m,)."""
+    """Sizes, the largest first, shape (m,)."""
     slopes: NDArray[np.float64]
-    """Their changes, in rows, shape (m, d)."""
+    """Gradients of the sizes, in rows, shape (m, d)."""
     positive: NDArray[np.bool_]
     """True for those of positive real eigenvalues, shape (m,)."""
     fold: float
-    """det(I - J)^2."""
+    """Square of det(I - J), which vanishes at a fold."""
     fold_slopes: NDArray[np.float64]
-    """Its changes, shape (d,)."""
+    """Gradient of `fold`, shape (d,)."""
 
     @classmethod
     def none(cls, count: int) -> "Spectrum":
@@ -199,7 +199,7 @@ class Candidate:
     values: NDArray[np.float64]
     """Values of the quantities asked for, shape (q,)."""
     slopes: NDArray[np.float64]
-    """Their gradients, in rows, shape (q, d)."""
+    """Gradients of the quantities, in rows, shape (q, d)."""
     spectrum: Spectrum
     """Sizes of the leading eigenvalues with their gradients; none where they were not asked for."""
 

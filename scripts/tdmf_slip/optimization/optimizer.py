@@ -67,7 +67,7 @@ ACTIVE = 1e-5
 NATURAL = 1e-2
 """Least scale of a quantity, over that of its dimension: of one that is zero, or all but."""
 APART = 1e-2
-"""Over the width of the bounds, and of apices over the scales: optima as near are one."""
+"""Largest distance of optima that count as one, over the width of the bounds; of apices, over the scales."""
 TRIES = 4
 """Shares of the way to a start that are tried: all, a half, and so on."""
 
@@ -91,7 +91,7 @@ class Found:
     remaining_improvement: dict[str, float]
     """Largest decrease of the merit per size of a step, by gait word next to it; zero at an optimum."""
     border: Border | None = None
-    """On which it lies, if on any."""
+    """Border on which the gait lies, if on any."""
     why: str = ""
     """Reason why the search did not reach an optimum; empty where it did."""
 
@@ -180,7 +180,7 @@ class Search:
         return min((best, better), key=merit), region, True
 
     def _open_sides(self, border: Border) -> list[tuple[Candidate, NDArray[np.float64]]]:
-        """Without the side of more merit where it jumps, for it is no better than the border itself."""
+        """Sides of a border, without that of greater merit where it jumps: it is no better than the border."""
         merits = [self.problem.merit(gait) for gait, _ in border.sides]
         return [side for side, merit in zip(border.sides, merits, strict=True) if merit <= min(merits) + MET]
 

@@ -97,7 +97,7 @@ OFF_FOLD = 1e-4
 """Least det(I - J)^2 of a gait that is to keep off folds: the eigenvalue there is 0.99 or so, instead of
 1."""
 MIN_ROOM = 1e-2
-"""Between the largest radius that is asked for and 1, as a scale."""
+"""Least distance, used as a scale, between the largest allowed radius and 1."""
 LITTLE = 1e-3
 """Size of the linear program's box."""
 

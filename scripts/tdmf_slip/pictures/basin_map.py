@@ -103,7 +103,7 @@ def _others(data: "xarray.Dataset") -> dict[str, NDArray[np.bool_]]:
 
 
 def edges_of(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Between values, and as far beyond the outer ones; around a single one."""
+    """Edges midway between values, and as far beyond the outer values; for a single value, around it."""
     if len(values) == 1:
         around: NDArray[np.float64] = values[0] + max(0.05 * abs(values[0]), 0.05) * np.array([-1.0, 1.0])
         return around

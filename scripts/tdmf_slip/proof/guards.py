@@ -50,7 +50,7 @@ class Guard:
         return self.reached(begin, end) is None
 
     def reached(self, begin: arb, end: arb) -> arb | None:
-        """Up to where it is proved to be positive from one time on; None where that is all of it."""
+        """Time to which it is proved to be positive from `begin` on; None if it is positive to `end`."""
         parts, minimum = [(begin, end)], (end - begin) * FINEST
         while parts:
             low, high = parts.pop()

@@ -34,15 +34,15 @@ class Mode:
     sign: int = 0
     """Sign of the foot's velocity in slip."""
     places: bool = False
-    """Off the ground: the hip is in place, else in retract."""
+    """True if, off the ground, the hip is in place; else it is in retract."""
     drives: bool = False
-    """The stance began with the foot ahead and the leg has not been upright yet."""
+    """True if the stance began with the foot ahead, and the leg has not been upright yet."""
     clamped: bool = False
-    """Retract with `hip.swing_clamp`: the servo's torque is negative, so the clamp holds it at 0."""
+    """True in retract with `hip.swing_clamp` if the servo's torque is negative: the clamp holds it at 0."""
     rises: bool = False
-    """Off the ground: an apex is to come."""
+    """True if, off the ground, an apex is to come."""
     thrusts: bool = False
-    """The leg has been compressed most in this stance."""
+    """True once the leg has been compressed most in this stance."""
 
     @property
     def letter(self) -> str:

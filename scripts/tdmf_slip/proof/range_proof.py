@@ -27,21 +27,21 @@ class Subinterval:
     word: str = ""
     """The gait word; empty where it is left undecided."""
     stable: bool | None = None
-    """All gaits are stable, or none; None where neither is proved."""
+    """Whether all gaits are stable: False if none is, None if neither is proved."""
     centre: Sequence[float] = ()
     """The apex that xi is counted from, at the middle of the subinterval, shape (6,)."""
     tilt: Sequence[float] = ()
-    """Its change by the parameter, shape (6,)."""
+    """Change of that apex by the parameter, shape (6,)."""
     box: Sequence[float] = ()
     """Radii of xi in which there is exactly one gait for each value."""
     enclosure: Sequence[float] = ()
-    """Radii of xi that hold it."""
+    """Radii of xi that hold the gait."""
     undecided: str = ""
     """Statement that could not be decided."""
 
     @property
     def proved(self) -> bool:
-        """There is exactly one gait, with this word, for each value."""
+        """Whether there is exactly one gait, with this word, for each value."""
         return bool(self.word)
 
     def middle(self) -> arb:
