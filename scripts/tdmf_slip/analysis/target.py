@@ -44,7 +44,7 @@ NONE = 1e-6
 DESCENT_ITERATIONS, LOOK_AHEAD = 30, 8
 """Steps of the search for the nearest gait, and of a look whether a further parameter helps."""
 LONGEST_STEPS = (0.3, 0.03)
-"""Longest steps over the scales of apex and parameters. Each is tried, as they may lead to different gaits."""
+"""Longest steps over the scales of apex and parameters; each is tried, as they may lead elsewhere."""
 MIN_DAMPING, MAX_DAMPING = 1e-9, 1e2
 LITTLE = 1e-3
 """Share of the gap by which a step has to reduce it for another step to be worth it."""

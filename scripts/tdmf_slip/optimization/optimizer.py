@@ -180,7 +180,7 @@ class Search:
         return min((best, better), key=merit), region, True
 
     def _open_sides(self, border: Border) -> list[tuple[Candidate, NDArray[np.float64]]]:
-        """Sides of a border, without that of greater merit where it jumps: it is no better than the border."""
+        """Sides of a border, without that of greater merit where it jumps: the border itself is as good."""
         merits = [self.problem.merit(gait) for gait, _ in border.sides]
         return [side for side, merit in zip(border.sides, merits, strict=True) if merit <= min(merits) + MET]
 
