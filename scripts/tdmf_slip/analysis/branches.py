@@ -176,7 +176,8 @@ def continue_branch(
     ('end of the range', ['word border', 'word border', 'word border'])
     """
     given, runner = runner, Runner(runner, model=model)
-    known = given if isinstance(given, Gait) and given.runner == runner else None  # else of another model
+    # A gait of another model than the one that is asked for is not on the branch.
+    known = given if isinstance(given, Gait) and given.runner == runner else None
     allowed = "both ends of a range, by the name of one parameter or input"
     ((name, (begin, end)),) = ranges_varied(vary, {1}, allowed, runner.model).items()
     switch = checked_flag("switch", switch)

@@ -54,7 +54,7 @@ class Answer:
         if further and not as_json:
             print(further)
         if self.failure is not None:
-            sys.stdout.flush()  # what was found stands before the message
+            sys.stdout.flush()  # the answer is printed before the message
             raise self.failure
 
 
@@ -147,7 +147,7 @@ class Command(click.Command):
         try:
             values, _, given = self.make_parser(ctx).parse_args(args=list(args))
         except click.UsageError as problem:
-            problem.ctx = problem.ctx or ctx  # click forgets in some whose help is to be read
+            problem.ctx = problem.ctx or ctx  # click leaves it out of some errors
             raise
         for option in (one for one in given if isinstance(one, click.Option)):
             is_single = not option.multiple and not option.is_flag

@@ -105,7 +105,7 @@ def main(arguments: list[str] | None = None) -> int:
         sys.stdout.flush()
         return status
     except click.exceptions.Abort:
-        interrupts.ignored()  # what Python does at its end is not interrupted again
+        interrupts.ignored()  # a second interrupt does not disturb Python's shutdown
         return _complain("interrupted", 130)
     except click.exceptions.NoArgsIsHelpError as problem:
         print(problem.format_message(), file=sys.stderr)

@@ -41,7 +41,7 @@ def eigenvalues(matrix: arb_mat, rank: int) -> list[acb]:
         discs = acb_mat(matrix).eig(multiple=True)
     except ValueError:
         return [acb("nan")] * size
-    if sum(disc.contains(0) for disc in discs) == size - rank:  # so many vanish, and they are in these
+    if sum(disc.contains(0) for disc in discs) == size - rank:  # these hold the eigenvalues that vanish
         discs = [acb(0) if disc.contains(0) else disc for disc in discs]
     real = [_real_if_alone(disc, k, discs) for k, disc in enumerate(discs)]
     return sorted(real, key=lambda disc: -float(abs(disc).mid()))
