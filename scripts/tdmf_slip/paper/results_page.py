@@ -69,7 +69,7 @@ def _read(cell: Any) -> Any:
 
 @dataclass(frozen=True, eq=False)
 class OwnClaims:
-    """This project's claims with their values at one seed."""
+    """Claims of this project with their values at one seed."""
 
     seed: int
     """Seed of the random numbers."""
