@@ -35,27 +35,27 @@ typedef struct {
  */
 TDMF_API tdmf_refusal tdmf_start(tdmf_system system, tdmf_motion *motion);
 
-/* Writes the values of all guards in the present mode. Those of a fallen run are 1; in a contact or phase
- * that there is not, none is a number. */
+/* Writes the values of all guards in the present mode. Those of a fallen run are 1. All are NaN if the
+ * contact or phase is invalid. */
 TDMF_API void tdmf_guards(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                           double guards[TDMF_GUARD_COUNT]);
 
-/* The guard by which tdmf_resolve takes its next transition; TDMF_GUARD_COUNT where none is due, or where
- * contact or phase are none. */
+/* The guard by which tdmf_resolve takes its next transition; TDMF_GUARD_COUNT if none is due, or if the
+ * contact or phase is invalid. */
 TDMF_API tdmf_guard tdmf_first_due(tdmf_system system, const tdmf_mode *mode,
                                    const double state[TDMF_STATE_COUNT]);
 
 /* Takes every transition that is due at motion->time, in order, until no guard is at or below zero. Goes by
  * the guards' values alone, so it may be called at any time: at an event, after an input jumped, or with
  * nothing due. A chain that would not end (none is known) is cut after TDMF_CHAIN_LIMIT links and reported.
- * Of a contact or phase that there is not, nothing is changed, and it is reported as unresolved. */
+ * If the contact or phase is invalid, nothing is changed, and the chain is reported as unresolved. */
 TDMF_API tdmf_resolution tdmf_resolve(tdmf_system system, tdmf_motion *motion);
 
 /* No chain has more transitions at one instant. */
 enum { TDMF_CHAIN_LIMIT = 64 };
 
-/* Notes the ground force of this instant, for the stride's peak. tdmf_resolve does so by itself; whoever is
- * about to change an input in mid-stance calls it first, so that a rising force is not lost. */
+/* Records the ground force of this instant for the stride's peak. tdmf_resolve does so itself. Call it before
+ * you change an input in mid-stance, so that a rising force is not lost. */
 TDMF_API void tdmf_observe(tdmf_system system, tdmf_motion *motion);
 
 #ifdef __cplusplus

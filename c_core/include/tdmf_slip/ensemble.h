@@ -200,7 +200,7 @@ typedef struct {
     double damper_loss, friction_loss, impact_loss; /* J, what each took */
 } tdmf_ensemble_end;
 
-/* Work done in a run, for whoever wants to know. */
+/* Work done in a run. */
 typedef struct {
     int64_t strides, events; /* of all runners */
     int64_t steps;           /* of runners */
@@ -247,8 +247,8 @@ typedef struct {
     int threads;                                  /* so many work at once */
 } tdmf_stride_batch;
 
-/* Makes strides side by side in lanes. Each result is that of tdmf_return_map or tdmf_measured_return_map,
- * whoever its neighbours are and however many threads there are. The solver's counters stay as they are.
+/* Makes strides side by side in lanes. Each result is that of tdmf_return_map or tdmf_measured_return_map. It
+ * depends neither on its neighbours nor on the number of threads. The solver's counters stay as they are.
  *
  * Returns false without memory, or if an array is NULL, a number is below 0 or there is no thread. */
 TDMF_API bool tdmf_run_strides(const tdmf_solver *solver, const tdmf_stride_batch *batch,
@@ -258,12 +258,12 @@ TDMF_API bool tdmf_run_strides(const tdmf_solver *solver, const tdmf_stride_batc
  * Normal with mean 0 and standard deviation 1, and the same bits on every machine. */
 TDMF_API double tdmf_ground_step(uint64_t seed, uint64_t runner, uint32_t stride);
 
-/* The logarithm of a stride's friction over what it is drawn about, over its spread: as the step, drawn by
- * itself. */
+/* The logarithm of the ratio of a stride's friction to the friction about which it is drawn, divided by the
+ * spread. It has the distribution of tdmf_ground_step and is independent of it. */
 TDMF_API double tdmf_friction_deviate(uint64_t seed, uint64_t runner, uint32_t stride);
 
-/* The noise of a sensor, over its standard deviation, in a coordinate of the section: as the step, and drawn
- * by itself where the seeds are the same. */
+/* The noise of a sensor in a coordinate of the section, divided by its standard deviation. It has the
+ * distribution of tdmf_ground_step and is independent of it, also if the seeds are the same. */
 TDMF_API double tdmf_sensor_noise(uint64_t seed, uint64_t runner, uint32_t stride, int coordinate);
 
 /* Whether this processor and this build have them. */

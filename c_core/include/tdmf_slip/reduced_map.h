@@ -1,9 +1,9 @@
-/* The reduced map: from one apex to the next with the leg placed in flight as if by itself, so that an apex
- * is the height and the speed of the centre of mass alone.
+/* The reduced map: from one apex to the next with the leg placed ideally in flight, so that an apex has two
+ * coordinates, the height and the speed of the centre of mass.
  *
  * The foot comes down with r = l0, rdot = 0, theta = theta0 - omega t, thetadot = -omega, at t after the
- * apex. Impact and stance are those of the full model, up to where the stance law loads the foot no more;
- * from there the centre of mass flies to the next apex, and what is left in the leg is lost.
+ * apex. Impact and stance are those of the full model, until the stance law no longer loads the foot. From
+ * there the centre of mass flies to the next apex, and the energy left in the leg is lost.
  *
  * The map does not depend on hip.kp, hip.kd, hip.liftoff_angle_factor and hip.swing_clamp, because these only
  * move the leg in flight. */

@@ -28,7 +28,7 @@ typedef struct {
     double state[TDMF_STATE_COUNT]; /* before */
 } tdmf_event;
 
-/* Where events are noted, for whoever wants to see them; those beyond the capacity are only counted. */
+/* Log of events. Those beyond its capacity are only counted. */
 enum { TDMF_EVENT_CAPACITY = 32 };
 typedef struct {
     int count;                              /* of all events, noted or not; 0 to begin with */
@@ -55,7 +55,7 @@ typedef struct {
     /* Leaves out of the record what nothing else depends on: the hip's positive work and the peaks of the
      * ground force, which stay as they are. Not so where variations are carried along. */
     bool without_peaks_and_positive_work;
-    /* Work done so far, for whoever wants to know. */
+    /* Work done so far. */
     int64_t steps, events;
     int64_t strides;     /* closed; of the reduced map stances */
     int64_t evaluations; /* of the right-hand side, or of a coefficient of its series */
@@ -83,11 +83,13 @@ TDMF_API tdmf_solver tdmf_solver_default(void);
 
 /* Integrates `motion` up to `until`, taking every event on the way. `inputs` are those at motion->time,
  * `rates` how fast they change, NULL where they are held. On every outcome the motion is valid and stands
- * where the solver got to. A fallen run stays as it is. Refused, with nothing touched, are a tolerance out of
- * range, inputs that are or will be, rates that are not finite, a rate other than 0 of an input that changes
- * at events only, a time before the present one or not a number, a state that is not finite, a contact or
- * phase that there is not or that do not go together, a log that counts less than 0, and any pointer that is
- * NULL but `rates`. */
+ * where the solver got to. A fallen run stays as it is. Refused, with nothing touched, are
+ *
+ *   - a tolerance out of range, and inputs that are out of range or leave it by their rates;
+ *   - rates that are not finite, and a rate other than 0 of an input that changes at events only;
+ *   - a time that is NaN or before the present one, and a state that is not finite;
+ *   - a contact or phase that is invalid, and two that exclude each other;
+ *   - a log that counts less than 0, and any pointer other than `rates` that is NULL. */
 TDMF_API tdmf_outcome tdmf_native_advance(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
                                           double until, tdmf_motion *motion);
 

@@ -1,4 +1,4 @@
-/* What a stride is told by: its quantities, and the apex at which it closes. */
+/* The quantities of a stride, and the apex at which it closes. */
 #ifndef TDMF_SLIP_STRIDE_H
 #define TDMF_SLIP_STRIDE_H
 

@@ -1,9 +1,9 @@
 /* TDMF-SLIP: a legged runner whose foot can slip. This header brings in the whole core;
  * ensemble.h and cvode.h belong to libraries beside it.
  *
- * No pointer may be NULL but those whose function says so. An array of no elements may be. Functions that
- * return an outcome, a refusal or whether they succeeded refuse NULL; those that compute something of an
- * instant do not look, and give what is not a number for a contact or phase that there is not. */
+ * No pointer may be NULL unless its function says so. An array without elements may be NULL. Functions that
+ * return an outcome, a refusal or whether they succeeded refuse NULL. Functions that evaluate an instant do
+ * not check, and give NaN if the contact or phase is invalid. */
 #ifndef TDMF_SLIP_TDMF_SLIP_H
 #define TDMF_SLIP_TDMF_SLIP_H
 
