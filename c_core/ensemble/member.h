@@ -29,7 +29,8 @@ typedef struct {
 runner_states tdmf_member_states(const tdmf_member *member);
 void tdmf_set_member_states(const tdmf_member *member, const runner_states *x);
 
-/* Whether the plain page has all that acts on a runner, whatever is set at its apices. */
+/* Whether the plain page has the mode of a runner's checkpoint and all that acts on it, whatever is set at
+ * its apices. */
 bool tdmf_member_is_plain(const tdmf_ensemble *ensemble, int64_t index);
 
 /* Begins at an apex: the start of a runner, or its checkpoint. False where there is nothing to run: `end`
