@@ -304,6 +304,8 @@ def test_what_cannot_be_found_is_said(runner):
         find_gait(runner.replace({FRICTION: 0.0}))
     with pytest.raises(InputError, match="shape"):
         find_gait(runner, guess=[1.0, 2.0])
+    with pytest.raises(InputError, match=r"guess = .*finite"):
+        find_gait(runner, guess=[float("nan")] * 6)
     with pytest.raises(InputError, match="nosuch"):
         periodic_gait(runner, along="nosuch")
     with pytest.raises(InputError, match="nosuch"):

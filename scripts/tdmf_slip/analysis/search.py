@@ -19,7 +19,7 @@ from ..library.gait import Gait
 from ..library.members import check_comes_down
 from ..library.return_map import Along
 from ..library.runner import Runner
-from ..library.section import Apex
+from ..library.section import Apex, checked_apex
 from ..library.shared_steps import SharedSteps, search_under_way, shares_steps
 from ..numerics.newton import solve
 from ..variables.parameters import RunnerLike
@@ -227,7 +227,10 @@ def periodic_gait(
     """The gait of `find_gait` without a target, differentiated along a parameter too where that is wanted."""
     runner = Runner(runner, model=model)
     if guess is not None:
-        return gait_near(runner, guess, along=along)
+        apex = checked_apex(guess, runner.coordinates)
+        if not np.isfinite(apex).all():
+            raise InputError(f"guess = {apex.tolist()} is not allowed; allowed: finite numbers")
+        return gait_near(runner, apex, along=along)
     check_comes_down(runner)
     try:
         return settled_gait(runner, along=along)
