@@ -14,7 +14,9 @@ from ..analysis.branches import (
 )
 from ..analysis.curves import Curve, continue_curves, curves_in
 from ..analysis.special_points import Special
+from ..checks import near_matches, shown
 from ..errors import InputError
+from ..library.quantities import reported_quantities
 from ..library.runner import Runner
 from ..terminal.text import headed, table
 from ..variables.display_units import DisplayUnits
@@ -72,6 +74,12 @@ def continue_command(
         if output is not None:
             raise InputError("--output: curves over two parameters have no file; allowed: with one --vary")
         return _curves(runner, spans, max_points, display)
+    names = (*runner.coordinates, *reported_quantities(runner.reduced), "lambda_max")
+    if quantity not in names:
+        raise InputError(
+            f"--quantity {shown(quantity)} is not allowed{near_matches(quantity, names)}; "
+            f"allowed: {', '.join(names)}"
+        )
     if output is not None:
         from ..files.resume import refuse_resumable  # xarray is slow to load
 
