@@ -196,8 +196,8 @@ class Instants:
         if crosses is not False:
             about = f"Whether {event_name} has to cross zero."
             row["is_crossing"] = add(f"crosses_{of}", "answer", answer_in_c(crosses), about)
-        if all(page.modes[next_key[0]].ends for next_key in next_keys):
-            row["ends"] = "true"
+        if event.closely or all(page.modes[next_key[0]].ends for next_key in next_keys):
+            row["looks_again"] = "true"
         forget_expressions()
         d_guard, taken = InstantVariation().of(page.guard(key, event_name)), {}
         body = statements([d_guard], taken, set()) + f"    return {c_text(d_guard, taken.get)};\n"

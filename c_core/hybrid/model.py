@@ -68,12 +68,14 @@ def coordinates(name):
     return _marked(gives_coordinates=name)
 
 
-def event(modes, when=None, unit="1", only=None, crossing=None, counted=True, **words):
+def event(modes, when=None, unit="1", only=None, crossing=None, counted=True, closely=False, **words):
     """Mark the decision at an event, which is due where `when` falls through 0 or a mode begins below 0.
 
     `words` restrict the event to some cases of the modes. If `only` does not hold where a mode begins, the
     event is not watched there. If `crossing` holds, `when` must cross 0. The function returns the model after
-    the event. `leaving` receives 1 if the event is `counted`, else 0; bookkeeping is not counted.
+    the event. `leaving` receives 1 if the event is `counted`, else 0; bookkeeping is not counted. A long step
+    errs by the tolerance: an event that is located `closely`, as one that ends a run is, is taken only where
+    a step that begins close to it finds it, too.
     """
     case = {word: value if isinstance(value, tuple) else (value,) for word, value in words.items()}
     modes = _words(modes, "event")
@@ -82,7 +84,7 @@ def event(modes, when=None, unit="1", only=None, crossing=None, counted=True, **
             text = f"is given {name}={given!r}; it takes a function of the model, such as lambda m: m.height"
             raise page_error(caller(), "event", text)
     marks = {"when": when, "unit": unit, "only": only, "crossing": crossing, "counted": counted, "case": case}
-    return _marked(is_event=True, modes=modes, **marks)
+    return _marked(is_event=True, modes=modes, closely=closely, **marks)
 
 
 def on_set(names):

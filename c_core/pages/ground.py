@@ -72,7 +72,8 @@ class Ground(Model):
     def segment_towards(r, way):
         """The segment that the foot would slip into, in a direction: on a border the one that it enters."""
         x = r.foot().x + way * r.margin_of("m")
-        return r.segment + select(x > r.segment_end, 1, 0) - select(x < r.segment_begin, 1, 0)
+        ends, begins = select(r.segment_end < FAR, 1, 0), select(r.segment_begin > -FAR, 1, 0)
+        return r.segment + ends * select(x > r.segment_end, 1, 0) - begins * select(x < r.segment_begin, 1, 0)
 
     def neighbours(r):
         """Friction that the foot would slip into, forward and backward; it differs on a border."""

@@ -243,7 +243,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         return now > 0 or soon > 0
 
     @event("flight", when=lambda r: -r.foot_above(r.set_height(), r.set_slope()), unit="m",
-           only=lambda r: r.line_waits())
+           closely=True, only=lambda r: r.line_waits())
     def new_ground(r):
         """The foot is above the pending ground line, which comes into force."""
         return r.replace(height=r.set_height(), slope=r.set_slope())

@@ -163,7 +163,6 @@ static void read_ground(const tdmf_model *model, const tdmf_motion *motion, runn
     const double begin = has_patch ? p->patch_begin : far_away, end = has_patch ? p->patch_end : far_away;
     const tdmf_zone zone = way != 0.0 ? mode->zone : tdmf_zone_towards(model, foot_x, 1.0);
     const tdmf_zone behind = way != 0.0 ? mode->zone : tdmf_zone_towards(model, foot_x, -1.0);
-    x->height = 0.0;
     x->slope = mode->ground.slope;
     x->segment = zone;
     x->segment_begin = zone == TDMF_ZONE_BEFORE ? -far_away : zone == TDMF_ZONE_PATCH ? begin : end;
@@ -236,7 +235,7 @@ static void write_mode(tdmf_system system, const tdmf_page_point *point, int las
     tdmf_inputs inputs = *system.inputs;
     inputs.leg.extension = x->extension;
     mode->contact = contact_of(at, x->way);
-    if (x->height != 0.0 || mode->ground.slope != x->slope) {
+    if (x->height != mode->ground.height - point->base || mode->ground.slope != x->slope) {
         mode->ground = line_in_force(system, point);
     }
     if (tdmf_is_loaded(mode)) {
@@ -264,10 +263,19 @@ static double work_of_jump(tdmf_system system, const tdmf_motion *motion) {
                            : tdmf_work_of_change(system.model, motion->state[TDMF_LEG_LENGTH], before, after);
 }
 
+/* The page counts heights from the line in force. From one that is far from the foot, the foot's height would
+ * lose digits. */
+static double base_of(const tdmf_motion *motion) {
+    const double height = motion->mode.ground.height, foot = motion->state[TDMF_FOOT_Y];
+    const bool is_far = fabs(foot - height) > fabs(foot) + motion->state[TDMF_LEG_LENGTH];
+    return motion->mode.contact == TDMF_CONTACT_FLIGHT && is_far ? 0.0 : height;
+}
+
 tdmf_page_point tdmf_page_of_motion(tdmf_system system, const tdmf_inputs *rates, const tdmf_motion *motion) {
     tdmf_page_point point = {.p = tdmf_page_parameters(&system.model->parameters, system.inputs),
-                             .base = motion->mode.ground.height};
+                             .base = base_of(motion)};
     runner_states *x = &point.x;
+    x->height = motion->mode.ground.height - point.base;
     point.p.ground_height -= point.base;
     point.p.notes_compression = 1.0; /* a thrust may be set after the call */
     tdmf_write_page_inputs(system.inputs, x);

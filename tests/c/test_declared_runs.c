@@ -37,6 +37,8 @@ typedef struct {
     double start_energy;
     double turnover;    /* the largest energy met, J */
     double push_energy; /* the largest product of a push and of the body's place met, J */
+    double body_energy; /* the largest product of the body's momentum and of the speeds that its own is the
+                           sum of: those of the foot and of the leg, J */
 } run;
 
 /* What the sample has met. */
@@ -73,8 +75,18 @@ static double push_energy(const run *run, const tdmf_inputs *inputs) {
            fabs(inputs->body.external_fy) * (fabs(state[TDMF_FOOT_Y]) + length);
 }
 
+static double body_energy(const run *run) {
+    const double *state = run->motion.state;
+    const tdmf_point body = tdmf_body(state);
+    const double of_leg =
+        fabs(state[TDMF_LEG_LENGTH_RATE]) + state[TDMF_LEG_LENGTH] * fabs(state[TDMF_LEG_ANGLE_RATE]);
+    return run->model.parameters.body.mass * hypot(body.vx, body.vy) *
+           (hypot(state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]) + of_leg);
+}
+
 /* Of the last piece of a run, from its first inputs to its last. */
 static void record_energies(run *run, const tdmf_inputs *from) {
+    run->body_energy = fmax(run->body_energy, body_energy(run));
     run->turnover = fmax(run->turnover, largest_energy(run));
     run->push_energy = fmax(run->push_energy, fmax(push_energy(run, from), push_energy(run, &run->inputs)));
 }
@@ -122,13 +134,14 @@ static const char *false_fall(const run *run, tdmf_outcome outcome) {
 }
 
 /* A step errs by the tolerance, in the scales of the runner or of its motion, whichever are larger; an event
- * by the margin of its guard; the work of a push by the rounding of the places that it leads from and to. */
+ * by the margin of its guard; the work of a push by the rounding of the places that it leads from and to; the
+ * speed of a body by the rounding of a light foot's, which may be millions of times as fast. */
 static const char *open_ledger(const run *run) {
     const double scale = run->turnover + run->model.scales.energy +
                          run->model.total_mass * run->model.parameters.gravity * run->model.scales.length;
     const double steps = (double)(run->solver.steps + run->solver.events) + 10.0;
     const double allowed = (10.0 * run->solver.relative_tolerance * steps + ledger_rounding) * scale +
-                           4.0 * DBL_EPSILON * steps * run->push_energy;
+                           4.0 * DBL_EPSILON * steps * (run->push_energy + run->body_energy);
     return fabs(loss_of_ledger(run)) <= allowed ? NULL : "the energy ledger does not close";
 }
 

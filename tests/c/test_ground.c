@@ -111,6 +111,35 @@ TEST(a_foot_below_a_new_step_passes_it_on_its_way_up) {
     assert_close(simulation_event(&run, TDMF_GUARD_TOUCHDOWN)->state[TDMF_FOOT_Y], step, 1e-11);
 }
 
+/* However coarse the steps, it is not below the line that is in force, on which it would land as it rises. */
+TEST(a_foot_that_passes_a_new_step_has_passed_it_at_any_tolerance) {
+    for (int k = 0; k < 60; ++k) {
+        simulation run = run_at_apex(0.0, 0.0);
+        assert_int_equal(simulation_advance(&run, 12.5), TDMF_ARRIVED);
+        run.solver.relative_tolerance = pow(10.0, -2.0 - 0.1 * k);
+        set_line(&run, 0.03, 0.0);
+        assert_int_equal(simulation_advance(&run, 25.0), TDMF_ARRIVED);
+        const tdmf_event *passed = simulation_event(&run, TDMF_GUARD_NEW_GROUND);
+        assert_non_null(passed);
+        assert_true(passed->state[TDMF_FOOT_Y] > 0.03 - 2e-12);
+        assert_close(passed->state[TDMF_FOOT_Y], 0.03, 1e-2 * run.solver.relative_tolerance + 2e-12);
+        assert_int_equal(passed->after.contact, TDMF_CONTACT_FLIGHT);
+    }
+}
+
+TEST(a_line_far_below_takes_no_digits_from_a_foot_in_flight) {
+    simulation run = run_at_apex(0.0, 0.0);
+    const double energy = simulation_energy(&run);
+    const double height = tdmf_center_of_mass(&run.model, run.motion.state).y;
+    set_line(&run, -1e8, 0.01);
+    assert_false(waits(&run));
+    assert_close(simulation_energy(&run), energy, 1e-15);
+    assert_int_equal(simulation_advance(&run, 10.0), TDMF_ARRIVED);
+    assert_close(simulation_ledger_error(&run), 0.0, 1e-13);
+    assert_close(tdmf_center_of_mass(&run.model, run.motion.state).y,
+                 height - 0.5 * run.model.parameters.gravity * 100.0, 1e-13);
+}
+
 /* Never above it, the foot lands on the old ground, fall and section included. */
 TEST(a_foot_that_stays_below_a_new_step_runs_on_the_old_ground) {
     simulation high = run_at_apex(0.0, 0.0), plain = run_at_apex(0.0, 0.0);

@@ -359,6 +359,30 @@ TEST(a_foot_that_is_pushed_on_rests_before_the_border_or_slips_on) {
     assert_true(rested >= 3 && slipped >= 3);
 }
 
+/* ---- no border ------------------------------------------------------------------------------------------
+ */
+
+/* However far a light foot is thrown, on either side of the patch, it meets no further border. */
+TEST(a_foot_that_slips_far_beyond_a_patch_meets_no_border) {
+    static const double places[] = {1e11, -1e11, 3e12, -3e12, 1e15, -1e15};
+    for (size_t i = 0; i < sizeof places / sizeof places[0]; ++i) {
+        const double way = places[i] > 0.0 ? 1.0 : -1.0, speed = way * 0.3;
+        const double state[TDMF_STATE_COUNT] = {[TDMF_FOOT_Y] = 1e-3,
+                                                [TDMF_FOOT_VX] = speed,
+                                                [TDMF_FOOT_VY] = -0.1,
+                                                [TDMF_LEG_LENGTH] = 0.9,
+                                                [TDMF_LEG_ANGLE] = -0.1 * way};
+        simulation at = stand(0.0, 5.0, 0.1, 0.2, state);
+        at.motion.state[TDMF_FOOT_X] = places[i];
+        for (int part = 1; part <= 20; ++part) {
+            assert_int_equal(simulation_advance(&at, 0.5 * part), TDMF_ARRIVED);
+            assert_null(simulation_event(&at, TDMF_GUARD_PATCH_BORDER));
+        }
+        assert_true(at.motion.record.progress.open.touchdowns > 0);
+        assert_true(at.motion.record.event_count < 20);
+    }
+}
+
 /* ---- what is refused ----------------------------------------------------------------------------------- */
 
 TEST(a_patch_that_ends_before_it_begins_is_refused_by_name) {

@@ -683,8 +683,8 @@ static const tdmf_guard_kind guards_flight_down[] = {
         .vary_react = vary_react_flight_down_touchdown, .vary_guard = vary_guard_flight_down_touchdown,
         .next = {MODE_fallen, MODE_slides, MODE_stance}},
     {.event = EVENT_falls, .is_counted = true, .react = react_flight_down_falls,
-        .vary_react = vary_react_flight_down_falls, .ends = true, .vary_guard = vary_guard_flight_down_falls,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_flight_down_falls, .looks_again = true,
+        .vary_guard = vary_guard_flight_down_falls, .next = {MODE_fallen}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_flight_down[] = {
@@ -710,11 +710,11 @@ static const tdmf_guard_kind guards_stance[] = {
         .vary_react = vary_react_stance_leaves_cone, .vary_guard = vary_guard_stance_leaves_cone,
         .next = {MODE_fallen, MODE_flight_up}},
     {.event = EVENT_slides_out, .is_counted = true, .react = react_stance_slides_out,
-        .vary_react = vary_react_stance_take_off, .ends = true, .vary_guard = vary_guard_stance_slides_out,
-        .next = {MODE_slides}},
+        .vary_react = vary_react_stance_take_off, .looks_again = true,
+        .vary_guard = vary_guard_stance_slides_out, .next = {MODE_slides}},
     {.event = EVENT_collapses, .is_counted = true, .react = react_flight_down_falls,
-        .vary_react = vary_react_flight_down_falls, .ends = true, .vary_guard = vary_guard_stance_collapses,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_flight_down_falls, .looks_again = true,
+        .vary_guard = vary_guard_stance_collapses, .next = {MODE_fallen}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_stance[] = {
@@ -724,8 +724,8 @@ static const tdmf_watch_kind watches_stance[] = {
 };
 static const tdmf_guard_kind guards_flight_up[] = {
     {.event = EVENT_falls, .is_counted = true, .react = react_flight_down_falls,
-        .vary_react = vary_react_flight_down_falls, .ends = true, .vary_guard = vary_guard_flight_down_falls,
-        .next = {MODE_fallen}},
+        .vary_react = vary_react_flight_down_falls, .looks_again = true,
+        .vary_guard = vary_guard_flight_down_falls, .next = {MODE_fallen}},
     {.event = EVENT_apex, .is_counted = true, .react = react_flight_up_apex,
         .vary_react = vary_react_flight_up_apex, .vary_guard = vary_guard_flight_up_apex,
         .next = {MODE_flight_down, MODE_no_start}},

@@ -2430,9 +2430,9 @@ static const tdmf_watch_kind watches_start_of_run[] = {
 };
 static const tdmf_guard_kind guards_slip_constant[] = {
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .looks_again = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_react = vary_react_slip_constant_falls, .looks_again = true,
         .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression, .react = react_slip_constant_greatest_compression,
         .vary_react = vary_react_slip_constant_greatest_compression,
@@ -2458,9 +2458,9 @@ static const tdmf_watch_kind watches_slip_constant[] = {
 };
 static const tdmf_guard_kind guards_stick[] = {
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .looks_again = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_react = vary_react_slip_constant_falls, .looks_again = true,
         .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression, .react = react_stick_greatest_compression,
         .vary_react = vary_react_slip_constant_greatest_compression,
@@ -2488,9 +2488,9 @@ static const tdmf_watch_kind watches_stick[] = {
 };
 static const tdmf_guard_kind guards_flight_calm[] = {
     {.event = EVENT_falls, .react = react_flight_calm_falls, .vary_react = vary_react_flight_calm_falls,
-        .ends = true, .vary_guard = vary_guard_flight_calm_falls, .next = {MODE_fallen}},
+        .looks_again = true, .vary_guard = vary_guard_flight_calm_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_flight_calm_falls, .vary_react = vary_react_flight_calm_falls,
-        .ends = true, .vary_guard = vary_guard_flight_calm_collapses, .next = {MODE_fallen}},
+        .looks_again = true, .vary_guard = vary_guard_flight_calm_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex, .is_counted = true, .react = react_flight_calm_apex,
         .vary_react = vary_react_flight_calm_apex, .is_watched = watches_flight_calm_apex,
         .is_crossing = crosses_flight_calm_apex, .vary_guard = vary_guard_flight_calm_apex,
@@ -2520,9 +2520,9 @@ static const tdmf_watch_kind watches_fallen[] = {
 };
 static const tdmf_guard_kind guards_graze[] = {
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .looks_again = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_react = vary_react_slip_constant_falls, .looks_again = true,
         .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex_in_graze, .is_counted = true, .react = react_graze_apex_in_graze,
         .vary_react = vary_react_graze_apex_in_graze, .is_watched = watches_graze_apex_in_graze,

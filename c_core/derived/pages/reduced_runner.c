@@ -3391,7 +3391,7 @@ static const tdmf_watch_kind watches_no_start[] = {
 };
 static const tdmf_guard_kind guards_flight[] = {
     {.event = EVENT_falls, .is_counted = true, .react = react_flight_falls,
-        .vary_react = vary_react_flight_falls, .is_watched = watches_flight_falls, .ends = true,
+        .vary_react = vary_react_flight_falls, .is_watched = watches_flight_falls, .looks_again = true,
         .vary_guard = vary_guard_flight_falls, .next = {MODE_fallen}},
     {.event = EVENT_apex, .is_counted = true, .react = react_flight_apex,
         .vary_react = vary_react_flight_apex, .is_watched = watches_flight_apex,
@@ -3413,10 +3413,10 @@ static const tdmf_watch_kind watches_fallen[] = {
 };
 static const tdmf_guard_kind guards_slip_constant[] = {
     {.event = EVENT_falls, .is_counted = true, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_react = vary_react_slip_constant_falls, .looks_again = true,
         .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .is_counted = true, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_react = vary_react_slip_constant_falls, .looks_again = true,
         .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression, .react = react_slip_constant_greatest_compression,
         .vary_react = vary_react_slip_constant_greatest_compression,
@@ -3444,10 +3444,10 @@ static const tdmf_watch_kind watches_slip_constant[] = {
 };
 static const tdmf_guard_kind guards_stick[] = {
     {.event = EVENT_falls, .is_counted = true, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_react = vary_react_slip_constant_falls, .looks_again = true,
         .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .is_counted = true, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_react = vary_react_slip_constant_falls, .looks_again = true,
         .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression, .react = react_stick_greatest_compression,
         .vary_react = vary_react_slip_constant_greatest_compression,
@@ -3487,10 +3487,10 @@ static const tdmf_watch_kind watches_no_apex[] = {
 };
 static const tdmf_guard_kind guards_slip_falling[] = {
     {.event = EVENT_falls, .is_counted = true, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_react = vary_react_slip_constant_falls, .looks_again = true,
         .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .is_counted = true, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_react = vary_react_slip_constant_falls, .looks_again = true,
         .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression, .react = react_slip_constant_greatest_compression,
         .vary_react = vary_react_slip_constant_greatest_compression,

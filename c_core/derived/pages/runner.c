@@ -187,14 +187,16 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
         const real along = x->seen_vx * cosine + x->seen_vy * sine;
         const real way = select(along >= 0.0, 1.0, -1.0);
         const real way_times_along = way * along;
+        const real ends = select(x->segment_end < 1000000000000.0, 1.0, 0.0);
         const real x_2 = x->seen_x + by_1eminus_12_times_free_length;
-        const real segment_towards = x->segment + select(x_2 > x->segment_end, 1.0, 0.0)
-            - select(x_2 < x->segment_begin, 1.0, 0.0);
+        const real begins = select(x->segment_begin > -1000000000000.0, 1.0, 0.0);
+        const real segment_towards = x->segment + ends * select(x_2 > x->segment_end, 1.0, 0.0)
+            - begins * select(x_2 < x->segment_begin, 1.0, 0.0);
         const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
             segment_towards, select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
         const real sum_2 = x->seen_x - by_1eminus_12_times_free_length;
-        const real sum_3 = x->segment + select(sum_2 > x->segment_end, 1.0, 0.0)
-            - select(sum_2 < x->segment_begin, 1.0, 0.0);
+        const real sum_3 = x->segment + ends * select(sum_2 > x->segment_end, 1.0, 0.0)
+            - begins * select(sum_2 < x->segment_begin, 1.0, 0.0);
         const real friction_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3,
             select(real_abs(sum_3 - 1.0) > 0.0, -1.0, p->patch_friction));
         const real own = select(way > 0.0, friction, friction_2);
@@ -205,8 +207,8 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
         const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
         const real sum_5 = x->seen_x * cosine + seen_y_minus_set_height * sine;
         const real sum_times_cosine_plus_product = sum_5 * cosine + by_1eminus_12_times_free_length * way;
-        const real sum_6 = x->segment + select(sum_times_cosine_plus_product > x->segment_end, 1.0, 0.0)
-            - select(sum_times_cosine_plus_product < x->segment_begin, 1.0, 0.0);
+        const real sum_6 = x->segment + ends * select(sum_times_cosine_plus_product > x->segment_end, 1.0,
+            0.0) - begins * select(sum_times_cosine_plus_product < x->segment_begin, 1.0, 0.0);
         const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
         const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
         const real begin_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_6,
@@ -389,13 +391,15 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
         const real along = x->seen_vx * cosine + x->seen_vy * sine;
         const real way = select(along >= 0.0, 1.0, -1.0);
         const real way_times_along = way * along;
+        const real ends = select(x->segment_end < 1000000000000.0, 1.0, 0.0);
         const real x_2 = x->seen_x + by_1eminus_12_times_free_length;
-        const real segment_towards = x->segment + select(x_2 > x->segment_end, 1.0, 0.0)
-            - select(x_2 < x->segment_begin, 1.0, 0.0);
+        const real begins = select(x->segment_begin > -1000000000000.0, 1.0, 0.0);
+        const real segment_towards = x->segment + ends * select(x_2 > x->segment_end, 1.0, 0.0)
+            - begins * select(x_2 < x->segment_begin, 1.0, 0.0);
         const real abs_of_segment_towards_minus_by_1 = real_abs(segment_towards - 1.0);
         const real sum_3 = x->seen_x - by_1eminus_12_times_free_length;
-        const real sum_4 = x->segment + select(sum_3 > x->segment_end, 1.0, 0.0)
-            - select(sum_3 < x->segment_begin, 1.0, 0.0);
+        const real sum_4 = x->segment + ends * select(sum_3 > x->segment_end, 1.0, 0.0)
+            - begins * select(sum_3 < x->segment_begin, 1.0, 0.0);
         const real abs_of_sum_minus_by_1 = real_abs(sum_4 - 1.0);
         const real own = select(way > 0.0, looked_up(tables, TABLE_ground_segment,
             COLUMN_ground_segment_friction, segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0,
@@ -410,8 +414,8 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
             - d_set_height) * sine + seen_y_minus_set_height * d_sine);
         const real sum_times_cosine_plus_product = (x->seen_x * cosine
             + seen_y_minus_set_height * sine) * cosine + by_1eminus_12_times_free_length * way;
-        const real sum_6 = x->segment + select(sum_times_cosine_plus_product > x->segment_end, 1.0, 0.0)
-            - select(sum_times_cosine_plus_product < x->segment_begin, 1.0, 0.0);
+        const real sum_6 = x->segment + ends * select(sum_times_cosine_plus_product > x->segment_end, 1.0,
+            0.0) - begins * select(sum_times_cosine_plus_product < x->segment_begin, 1.0, 0.0);
         const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
         const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
         const real d_begin_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
@@ -1499,18 +1503,21 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
     const real sine = real_sin(x->slope);
     const real sum_2 = along + foot_mass_times_gravity * sine;
     const real way = select(sum_2 > 0.0, -1.0, 1.0);
+    const real ends = select(x->segment_end < 1000000000000.0, 1.0, 0.0);
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
     const real x_plus_by_1eminus_12_times_free_length = x_2 + by_1eminus_12_times_free_length;
-    const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
-        1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real begins = select(x->segment_begin > -1000000000000.0, 1.0, 0.0);
+    const real segment_towards = x->segment
+        + ends * select(x_plus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0)
+        - begins * select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real friction_ahead_or_friction = select(p->keeps_friction > 0.0, x->friction_ahead,
         looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
         select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction)));
     const real x_minus_by_1eminus_12_times_free_length = x_2 - by_1eminus_12_times_free_length;
-    const real sum_3 = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0,
-        0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real sum_3 = x->segment + ends * select(x_minus_by_1eminus_12_times_free_length > x->segment_end,
+        1.0, 0.0) - begins * select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real friction_behind_or_friction = select(p->keeps_friction > 0.0, x->friction_behind,
         looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3, select(real_abs(sum_3
         - 1.0) > 0.0, -1.0, p->patch_friction)));
@@ -1528,8 +1535,8 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
         return next[0]; /* stick */
     }
     const real x_plus_product = x_2 + by_1eminus_12_times_free_length * way;
-    const real sum_4 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
-        - select(x_plus_product < x->segment_begin, 1.0, 0.0);
+    const real sum_4 = x->segment + ends * select(x_plus_product > x->segment_end, 1.0, 0.0)
+        - begins * select(x_plus_product < x->segment_begin, 1.0, 0.0);
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
     const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_4,
@@ -1570,16 +1577,19 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     const real sine = real_sin(x->slope);
     const real sum_2 = along + foot_mass_times_gravity * sine;
     const real way = select(sum_2 > 0.0, -1.0, 1.0);
+    const real ends = select(x->segment_end < 1000000000000.0, 1.0, 0.0);
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
     const real x_plus_by_1eminus_12_times_free_length = x_2 + by_1eminus_12_times_free_length;
-    const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
-        1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real begins = select(x->segment_begin > -1000000000000.0, 1.0, 0.0);
+    const real segment_towards = x->segment
+        + ends * select(x_plus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0)
+        - begins * select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real abs_of_segment_towards_minus_by_1 = real_abs(segment_towards - 1.0);
     const real x_minus_by_1eminus_12_times_free_length = x_2 - by_1eminus_12_times_free_length;
-    const real sum_3 = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0,
-        0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real sum_3 = x->segment + ends * select(x_minus_by_1eminus_12_times_free_length > x->segment_end,
+        1.0, 0.0) - begins * select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real abs_of_sum_minus_by_1 = real_abs(sum_3 - 1.0);
     const real own = select(way > 0.0, select(p->keeps_friction > 0.0, x->friction_ahead, looked_up(tables,
         TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
@@ -1607,8 +1617,8 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
         return;
     }
     const real x_plus_product = x_2 + by_1eminus_12_times_free_length * way;
-    const real sum_4 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
-        - select(x_plus_product < x->segment_begin, 1.0, 0.0);
+    const real sum_4 = x->segment + ends * select(x_plus_product > x->segment_end, 1.0, 0.0)
+        - begins * select(x_plus_product < x->segment_begin, 1.0, 0.0);
     const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
     const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
     const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
@@ -2510,11 +2520,14 @@ static int react_stick_slips_forward(const real *parameters, const real *states,
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
+    const real ends = select(x->segment_end < 1000000000000.0, 1.0, 0.0);
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real x_plus_by_1eminus_12_times_free_length = x_2 + 1e-12 * p->free_length;
-    const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
-        1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real begins = select(x->segment_begin > -1000000000000.0, 1.0, 0.0);
+    const real segment_towards = x->segment
+        + ends * select(x_plus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0)
+        - begins * select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
     const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
@@ -2542,11 +2555,14 @@ static void vary_react_stick_slips_forward(const real *parameters, const real *s
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
+    const real ends = select(x->segment_end < 1000000000000.0, 1.0, 0.0);
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real x_plus_by_1eminus_12_times_free_length = x_2 + 1e-12 * p->free_length;
-    const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
-        1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real begins = select(x->segment_begin > -1000000000000.0, 1.0, 0.0);
+    const real segment_towards = x->segment
+        + ends * select(x_plus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0)
+        - begins * select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
     const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
     const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
@@ -2622,11 +2638,14 @@ static int react_stick_slips_backward(const real *parameters, const real *states
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
+    const real ends = select(x->segment_end < 1000000000000.0, 1.0, 0.0);
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real x_minus_by_1eminus_12_times_free_length = x_2 - 1e-12 * p->free_length;
-    const real segment_towards = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end,
-        1.0, 0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real begins = select(x->segment_begin > -1000000000000.0, 1.0, 0.0);
+    const real segment_towards = x->segment
+        + ends * select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0)
+        - begins * select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
     const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
@@ -2654,11 +2673,14 @@ static void vary_react_stick_slips_backward(const real *parameters, const real *
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
+    const real ends = select(x->segment_end < 1000000000000.0, 1.0, 0.0);
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real x_minus_by_1eminus_12_times_free_length = x_2 - 1e-12 * p->free_length;
-    const real segment_towards = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end,
-        1.0, 0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real begins = select(x->segment_begin > -1000000000000.0, 1.0, 0.0);
+    const real segment_towards = x->segment
+        + ends * select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0)
+        - begins * select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
     const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
     const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
@@ -3967,17 +3989,19 @@ static int react_flight_calm_touchdown(const real *parameters, const real *state
         + com_vy_minus_share_times_vy * sin_of_slope;
     const real way = select(along >= 0.0, 1.0, -1.0);
     const real way_times_along = way * along;
+    const real ends = select(x->segment_end < 1000000000000.0, 1.0, 0.0);
     const real length_times_sine = x->length * sine;
     const real sum_2 = x->com_x + share * length_times_sine;
     const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
     const real sum_3 = sum_2 + by_1eminus_12_times_free_length;
-    const real segment_towards = x->segment + select(sum_3 > x->segment_end, 1.0, 0.0)
-        - select(sum_3 < x->segment_begin, 1.0, 0.0);
+    const real begins = select(x->segment_begin > -1000000000000.0, 1.0, 0.0);
+    const real segment_towards = x->segment + ends * select(sum_3 > x->segment_end, 1.0, 0.0)
+        - begins * select(sum_3 < x->segment_begin, 1.0, 0.0);
     const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
         segment_towards, select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
     const real sum_4 = sum_2 - by_1eminus_12_times_free_length;
-    const real sum_5 = x->segment + select(sum_4 > x->segment_end, 1.0, 0.0)
-        - select(sum_4 < x->segment_begin, 1.0, 0.0);
+    const real sum_5 = x->segment + ends * select(sum_4 > x->segment_end, 1.0, 0.0)
+        - begins * select(sum_4 < x->segment_begin, 1.0, 0.0);
     const real friction_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_5,
         select(real_abs(sum_5 - 1.0) > 0.0, -1.0, p->patch_friction));
     const real own = select(way > 0.0, friction, friction_2);
@@ -3992,8 +4016,8 @@ static int react_flight_calm_touchdown(const real *parameters, const real *state
         - x->height) * sin_of_slope;
     const real product_plus_product = sum_times_cos_of_slope_plus_product * cos_of_slope
         + by_1eminus_12_times_free_length * way;
-    const real sum_7 = x->segment + select(product_plus_product > x->segment_end, 1.0, 0.0)
-        - select(product_plus_product < x->segment_begin, 1.0, 0.0);
+    const real sum_7 = x->segment + ends * select(product_plus_product > x->segment_end, 1.0, 0.0)
+        - begins * select(product_plus_product < x->segment_begin, 1.0, 0.0);
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
     const real begin_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_7,
@@ -4105,16 +4129,18 @@ static void vary_react_flight_calm_touchdown(const real *parameters, const real 
         + com_vy_minus_share_times_vy * sin_of_slope;
     const real way = select(along >= 0.0, 1.0, -1.0);
     const real way_times_along = way * along;
+    const real ends = select(x->segment_end < 1000000000000.0, 1.0, 0.0);
     const real length_times_sine = x->length * sine;
     const real sum_2 = x->com_x + share * length_times_sine;
     const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
     const real sum_3 = sum_2 + by_1eminus_12_times_free_length;
-    const real segment_towards = x->segment + select(sum_3 > x->segment_end, 1.0, 0.0)
-        - select(sum_3 < x->segment_begin, 1.0, 0.0);
+    const real begins = select(x->segment_begin > -1000000000000.0, 1.0, 0.0);
+    const real segment_towards = x->segment + ends * select(sum_3 > x->segment_end, 1.0, 0.0)
+        - begins * select(sum_3 < x->segment_begin, 1.0, 0.0);
     const real abs_of_segment_towards_minus_by_1 = real_abs(segment_towards - 1.0);
     const real sum_4 = sum_2 - by_1eminus_12_times_free_length;
-    const real sum_5 = x->segment + select(sum_4 > x->segment_end, 1.0, 0.0)
-        - select(sum_4 < x->segment_begin, 1.0, 0.0);
+    const real sum_5 = x->segment + ends * select(sum_4 > x->segment_end, 1.0, 0.0)
+        - begins * select(sum_4 < x->segment_begin, 1.0, 0.0);
     const real abs_of_sum_minus_by_1 = real_abs(sum_5 - 1.0);
     const real own = select(way > 0.0, looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
         segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, -1.0, p->patch_friction)),
@@ -4141,8 +4167,8 @@ static void vary_react_flight_calm_touchdown(const real *parameters, const real 
     const real product_plus_product = (sum_2 * cos_of_slope
         + com_y_minus_share_times_y_minus_height * sin_of_slope) * cos_of_slope
         + by_1eminus_12_times_free_length * way;
-    const real sum_8 = x->segment + select(product_plus_product > x->segment_end, 1.0, 0.0)
-        - select(product_plus_product < x->segment_begin, 1.0, 0.0);
+    const real sum_8 = x->segment + ends * select(product_plus_product > x->segment_end, 1.0, 0.0)
+        - begins * select(product_plus_product < x->segment_begin, 1.0, 0.0);
     const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
     const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
     const real d_begin_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
@@ -5380,18 +5406,21 @@ static int react_graze_graze_to_contact(const real *parameters, const real *stat
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
+    const real ends = select(x->segment_end < 1000000000000.0, 1.0, 0.0);
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
     const real x_plus_by_1eminus_12_times_free_length = x_2 + by_1eminus_12_times_free_length;
-    const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
-        1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real begins = select(x->segment_begin > -1000000000000.0, 1.0, 0.0);
+    const real segment_towards = x->segment
+        + ends * select(x_plus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0)
+        - begins * select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real friction_ahead_or_friction = select(p->keeps_friction > 0.0, x->friction_ahead,
         looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
         select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction)));
     const real x_minus_by_1eminus_12_times_free_length = x_2 - by_1eminus_12_times_free_length;
-    const real sum_2 = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0,
-        0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real sum_2 = x->segment + ends * select(x_minus_by_1eminus_12_times_free_length > x->segment_end,
+        1.0, 0.0) - begins * select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real friction_behind_or_friction = select(p->keeps_friction > 0.0, x->friction_behind,
         looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_2, select(real_abs(sum_2
         - 1.0) > 0.0, -1.0, p->patch_friction)));
@@ -5401,8 +5430,8 @@ static int react_graze_graze_to_contact(const real *parameters, const real *stat
     if (real_abs(x->foot_vx) > 0.0) {
         const real by_1_or_by_minus_1 = select(x->foot_vx > 0.0, 1.0, -1.0);
         const real x_plus_product = x_2 + by_1eminus_12_times_free_length * by_1_or_by_minus_1;
-        const real sum_3 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
-            - select(x_plus_product < x->segment_begin, 1.0, 0.0);
+        const real sum_3 = x->segment + ends * select(x_plus_product > x->segment_end, 1.0, 0.0)
+            - begins * select(x_plus_product < x->segment_begin, 1.0, 0.0);
         const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3,
             select(real_abs(sum_3 - 1.0) > 0.0, -1.0, p->patch_friction));
         y->segment = sum_3;
@@ -5447,8 +5476,8 @@ static int react_graze_graze_to_contact(const real *parameters, const real *stat
         return next[1]; /* stick */
     }
     const real x_plus_product = x_2 + by_1eminus_12_times_free_length * way;
-    const real sum_4 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
-        - select(x_plus_product < x->segment_begin, 1.0, 0.0);
+    const real sum_4 = x->segment + ends * select(x_plus_product > x->segment_end, 1.0, 0.0)
+        - begins * select(x_plus_product < x->segment_begin, 1.0, 0.0);
     const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_4,
         select(real_abs(sum_4 - 1.0) > 0.0, -1.0, p->patch_friction));
     y->segment = sum_4;
@@ -5472,16 +5501,19 @@ static void vary_react_graze_graze_to_contact(const real *parameters, const real
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
+    const real ends = select(x->segment_end < 1000000000000.0, 1.0, 0.0);
     const real cosine = real_cos(x->slope);
     const real x_2 = x->foot_x * cosine;
     const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
     const real x_plus_by_1eminus_12_times_free_length = x_2 + by_1eminus_12_times_free_length;
-    const real segment_towards = x->segment + select(x_plus_by_1eminus_12_times_free_length > x->segment_end,
-        1.0, 0.0) - select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real begins = select(x->segment_begin > -1000000000000.0, 1.0, 0.0);
+    const real segment_towards = x->segment
+        + ends * select(x_plus_by_1eminus_12_times_free_length > x->segment_end, 1.0, 0.0)
+        - begins * select(x_plus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real abs_of_segment_towards_minus_by_1 = real_abs(segment_towards - 1.0);
     const real x_minus_by_1eminus_12_times_free_length = x_2 - by_1eminus_12_times_free_length;
-    const real sum_2 = x->segment + select(x_minus_by_1eminus_12_times_free_length > x->segment_end, 1.0,
-        0.0) - select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
+    const real sum_2 = x->segment + ends * select(x_minus_by_1eminus_12_times_free_length > x->segment_end,
+        1.0, 0.0) - begins * select(x_minus_by_1eminus_12_times_free_length < x->segment_begin, 1.0, 0.0);
     const real abs_of_sum_minus_by_1 = real_abs(sum_2 - 1.0);
     const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
     const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
@@ -5495,8 +5527,8 @@ static void vary_react_graze_graze_to_contact(const real *parameters, const real
     if (real_abs(x->foot_vx) > 0.0) {
         const real x_plus_product = x_2 + by_1eminus_12_times_free_length * select(x->foot_vx > 0.0, 1.0,
             -1.0);
-        const real sum_3 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
-            - select(x_plus_product < x->segment_begin, 1.0, 0.0);
+        const real sum_3 = x->segment + ends * select(x_plus_product > x->segment_end, 1.0, 0.0)
+            - begins * select(x_plus_product < x->segment_begin, 1.0, 0.0);
         const real d_friction = variation_looked_up(tables, TABLE_ground_segment,
             COLUMN_ground_segment_friction, seed, sum_3, select(real_abs(sum_3 - 1.0) > 0.0, 0.0,
             dp->patch_friction));
@@ -5549,8 +5581,8 @@ static void vary_react_graze_graze_to_contact(const real *parameters, const real
         return;
     }
     const real x_plus_product = x_2 + by_1eminus_12_times_free_length * way;
-    const real sum_4 = x->segment + select(x_plus_product > x->segment_end, 1.0, 0.0)
-        - select(x_plus_product < x->segment_begin, 1.0, 0.0);
+    const real sum_4 = x->segment + ends * select(x_plus_product > x->segment_end, 1.0, 0.0)
+        - begins * select(x_plus_product < x->segment_begin, 1.0, 0.0);
     const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
         seed, sum_4, select(real_abs(sum_4 - 1.0) > 0.0, 0.0, dp->patch_friction));
     y->segment = dx->segment;
@@ -7303,9 +7335,9 @@ static const tdmf_guard_kind guards_slip_constant[] = {
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
         .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_slip_constant}},
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .looks_again = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_react = vary_react_slip_constant_falls, .looks_again = true,
         .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression, .react = react_slip_constant_greatest_compression,
         .vary_react = vary_react_slip_constant_greatest_compression,
@@ -7342,9 +7374,9 @@ static const tdmf_guard_kind guards_stick[] = {
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
         .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_stick}},
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .looks_again = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_react = vary_react_slip_constant_falls, .looks_again = true,
         .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression, .react = react_stick_greatest_compression,
         .vary_react = vary_react_slip_constant_greatest_compression,
@@ -7390,11 +7422,11 @@ static const tdmf_guard_kind guards_flight_calm[] = {
         .vary_guard = vary_guard_start_of_run_begins, .next = {MODE_flight_pushed}},
     {.event = EVENT_new_ground, .is_counted = true, .react = react_flight_calm_new_ground,
         .vary_react = vary_react_flight_calm_new_ground, .is_watched = watches_flight_calm_new_ground,
-        .vary_guard = vary_guard_flight_calm_new_ground, .next = {MODE_flight_calm}},
+        .looks_again = true, .vary_guard = vary_guard_flight_calm_new_ground, .next = {MODE_flight_calm}},
     {.event = EVENT_falls, .react = react_flight_calm_falls, .vary_react = vary_react_flight_calm_falls,
-        .ends = true, .vary_guard = vary_guard_flight_calm_falls, .next = {MODE_fallen}},
+        .looks_again = true, .vary_guard = vary_guard_flight_calm_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_flight_calm_falls, .vary_react = vary_react_flight_calm_falls,
-        .ends = true, .vary_guard = vary_guard_flight_calm_collapses, .next = {MODE_fallen}},
+        .looks_again = true, .vary_guard = vary_guard_flight_calm_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex, .is_counted = true, .react = react_flight_calm_apex,
         .vary_react = vary_react_flight_calm_apex, .is_watched = watches_flight_calm_apex,
         .is_crossing = crosses_flight_calm_apex, .vary_guard = vary_guard_flight_calm_apex,
@@ -7433,9 +7465,9 @@ static const tdmf_guard_kind guards_graze[] = {
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
         .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_graze}},
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .looks_again = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_react = vary_react_slip_constant_falls, .looks_again = true,
         .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex_in_graze, .is_counted = true, .react = react_graze_apex_in_graze,
         .vary_react = vary_react_graze_apex_in_graze, .is_watched = watches_graze_apex_in_graze,
@@ -7466,9 +7498,9 @@ static const tdmf_guard_kind guards_slip_falling[] = {
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
         .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_slip_falling}},
     {.event = EVENT_falls, .react = react_slip_constant_falls, .vary_react = vary_react_slip_constant_falls,
-        .ends = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
+        .looks_again = true, .vary_guard = vary_guard_slip_constant_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_slip_constant_falls,
-        .vary_react = vary_react_slip_constant_falls, .ends = true,
+        .vary_react = vary_react_slip_constant_falls, .looks_again = true,
         .vary_guard = vary_guard_slip_constant_collapses, .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression, .react = react_slip_constant_greatest_compression,
         .vary_react = vary_react_slip_constant_greatest_compression,
@@ -7516,11 +7548,11 @@ static const tdmf_guard_kind guards_flight_pushed[] = {
         .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_pushed}},
     {.event = EVENT_new_ground, .is_counted = true, .react = react_flight_calm_new_ground,
         .vary_react = vary_react_flight_calm_new_ground, .is_watched = watches_flight_calm_new_ground,
-        .vary_guard = vary_guard_flight_calm_new_ground, .next = {MODE_flight_pushed}},
+        .looks_again = true, .vary_guard = vary_guard_flight_calm_new_ground, .next = {MODE_flight_pushed}},
     {.event = EVENT_falls, .react = react_flight_calm_falls, .vary_react = vary_react_flight_calm_falls,
-        .ends = true, .vary_guard = vary_guard_flight_calm_falls, .next = {MODE_fallen}},
+        .looks_again = true, .vary_guard = vary_guard_flight_calm_falls, .next = {MODE_fallen}},
     {.event = EVENT_collapses, .react = react_flight_calm_falls, .vary_react = vary_react_flight_calm_falls,
-        .ends = true, .vary_guard = vary_guard_flight_calm_collapses, .next = {MODE_fallen}},
+        .looks_again = true, .vary_guard = vary_guard_flight_calm_collapses, .next = {MODE_fallen}},
     {.event = EVENT_apex, .is_counted = true, .react = react_flight_calm_apex,
         .vary_react = vary_react_flight_calm_apex, .is_crossing = crosses_flight_calm_apex,
         .vary_guard = vary_guard_flight_calm_apex, .next = {MODE_flight_pushed}},

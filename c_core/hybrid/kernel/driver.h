@@ -49,7 +49,7 @@ enum { LEAST_ORDER = 4, TDMF_VARIED_LIMIT = 16 };
 typedef struct {
     int event;
     bool is_counted;         /* passed to `leave` */
-    bool ends;               /* it leads to modes that end the run only */
+    bool looks_again;        /* it is taken only where a step that begins close to it finds it, too */
     tdmf_answer *is_watched; /* evaluated where the mode begins; NULL: always watched */
     tdmf_answer
         *is_crossing;  /* there, too: the guard has to cross zero, and is not due at once; NULL: never */

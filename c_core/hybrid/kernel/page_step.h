@@ -427,8 +427,13 @@ static inline mask divide_by_time(const page_step *step, real *g, real up, real 
 /* Ends the step where a guard that is almost zero falls through it in a straight line. Returns the lanes with
  * such a guard. */
 static inline mask end_on_line(page_step *step, int guard, const real *g, real band, mask lanes) {
-    const real since = g[0] / -g[1];
-    lanes &= (g[0] <= band) & (g[1] < 0.0) & (real_abs(g[2]) * since <= close_enough * real_abs(g[1]));
+    const real since = g[0] / -g[1], until = real_min(since, step->size);
+    real bend = broadcast(0.0);
+    lanes &= (g[0] <= band) & (g[1] < 0.0);
+    for (int k = step->order - 1; k > 1 && any(lanes); --k) {
+        bend = (bend + real_abs(g[k])) * until;
+    }
+    lanes &= bend <= close_enough * real_abs(g[1]);
     if (any(lanes)) {
         const mask within = lanes & (since <= step->size);
         end_at_event(step, guard, since / step->size, within, within);
@@ -586,17 +591,16 @@ static inline real end_step(page_step *step) {
     return elapsed;
 }
 
-/* An event that ends the run is taken only where a step that begins close to it finds it, too. A longer step
- * errs by the tolerance, and a fall that it finds may be none. Returns the lanes that go on without the
- * event.
- */
+/* Some events are taken only where a step that begins close to them finds them, too. A longer step errs by
+ * the tolerance: a fall that it finds may be none, and a foot may yet be below new ground, and land on it as
+ * it rises. Returns the lanes that go on without the event. */
 static inline mask looks_again(page_step *step, mask reaches) {
     mask again = mask_of(false);
     if (!step->looks && !any(reaches)) {
         return again;
     }
     for (int i = 0; i < step->guard_count; ++i) {
-        if (step->kinds[i].ends) {
+        if (step->kinds[i].looks_again) {
             guard_watch *watch = &step->guards[i];
             const mask is_near =
                 reaches & (step->first == integer_of(i)) & mask_not(has_flag(watch, IS_NEAR));
