@@ -75,7 +75,7 @@ def rates(name: str, state: State, parameters: State) -> list[Number]:
 
 
 def guards(name: str, state: State, parameters: State) -> list[Number]:
-    """What falls to zero at the end of a mode."""
+    """The quantities whose fall to zero ends a mode."""
     runner = runner_in(name, state, parameters)
 
     def guard(event: str) -> Number:

@@ -53,11 +53,11 @@ double simulation_ledger_error(const simulation *simulation);
 void assert_same_stride(const tdmf_stride *a, const tdmf_stride *b, double tolerance);
 void assert_same_state(const tdmf_motion *a, const tdmf_motion *b, double tolerance);
 
-/* At time 0 in a state; asserts that it may start there. */
+/* A simulation from a state at time 0; asserts that a run may start there. */
 simulation simulation_in(const tdmf_parameters *parameters, const tdmf_inputs *inputs,
                          const double state[TDMF_STATE_COUNT], double relative_tolerance);
 
-/* Of a runner, with its model as it is, at time 0 in its state; asserts that it may start there. */
+/* A simulation by the runner's own model, from its state at time 0; asserts that a run may start there. */
 simulation simulation_of(const runner *runner, double relative_tolerance);
 
 /* The section at the last apex. */

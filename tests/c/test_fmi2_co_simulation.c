@@ -1,5 +1,5 @@
-/* What Co-Simulation of FMI 2.0 alone has: rates of inputs, which are part of a saved state, and the status
- * of steps. */
+/* Features of Co-Simulation that only FMI 2.0 has: rates of inputs, which are part of a saved state, and the
+ * status of steps. */
 #include "compare.h"
 #include "fmi2_importer.h"
 #include "tdmf_slip/tdmf_slip.h"

@@ -347,7 +347,7 @@ TEST(a_pending_event_is_that_of_the_settings_in_force) {
     }
 }
 
-/* What was changed at the event is told from what the event came of also by another instance. */
+/* A saved pending event keeps the settings that were changed after it was found, in another instance, too. */
 TEST(a_saved_pending_event_knows_its_settings) {
     fmi3Instance one = stand_at_lift_off(), other = new_stepper(true, true);
     fmi3Byte bytes[SERIALIZED_BYTES];

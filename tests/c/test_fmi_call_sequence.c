@@ -86,7 +86,7 @@ static uint32_t reference, unknown, known; /* of foot.x, body.y and leg.angle */
 static const double one = 1.0;
 
 CALL(enter_initialization, fmi->enter_initialization(instance, &from_zero))
-/* Without the experiment, which FMI 2.0 need not be told. */
+/* FMI 2.0 allows initialization without fmi2SetupExperiment. */
 CALL(enter_initialization_of_fmi2, fmi2EnterInitializationMode(instance))
 CALL(exit_initialization, fmi->exit_initialization(instance))
 CALL(enter_event_mode, fmi->enter_event_mode(instance))

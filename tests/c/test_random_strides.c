@@ -236,7 +236,7 @@ static bool may_happen_in_a_stride(tdmf_guard guard) {
     }
 }
 
-/* Of so many in the whole sample. */
+/* This sample's share of a count that the whole sample reaches. */
 #define PART(count) ((count)*RUNNERS / 120)
 
 static void assert_saw_everything(const tally *seen) {

@@ -269,7 +269,7 @@ TEST(text_names_variable_value_and_range) {
     assert_text(accepted, "accepted");
 }
 
-/* What refuses and what speaks fit together; a NaN may have a sign. */
+/* Every refusal has its text, with name, value and range. NaN may be printed with a sign. */
 TEST(refusals_speak) {
     char text[256];
     assert_text(create_with(&parameter_names[0], -2.5),

@@ -177,7 +177,7 @@ TEST(a_log_begins_at_none) {
     assert_int_equal(log.count, INT_MAX);
 }
 
-/* What each map and search answers to a request that makes no sense. */
+/* Asserts that every map and search refuses a request that makes no sense. */
 static void assert_maps_refuse(tdmf_solver *solver, tdmf_system system, double *section, int seed_count) {
     assert_int_equal(tdmf_return_map(solver, system, section, long_enough, true, NULL, seed_count).outcome,
                      TDMF_RETURN_REFUSED);

@@ -99,8 +99,8 @@ static void assert_closed(const runner *runner, const char *word, int code) {
 
 /* ---- words ------------------------------------------------------------------------------------------ */
 
-/* What happens at a time: each mode by its letter, l a landing, | a lift-off, g a graze, and in graze f for a
- * foot that is lifted and the letter of the contact that it is loaded into. */
+/* Takes one event at a time: l is a landing, | a lift-off, g the start of a graze, and a letter of a word the
+ * contact that begins. In a graze, f lifts the foot. */
 static void follow(runner *runner, char what, double time) {
     const bool grazes = runner->motion.mode.contact == TDMF_CONTACT_GRAZE;
     switch (what) {

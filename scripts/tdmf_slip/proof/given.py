@@ -147,7 +147,7 @@ def gait_of(gait: RunnerLike) -> tuple[Gait, dict[str, Exact]]:
 
 
 def exact_runner(runner: Runner, given: Mapping[str, object]) -> dict[str, Exact]:
-    """All values of a runner exactly, of which some are as they were given."""
+    """The exact values of a runner; those in `given` are taken from there, not from its floats."""
     own = {name: runner[name] for name in MOVING}
     check_laws(own)
     return exact_values(own, {name: value for name, value in given.items() if name in own})
