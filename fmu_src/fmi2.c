@@ -227,6 +227,7 @@ fmi2Status fmi2SetRealInputDerivatives(fmi2Component component, REFERENCES, cons
             *rate = values[i];
         }
     }
+    discard_view(instance);
     return (fmi2Status)status;
 }
 

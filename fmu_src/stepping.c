@@ -14,6 +14,7 @@ call_status enter_event_mode(instance *instance, const char *call, unsigned allo
         return CALL_ERROR;
     }
     fmu_enter_event_mode(&instance->fmu);
+    discard_view(instance);
     instance->state = EVENT_MODE;
     return CALL_OK;
 }
@@ -48,6 +49,7 @@ call_status complete_step(instance *instance, const char *call, const void *even
         return CALL_ERROR;
     }
     *asks = fmu_complete_step(&instance->fmu);
+    discard_view(instance);
     return CALL_OK;
 }
 
@@ -59,6 +61,7 @@ call_status set_time(instance *instance, const char *call, double time) {
         return answer(instance, CALL_ERROR, call, "the time is not finite or beyond 1e100 s");
     }
     fmu_set_time(&instance->fmu, time);
+    discard_view(instance);
     return CALL_OK;
 }
 

@@ -31,6 +31,17 @@ TEST(an_input_goes_on_at_its_rate_until_it_is_set) {
     assert_true(get_real(component, "ground.friction") == 0.5);
 }
 
+/* The power of a leg that is made longer follows from the rate of its extension. */
+TEST(a_rate_that_is_set_is_in_the_next_derivatives) {
+    fmi2Component component = running_slave();
+    while (get_integer(component, "contact.mode_index") == TDMF_CONTACT_FLIGHT) {
+        step_by(&fmi2, component, 1.0);
+    }
+    assert_true(get_real(component, "der(leg.work)") == 0.0);
+    assert_int_equal(set_rate(component, "leg.extension", 1, 1e-3), fmi2OK);
+    assert_true(get_real(component, "der(leg.work)") != 0.0);
+}
+
 /* A fall freezes the runner; inputs are the importer's, and go on. */
 TEST(an_input_goes_on_at_its_rate_after_a_fall) {
     fmi2Component component = new_slave();
