@@ -84,8 +84,7 @@ void take_immediate_events(fmu *fmu) {
     for (int i = 0, taken = 0; i < mode->guard_count && taken < TDMF_PAGE_CHAIN_LIMIT; ++i) {
         const tdmf_guard_kind *kind = &mode->guards[i];
         const bool is_immediate = (unit_immediate_events >> kind->event & 1) != 0;
-        if (is_immediate &&
-            (kind->is_watched == NULL || kind->is_watched(parameters_of(fmu), states_of(fmu)) != 0.0)) {
+        if (is_immediate && tdmf_is_watched(kind, parameters_of(fmu), states_of(fmu))) {
             tdmf_page_run run = run_of(fmu);
             tdmf_take_event_now(unit_model, kind, &run, fmu->watch);
             keep_run(fmu, &run);

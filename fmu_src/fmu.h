@@ -24,10 +24,10 @@ typedef enum { SETTING_TOLERANCE, SETTING_TERMINATES, SETTING_METHOD, SETTING_CO
 /* Work of the solver in Co-Simulation. */
 typedef enum { WORK_STEPS, WORK_EVALUATIONS, WORK_LAYER_STEPS, WORK_COUNT } fmu_work;
 
-/* State of a run between calls of the driver. Numbers are the page's parameters, then its states. If a mode
- * has coordinates of its own, the world's coordinates are computed from them; in Model Exchange, they from
- * the world's. `shown` is the mode whose outputs are shown: the one before, where a run has ended and keeps
- * them. */
+/* State of a run between calls of the driver. `numbers` holds the page's parameters, then its states. If a
+ * mode has its own coordinates, Co-Simulation computes the world's from them, and Model Exchange computes
+ * them from the world's. `shown` is the mode whose outputs are shown: the present mode, or the mode before if
+ * the run has ended and keeps its outputs. */
 typedef struct {
     double numbers[UNIT_NUMBER_COUNT + 1];
     double time, time_rest;

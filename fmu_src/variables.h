@@ -43,7 +43,7 @@ typedef struct {
     const char *unit;
     fmu_variable_type type;
     fmu_storage storage;
-    size_t offset; /* in what the storage names: a number or bytes, by the kind of unit */
+    size_t offset; /* index in the array that the storage names */
     fmu_variability variability;
     bool settable_before_start;
     bool changes_at_events; /* FMI's reinit: a state that an event may make jump */

@@ -5,7 +5,7 @@
 #include "page_places.h"
 #include "tdmf_slip/ensemble.h"
 
-/* The page for a map. `is_plain`: for runners that tdmf_suits_plain_page finds plain. */
+/* The page for a map. `is_plain`: for runners that need no more than the plain page. */
 const tdmf_page_part *tdmf_page_for(tdmf_ensemble_map map, bool is_plain);
 
 /* The model of a page with its motions in lanes. */

@@ -464,9 +464,9 @@ class PlainRunner(RunnerOnOneLine):
     """States of the whole runner that are equal to another one."""
 
     @staticmethod
-    def excess(whole):
-        """Number of things that act on this runner and are not on the plain page, which runs if it is 0."""
-        r, patch = whole, select(whole.patch_end > whole.patch_begin, 1, 0)
+    def excess(r):
+        """Number of things that act on the whole runner `r` and are not on the plain page."""
+        patch = select(r.patch_end > r.patch_begin, 1, 0)
         acting = (
             r.ground_height, r.ground_slope, r.height, r.slope, r.thrust, r.more_thrust, r.retraction_rate,
             r.more_angle, r.more_torque, r.static_ratio - 1, r.extension, r.external_fx, r.external_fy,

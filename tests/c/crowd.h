@@ -26,10 +26,10 @@ void place_runner(crowd *crowd, int number, const tdmf_parameters *parameters, c
 /* Gives all runners the first case, which may be changed. */
 tdmf_ensemble_case *share_case(crowd *crowd);
 
-/* Notes so many strides of each runner, and where it stands. */
+/* Has the ensemble record up to `count` strides and a checkpoint of each runner. */
 void note_strides(crowd *crowd, int count);
 
-/* To the ends of all runners; asserts that the ensemble is accepted. */
+/* Runs all runners to their ends; asserts that the ensemble is accepted. */
 void run_crowd(crowd *crowd, tdmf_instructions instructions);
 
 /* Asserts that its ensemble is refused, and that nothing is written. */

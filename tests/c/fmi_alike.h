@@ -79,11 +79,7 @@ static fmi_status deserialize(void *instance, const unsigned char bytes[], size_
     return (fmi_status)FMI_STATE(Deserialize, )(instance, (const FMI(Byte) *)bytes, size, saved);
 }
 
-#define TEXT_OF(name)   #name
-#define PREFIX_OF(name) TEXT_OF(name)
-
-const fmi_interface FMI() = {.prefix = PREFIX_OF(FMI()),
-                             .kinds = FMI_KINDS,
+const fmi_interface FMI() = {.kinds = FMI_KINDS,
                              .instantiate = instantiate,
                              .free = FMI(FreeInstance),
                              .set_logging = set_logging,

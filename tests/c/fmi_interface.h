@@ -37,8 +37,7 @@ typedef struct {
 } step_answer;
 
 typedef struct fmi_interface {
-    const char *prefix; /* of its calls' names */
-    fmi_kind kinds;     /* the first kind that it has not */
+    fmi_kind kinds; /* the first kind that the version lacks */
     /* NULL where it is refused. */
     void *(*instantiate)(fmi_kind kind, const char *name, const char *token, bool has_logger, bool logging);
     void (*free)(void *instance);

@@ -308,7 +308,7 @@ static void save_and_restore(void *self) {
     }
 }
 
-/* With its events logged, a step goes another way. */
+/* A step takes another code path while events are logged. */
 static void switch_logging(void *self) {
     subject *on = self;
     fmi->set_logging(on->instance, random_chance(on->source, 0.5), 1, events_category);

@@ -42,15 +42,6 @@ runner line_at(const line *line, double t) {
     return moved;
 }
 
-bool line_keeps_clamp(const line *line, double step) {
-    bool keeps = true;
-    for (int i = -4; i <= 4 && line->runner->model.parameters.hip.swing_clamp; ++i) {
-        const runner moved = line_at(line, i * step);
-        keeps = keeps && scene_retract_law(line->runner) * scene_retract_law(&moved) > 0.0;
-    }
-    return keeps;
-}
-
 static tdmf_parameters units_of(const tdmf_model *model) {
     const tdmf_scales *scales = &model->scales;
     tdmf_parameters units = model->parameters;

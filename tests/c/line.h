@@ -24,7 +24,4 @@ line line_random(random_source *source, const runner *runner);
 /* A step for differences in which no coordinate goes far, per unit of the direction. */
 #define LINE_STEP 1e-3
 
-/* The law of retract has a kink, the clamp, which a difference with such a step does not span. */
-bool line_keeps_clamp(const line *line, double step);
-
 #endif

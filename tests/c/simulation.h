@@ -26,14 +26,14 @@ tdmf_model accepted_model(const tdmf_parameters *parameters);
 /* The default solver with this relative tolerance. */
 tdmf_solver solver_to(double relative_tolerance);
 
-/* At time 0 in a section's state; asserts that it may start there. */
+/* A simulation from a point of the section at time 0; asserts that a run may start there. */
 simulation simulation_from(const tdmf_parameters *parameters, const tdmf_inputs *inputs,
                            const double section[TDMF_SECTION_COUNT], double relative_tolerance);
 
-/* Starts anew at time 0 from the present state; asserts that it may. */
+/* Restarts at time 0 from the present state; asserts that the start is accepted. */
 void simulation_start(simulation *simulation);
 
-/* By the native solver or another. */
+/* Advance the run by the native solver, or by the given one. */
 tdmf_outcome simulation_advance(simulation *simulation, double until);
 tdmf_outcome simulation_advance_by(solver_call *advance, simulation *simulation, double until);
 

@@ -41,7 +41,7 @@ typedef struct {
                            sum of: those of the foot and of the leg, J */
 } run;
 
-/* What the sample has met. */
+/* Counts of outcomes, modes and features over the sample. */
 typedef struct {
     long refused, outcomes[OUTCOMES], contact[TDMF_CONTACT_GRAZE + 1], strides;
     long with_further_inputs, waiting, leg_work, external_work;
@@ -113,7 +113,7 @@ static const char *not_a_number(const run *run) {
     return NULL;
 }
 
-/* Of heights: a leg may have become ever so long, and have turned ever so often. */
+/* Rounding error of heights, which grows with the leg length and the place of the foot. */
 static double rounding_of(const run *run) {
     const double *state = run->motion.state;
     const tdmf_ground_line *ground = &run->motion.mode.ground;

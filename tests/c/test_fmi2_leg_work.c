@@ -167,7 +167,7 @@ TEST(a_thrust_from_the_start_is_read_before_the_run_begins) {
     assert_true(get_real(component, "leg.work") == before);
 }
 
-/* In event mode, before it is told of, the work is part of a saved state. */
+/* Work that is due in event mode is saved before it is reported. */
 TEST(work_that_is_due_is_saved) {
     fmi2Component one = new_instance(), other = new_instance();
     double x[TDMF_STATE_COUNT], rates[TDMF_STATE_COUNT];

@@ -323,7 +323,7 @@ TEST(an_event_is_pending_in_event_mode_only) {
     assert_refused(STEPS_WITH_EVENTS, &state, "refused");
 }
 
-/* One runs without having begun, another has begun and does not run. */
+/* One state runs without having begun; the other has begun but does not run. */
 TEST(a_run_in_a_state_that_it_cannot_be_in_is_refused) {
     serialized state;
     save_on_its_way(STEPS, &state);

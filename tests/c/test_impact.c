@@ -34,7 +34,7 @@ static double vx_after(double vx, double vy, double friction) {
     return runner.motion.state[TDMF_FOOT_VX];
 }
 
-/* Of its parts: where the ground is low they may cancel. */
+/* Sum of the sizes of the energy's parts, which may cancel on low ground. */
 static double size_of_energy(const runner *runner) {
     const tdmf_energy energy =
         tdmf_mechanical_energy(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);

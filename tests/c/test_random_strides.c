@@ -114,7 +114,7 @@ static bool happens_alike(const tdmf_event_log *a, const tdmf_event_log *b) {
     return alike;
 }
 
-/* Whether less than this is refused of a parameter. */
+/* Whether the value is the least of its parameter's range. */
 static bool is_least(int k, double value) {
     const size_t offset = (size_t)(k - TDMF_SECTION_COUNT) * sizeof(double);
     for (int i = 0; k >= TDMF_SECTION_COUNT && i < TDMF_PARAMETER_COUNT; ++i) {

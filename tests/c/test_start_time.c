@@ -15,7 +15,7 @@ enum { START_TIMES = sizeof start_times / sizeof start_times[0] };
 
 static simulation start_at(const reference_gait *gait, double bend, double time, double tolerance) {
     const runner runner = runner_at_reference_apex(gait);
-    simulation run = simulation_in(&runner.model.parameters, &runner.inputs, runner.motion.state, tolerance);
+    simulation run = simulation_of(&runner, tolerance);
     run.motion.state[TDMF_LEG_ANGLE] += bend;
     run.motion.time = time;
     assert_null(tdmf_start(SYSTEM_OF(&run), &run.motion).variable);

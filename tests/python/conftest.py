@@ -1,7 +1,6 @@
 """What all tests of the unit share: the FMU, the reference gaits, and runs that start on a gait."""
 
 import contextlib
-import ctypes
 import dataclasses
 import fcntl
 import functools
@@ -125,7 +124,7 @@ def unpacked(fmu_file, tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def fmu3():
-    """The same of FMI 3."""
+    """The installed unit of FMI 3."""
     return str(tdmf_slip.fmu_path(fmi=3))
 
 
@@ -177,33 +176,10 @@ class Instance:
 
     def __init__(self, model, description):
         self.model = model
-        self.description = description
         self.references = {v.name: v.valueReference for v in description.modelVariables}
-        self.states = [unknown.variable.derivative.name for unknown in description.derivatives]
-
-    def set_values(self, values):
-        for name, value in values.items():
-            self.model.setReal([self.references[name]], [value])
-
-    def start(self):
-        self.model.setupExperiment()
-        self.model.enterInitializationMode()
-        self.model.exitInitializationMode()
-        self.model.newDiscreteStates()
-
-    def continuous_states(self):
-        values = (ctypes.c_double * len(self.states))()
-        self.model.getContinuousStates(values, len(self.states))
-        return np.array(values)
-
-    def set_continuous_states(self, values):
-        self.model.setContinuousStates((ctypes.c_double * len(self.states))(*values), len(self.states))
 
     def real(self, *names):
         return np.array(self.model.getReal([self.references[name] for name in names]))
-
-    def integer(self, name):
-        return self.model.getInteger([self.references[name]])[0]
 
     def boolean(self, name):
         return bool(self.model.getBoolean([self.references[name]])[0])

@@ -17,7 +17,7 @@ def gait():
 
 
 def test_the_largest_disturbances_are_where_recovery_ends(gait, monkeypatch):
-    """At what is told the native solver recovers, at the next try it does not."""
+    """The native solver recovers at the reported disturbance and not at the next larger one."""
     monkeypatch.setattr(attraction, "COARSE", 50)
     found = attraction.robustness(gait)
     apart = attraction.FARTHEST / attraction.COARSE**attraction.REFINEMENTS

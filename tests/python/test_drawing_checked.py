@@ -30,16 +30,7 @@ def test_texts_by_latex_where_there_is_none_are_told_before_the_work(
     arguments, command, tmp_path, monkeypatch
 ):
     module = importlib.import_module(f"tdmf_slip.cli.{module_of(arguments[0])}")
-    for work in [
-        "find_gait",
-        "fit",
-        "simulate",
-        "validate",
-        "basin",
-        "viability",
-        "sweep_row",
-        "continue_branch",
-    ]:
+    for work in WORK:
         monkeypatch.setattr(module, work, lambda *_, **__: pytest.fail("work before"), raising=False)
     monkeypatch.setenv("PATH", str(tmp_path))
     with matplotlib.rc_context({"text.usetex": True}):

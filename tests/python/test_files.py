@@ -42,10 +42,6 @@ def file_of(writer, name):
     return pathlib.Path(arguments(writer, name)[-1])
 
 
-RESUMED = ("a grid", "a map", "viable sets")
-"""Writers that go on with what is in a file."""
-
-
 @pytest.fixture(params=WRITERS)
 def writer(request):
     return request.param

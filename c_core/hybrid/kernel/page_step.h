@@ -18,8 +18,8 @@ static const double divisor_change = 0.75;      /* of a divisor within a step, r
 static const double guard_tolerance = 10.0;     /* of a guard's series, relative to that of a step */
 static const double variation_tolerance = 10.0; /* of a variation's, relative to that of a step */
 
-/* The search for an only zero ends after a correction this small, as a share of the step: one of Newton's,
- * after which the error is about the square of the correction, or any other. */
+/* The search for a single zero ends after a correction this small, as a share of the step. After a Newton
+ * correction the remaining error is about its square, so that it may be larger than one by bisection. */
 static const double last_newton = 1e-9, last_halving = 4e-16;
 static const double short_line = 1e-10; /* share of a step in which a guard is a straight line */
 

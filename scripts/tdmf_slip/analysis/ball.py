@@ -289,7 +289,7 @@ def attributes_of(ball: Ball | None) -> dict[str, str | float | int]:
 def starts_at(
     point: NDArray[np.float64], columns: Sequence[int], values: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Points of the section with values of some coordinates, shape (starts, columns), and else a point's."""
+    """Copies of a point of the section with other values of some coordinates, shape (starts, columns)."""
     starts = np.tile(point, (len(values), 1))
     starts[:, columns] = values
     return starts

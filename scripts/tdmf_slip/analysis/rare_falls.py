@@ -377,9 +377,10 @@ def rare_falls(
     walkers = checked_whole("walkers", walkers, 8, MAX_WALKERS)
     strides = checked_whole("strides", strides, 8, MAX_STEPS)
     seed = checked_whole("seed", seed, 0, LAST_SEED)
-    runner, start = rough_start(runner, gait)
+    runner = Runner(runner)
     refuse_patch(runner)
     check_law(law, runner)
+    runner, start = rough_start(runner, gait)
     chain = Walkers(start, ground, law)
     with progress_bar("rare falls", REPLICAS + 1, "runs", progress) as bar:
         scores, highest = chain.learn(seed % 2**32)

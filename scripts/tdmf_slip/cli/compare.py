@@ -58,7 +58,7 @@ def compare_command(
         TOML or JSON file, or preset, of one runner. Repeatable; give one, or as many as frictions.
     """
     runners = _runners(frictions, files, settings, model)
-    names = [name.strip() for name in hold.split(",")]
+    names = names_given(hold)
     found = compare.plain(runners, hold=names, vary=names_given(vary), model=model, progress=True)
     return Answer(_plain(found), _table(found))
 

@@ -126,7 +126,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _abandon_stdout() -> None:
-    """Python flushes once more at its end."""
+    """Redirect stdout to the null device, because Python flushes it again at exit."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 

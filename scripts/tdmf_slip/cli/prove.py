@@ -97,10 +97,12 @@ def prove_command(
         proof = prove(values, box=box, digits=digits)
         plain, text = proof.as_json(), _text(proof)
         if compare and proof.proved:
-            from ..proof.accuracy import solver_errors
+            from ..proof.accuracy import error_table, solver_errors
 
             errors = solver_errors(proof)
-            plain, text = {**plain, "solvers": errors}, f"{text}\n\n{_error_text(errors)}"
+            heading, *rows = error_table([errors])
+            text += f"\n\nErrors of the solvers at the most:\n{table(heading, rows)}"
+            plain = {**plain, "solvers": errors}
         return _answer(plain, text, proof.proved)
     if box is not None:
         raise InputError(f"--box {box}: with --vary it is chosen by itself; allowed: without --vary")
@@ -138,12 +140,6 @@ def _borders(runner: Runner, values: dict[str, object], border: str, digits: int
 def _as_written(value: object) -> object:
     """A number of a file as the decimal that it reads as."""
     return repr(value) if isinstance(value, float) else value
-
-
-def _error_text(errors: dict[str, dict[str, float]]) -> str:
-    names = list(next(iter(errors.values())))
-    rows = [[solver, *(f"{of[name]:.1e}" for name in names)] for solver, of in errors.items()]
-    return f"Errors of the solvers at the most:\n{table(['solver', *names], rows)}"
 
 
 def _text(proof: "Proof") -> str:

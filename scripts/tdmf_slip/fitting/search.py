@@ -139,7 +139,7 @@ def starts(first: Gait, measurements: Measurements, vary: Sequence[str]) -> Iter
     """Gaits to begin with, the nearest to the data first; none is near a nearer one."""
 
     def loss(runner: Runner, apex: NDArray[np.float64]) -> float:
-        """Huber's, of a gait for all rows."""
+        """Huber's loss of a gait over all rows."""
         losses = []
         for row in measurements.rows:
             has = plain_stride(runner, apex, tuple(row)).quantities

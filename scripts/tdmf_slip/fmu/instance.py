@@ -30,6 +30,8 @@ from ..uninterrupted import stop_flag, uninterrupted
 from ..variables.variable import Value
 from .fmu import Fmu
 
+TYPES = {"Real": float, "Boolean": bool}
+"""Python types of variables by their FMI types; others are whole numbers, or text."""
 CLOCK_ROUNDING = 1e-12
 """Relative error of FMPy's times, which are sums."""
 
@@ -213,7 +215,7 @@ class Instance:
         (value,) = get([variable.reference])
         if variable.type == "String":
             return value.decode("utf-8")
-        return {"Real": float, "Boolean": bool}.get(variable.type, int)(value)
+        return TYPES.get(variable.type, int)(value)
 
     def simulate(
         self, experiment: Experiment, step_finished: Callable[[float, Recorder], bool]

@@ -27,15 +27,13 @@ from ..variables.table import Model, model_of
 from ..variables.variable import Value
 from .fmu import Fmu, load_fmu
 from .inputs import InputTables, signals
-from .instance import Experiment, Instance, Recorder, opened
+from .instance import TYPES, Experiment, Instance, Recorder, opened
 from .profile import Profile
 from .run import MODE, PHASE, Run, dataset_of, events_of
 
 STEPS_PER_TIME_UNIT = 20
 """Communication steps in each sqrt(m/k), unless an output interval is given."""
 HEIGHT, SLOPE = "ground.height", "ground.slope"
-TYPES = {"Real": float, "Boolean": bool}
-"""Types of columns; others are whole numbers."""
 
 
 def interface_over(profile: object, interface: str | None, inputs: InputTables | None, fmu: Fmu) -> str:

@@ -49,7 +49,7 @@ class Session:
         self.batch = batch
         law, single = batch.law, batch.is_single
         threads = batch.threads or (1 if single or in_block() else os.cpu_count() or 1)
-        self.engine: Any = (OwnEngine if self.batch.model.is_own else Engine)(batch, threads)
+        self.engine: Any = (OwnEngine if batch.model.is_own else Engine)(batch, threads)
         self.function: CheckedLaw | None = None
         if isinstance(law, AffineLaw) and isinstance(self.engine, Engine):
             self.engine.obey(law.settings)

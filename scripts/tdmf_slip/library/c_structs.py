@@ -58,7 +58,7 @@ WIDTH: int = RETURN["apex"].shape[0]
 
 
 def viewed(struct: Any, kind: np.dtype[Any]) -> NDArray[Any]:
-    """A struct that a runner owns, as an array of length 1 over the same memory."""
+    """A C struct as an array of length 1 over the same memory."""
     return np.frombuffer(ffi.buffer(struct), kind)
 
 

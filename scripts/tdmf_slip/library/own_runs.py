@@ -20,7 +20,7 @@ EVENT_ROOM = 64
 BETWEEN_EVENTS = "-"
 """Separator of the events in the word of a stride."""
 LONGEST = 1e4
-"""Duration of a stride at the most, s, as that of the package's models in units of theirs."""
+"""Longest stride, s. The package's own models allow as many of their units of time."""
 SEEDS = 8
 """Parameters and inputs by which one call differentiates."""
 END, EVENT = dtype_of("tdmf_page_end"), dtype_of("tdmf_page_event")

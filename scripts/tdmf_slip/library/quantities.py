@@ -86,6 +86,7 @@ _VARIED = ("period", "length", "work", "stance_time", "slip_distance", "peak_for
 """Recorded quantities whose derivatives the library has."""
 
 
+@cache
 def differentiable(reduced: bool) -> tuple[str, ...]:
     """Quantities with exact derivatives."""
     known = REDUCED_QUANTITIES if reduced else QUANTITIES

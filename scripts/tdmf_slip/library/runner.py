@@ -17,7 +17,7 @@ from ..variables.table import MODELS, STATES, Model, by_full_name, model_named, 
 from ..variables.variable import Given, Value
 from . import members
 from .binding import c, check_accepted, ffi
-from .c_structs import RETURN
+from .c_structs import RETURN, viewed
 from .members import Along, seed_of
 from .returns import RunnerStrides
 from .section import Apex, checked_apex
@@ -283,9 +283,9 @@ class Runner(Mapping[str, Value]):
         along: Along | None = None,
         is_reported: bool = False,
     ) -> "Strides":
-        """One stride from an apex; reported are also its events, and what is measured along it.
+        """One stride from an apex; with `is_reported` also its events and the measured quantities.
 
-        It is differentiated by the coordinates, and along a direction, where it is `varied`.
+        With `varied` it is differentiated by the coordinates, and along a direction if one is given.
         """
         log = ffi.new("tdmf_event_log *") if is_reported else None
         function = c.tdmf_measured_return_map if is_reported else c.tdmf_return_map
@@ -295,11 +295,11 @@ class Runner(Mapping[str, Value]):
         has_seed = seed != ffi.NULL
         made = function(self.solver(log), self.c_system, list(apex), until, varied, seed, has_seed)
         return RunnerStrides(
-            np.frombuffer(ffi.buffer(ffi.new("tdmf_return *", made)), RETURN),
+            viewed(ffi.new("tdmf_return *", made), RETURN),
             np.asarray(apex, float)[None],
             self.__getitem__,
             self.reduced,
-            along=[along] if along is not None and varied else [] if varied else None,
+            along=([] if along is None else [along]) if varied else None,
             log=log,
         )
 

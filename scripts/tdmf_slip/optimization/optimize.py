@@ -105,8 +105,8 @@ def optimize(
     {'hip.touchdown_angle': 'upper'}
     """
     runner = Runner(runner, model=model)
-    asked = [[] if name is None else [name] for name in (minimize, maximize)]
-    signs = checked_objectives(asked[0], asked[1], 1, runner.model)
+    least, largest = ([] if name is None else [name] for name in (minimize, maximize))
+    signs = checked_objectives(least, largest, 1, runner.model)
     optimizer, (goal,) = _prepared(runner, vary, signs, target, stable, starts)
     with progress_bar("optimize", optimizer.count, "starts", progress) as bar:
         found = optimizer.best(goal, bar)

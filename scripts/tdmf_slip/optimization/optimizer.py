@@ -138,8 +138,8 @@ class Search:
                     went = self._at_border(best, ended.beyond, region)
                 except RunError as problem:
                     went, why = (best, region, True), str(problem)
-                    lands = (of.gait.stride["touchdowns"] for of in (best, ended.beyond))
-                    touches = touches or len(set(lands)) > 1
+                    here, there = (of.gait.stride["touchdowns"] for of in (best, ended.beyond))
+                    touches = touches or here != there
                 if isinstance(went, Found):
                     return went
                 best, region, stays = went

@@ -36,7 +36,7 @@ LARGEST_RADIUS = 0.99
 def checked_objectives(
     minimize: Sequence[str], maximize: Sequence[str], count: int, model: Model
 ) -> dict[str, float]:
-    """So many quantities with their signs: 1 to minimize, -1 to maximize."""
+    """`count` quantities with their signs: 1 to minimize, -1 to maximize."""
     signs = {checked_quantity(name, "minimize", model): 1.0 for name in minimize}
     signs |= {checked_quantity(name, "maximize", model): -1.0 for name in maximize}
     given = [*minimize, *maximize]

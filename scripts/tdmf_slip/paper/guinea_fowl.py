@@ -80,9 +80,7 @@ def meet_patch(
     }
     cells, apices = list(landings), [gaits[row].apex for row, _ in landings]
     for cell, apex in zip(cells, apices, strict=True):
-        slips[cell] = _slip(landings[cell], apex)
-    for cell in cells:
-        fell[cell] = 1.0
+        slips[cell], fell[cell] = _slip(landings[cell], apex), 1.0
     up, apices = _followed(cells, [landings[cell] for cell in cells], apices, 1)
     if strides > 1:
         on_patch = [gaits[row].runner.replace({FRICTION: friction}) for row, _ in up]

@@ -51,7 +51,7 @@ OTHERS = {
     "stopped": ("#d3d7da", "stopped by an interrupt"),
     "no_stride": ("#e0a526", "no stride: there is no next apex, or it is too low for the leg"),
 }
-"""Colours of the others."""
+"""Colours and labels of the other fates."""
 PALEST = 0.85
 """Share of a colour map that is used; paler colours are hard to see on paper."""
 SMALLEST, RIM = 3.2, 1.0

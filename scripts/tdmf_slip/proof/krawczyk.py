@@ -85,7 +85,7 @@ def _weights(sizes: NDArray[np.float64], basis: acb_mat) -> NDArray[np.float64]:
 
     Here v is the extent of the unit cube, which makes the ball of the norm as round as possible.
     """
-    largest = float(np.max(np.abs(np.linalg.eigvals(sizes)))) if np.all(np.isfinite(sizes)) else np.inf
+    largest = spectral_radius(sizes)
     inverse = np.array([[complex(x) for x in row] for row in basis.inv().tolist()])
     extent: NDArray[Any] = np.sum(np.abs(inverse), axis=1)
     if not largest < 1.0:

@@ -134,7 +134,8 @@ class VariedFlow(Flow):
     def _matrices(self) -> tuple[list[arb_mat], arb]:
         """Coefficients of A, the derivative of the rates, and a bound of its remainder's norm."""
         tubes, one = self.tubes, arb(1)
-        numbers = seeded({name: tubes.get(name, self.kept.get(name)) for name in self.active})
+        values = tubes | self.kept
+        numbers = seeded({name: values[name] for name in self.active})
         slope = slope_of(self.dual_runner.slope, PARAMETER)
         turn = {"angle": one} if slope == 0 else {"angle": one, PARAMETER: -slope}
         numbers["sine"] = Dual(tubes["sine"], {name: tubes["cosine"] * by for name, by in turn.items()})

@@ -225,7 +225,7 @@ def fill_transitions(
     executor: Executor | None,
     progress: bool,
 ) -> None:
-    """Make all strides of a grid but for those on file: their fates, and where they lead."""
+    """Compute the strides of a grid that are not on file yet: their fates and next apices."""
     fate, corner = file.data["fate"], f"{next(iter(grid.edges))}_edge"
     missing = [row for row, of in enumerate(fate.values) if (of == NOT_YET).any()]
     row_size = math.prod(fate.shape[1:])

@@ -48,8 +48,8 @@ Row = tuple[float, str, Gait]
 
 def runner_of(runner: Runner, slope: float, ratio: float, velocity: float) -> Runner:
     """Runner for one slope, ratio and Stribeck velocity."""
-    its = runner.replace({SLOPE: float(np.radians(slope)), FRICTION: FRICTIONS[slope]})
-    return its.replace({RATIO: ratio, VELOCITY: velocity})
+    ground = {SLOPE: float(np.radians(slope)), FRICTION: FRICTIONS[slope]}
+    return runner.replace({**ground, RATIO: ratio, VELOCITY: velocity})
 
 
 def level(runner: Runner, ratio: float) -> list[Row]:

@@ -222,8 +222,7 @@ def plain(regime: Regime, friction: float, angle: str | None) -> Gait:
 
 def faster(runner: Runner) -> float:
     """The runner's own rate of retraction with `RETRACTS` added."""
-    values = runner
-    return values[RATE] + RETRACTS * math.sqrt(values["leg.stiffness"] / values["body.mass"])
+    return runner[RATE] + RETRACTS * math.sqrt(runner["leg.stiffness"] / runner["body.mass"])
 
 
 @remembered
