@@ -1,4 +1,4 @@
-"""How loose a tolerance may be for an accuracy, and how fast work is."""
+"""Loosest tolerance that reaches an accuracy, and the time that work takes."""
 
 import time
 from collections.abc import Callable, Iterator
@@ -12,7 +12,7 @@ REPEATS = 5
 
 
 def loosest(what: str, error_at: Callable[[float], float]) -> Iterator[tuple[float, float, float]]:
-    """For each accuracy the loosest tolerance from which on all tighter ones reach it, with its error."""
+    """Yield each accuracy, the loosest tolerance that reaches it as all tighter ones do, and its error."""
     errors: dict[float, float] = {}
     for accuracy in ACCURACIES:
         found = None

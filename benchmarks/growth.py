@@ -1,4 +1,4 @@
-"""How the time of whole questions grows with their size, each asked once of each size."""
+"""Time that whole analyses take, against their size; each size is timed once."""
 
 import functools
 import os
@@ -46,7 +46,7 @@ class Timing:
 
 @dataclass(frozen=True, eq=False)
 class Growth:
-    """What was timed, and on what."""
+    """Timings, with the machine and the libraries that they were made with."""
 
     timings: tuple[Timing, ...]
     """Timings in the order of the table."""
@@ -71,7 +71,7 @@ class Growth:
 
 
 class _Question(NamedTuple):
-    """What is asked, of which size, by how many threads, and what answers it."""
+    """A question, its size, the number of threads, and the function that answers it."""
 
     question: str
     size: str

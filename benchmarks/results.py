@@ -1,4 +1,4 @@
-"""What a benchmark found: a measurement for each solver and accuracy, as an object and as tables."""
+"""Results of a benchmark: a measurement for each solver and accuracy, as an object and as tables."""
 
 import datetime
 import platform
@@ -44,7 +44,7 @@ class Measurement:
 
 @dataclass(frozen=True, eq=False)
 class Bench:
-    """What was measured, and on what."""
+    """Measurements, with the runner and the libraries that they were made with."""
 
     runner: Runner
     """Runner whose strides were timed."""
@@ -62,7 +62,7 @@ class Bench:
     """Peers that are not installed."""
 
     def ratio(self, measurement: Measurement) -> float:
-        """How many times faster our solver of its group is than a solver."""
+        """Time of a solver over the time of our own solver in its group."""
         ours = next(
             m
             for m in self.measurements

@@ -18,7 +18,7 @@ CLAMP = "hip.swing_clamp"
 """Name of the parameter that selects the reading of (12)."""
 RUNNERS, STRIDES_EACH = 4096, 4
 SPREAD = 0.05
-"""Of starts about the gait's apex, either way; all make the gait's word."""
+"""Largest offset of a start from the gait's apex; all starts make the gait's word."""
 JUDGED = 64
 """Starts by which each solver's error is judged, besides the gait's apex."""
 TIGHT = 1e-13

@@ -34,7 +34,7 @@ set(CMAKE_C_COMPILER_LAUNCHER "" CACHE STRING "None, whatever the environment na
 set(CMAKE_C_FLAGS_INIT "-target ${TDMF_SLIP_TARGET} -O3 -s")
 set(CMAKE_C_ARCHIVE_CREATE "\"${ZIG}\" ar qcs <TARGET> <OBJECTS>")
 set(CMAKE_C_ARCHIVE_FINISH "")
-# Nothing of the machine at hand belongs into the result.
+# The result must not depend on the machine that builds it.
 set(CMAKE_FIND_ROOT_PATH ${CMAKE_CURRENT_LIST_DIR}/none)
 foreach(kind IN ITEMS LIBRARY INCLUDE PACKAGE)
     set(CMAKE_FIND_ROOT_PATH_MODE_${kind} ONLY)

@@ -1,4 +1,4 @@
-"""How Sphinx builds the site; ./scripts/site calls it."""
+"""Sphinx configuration of the site, which ./scripts/site builds."""
 
 import os
 import sys

@@ -1,4 +1,4 @@
-"""How a runner on compliant ground approaches the runner on rigid ground.
+"""Convergence of a runner on compliant ground to the runner on rigid ground.
 
     python examples/compliant_ground.py [picture]
 

@@ -41,7 +41,7 @@ class Held:
     """The library's runner, whose touchdown angle the same controller sets."""
 
     def __init__(self):
-        """At the unit's start."""
+        """Begin at the unit's start."""
         self.model, self.motion = ffi.new("tdmf_model *"), ffi.new("tdmf_motion *")
         self.solver, self.inputs = ffi.new("tdmf_solver *"), ffi.new("tdmf_inputs *")
         self.solver[0], self.inputs[0] = c.tdmf_solver_default(), c.tdmf_default_inputs()
@@ -56,12 +56,12 @@ class Held:
 
     @property
     def strides(self):
-        """Completed so far."""
+        """Number of strides completed so far."""
         return self.motion.record.stride.count
 
     @property
     def position(self):
-        """Of the centre of mass."""
+        """Position of the centre of mass, m."""
         return c.tdmf_center_of_mass(self.model, self.motion.state).x
 
     def advance(self, until):
@@ -78,7 +78,7 @@ class Held:
         return done.closed
 
     def controlled_angle(self):
-        """What the controller makes of the stride that has closed."""
+        """Touchdown angle that the controller sets after a stride."""
         error = self.motion.record.stride.speed - WANTED_SPEED
         self.errors += error
         angle = PROPORTIONAL_GAIN * error + INTEGRAL_GAIN * self.errors
@@ -108,7 +108,7 @@ def at_the_apex(stop_time=LONGEST):
 
 
 def cost_of_delay(step, stop_time=500.0):
-    """How far off the position is at the end where changes wait for communication points."""
+    """Error of the final position where changes wait for communication points."""
     end, position, *_ = by_communication(step, stop_time)[-1]
     return abs(position - at_the_apex(end + step))
 

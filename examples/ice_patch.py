@@ -9,7 +9,7 @@ script only says, twenty times in each sqrt(m/k), how slippery the ground under 
 from runner import Runner
 
 ICE = (60.0, 140.0)
-"""Where the ice begins and ends, in l0."""
+"""Beginning and end of the ice, in l0."""
 FRICTION_ON_ICE, FRICTION_ELSEWHERE = 0.15, 0.6
 STEP = 0.05
 

@@ -33,7 +33,7 @@ class Runner:
         self._slave.exitInitializationMode()
 
     def __enter__(self):
-        """Nothing more to do."""
+        """Return the runner itself."""
         return self
 
     def __exit__(self, problem, *_):

@@ -51,7 +51,7 @@ class Importer:
         self._solver, self._time = None, 0.0
 
     def __enter__(self):
-        """Nothing more to do."""
+        """Return the runner itself."""
         return self
 
     def __exit__(self, *_):
@@ -77,11 +77,11 @@ class Importer:
 
     @property
     def strides(self):
-        """Completed so far."""
+        """Number of strides completed so far."""
         return self._unit.getInteger([self._references["stride.count"]])[0]
 
     def advance_to_apex(self):
-        """From event mode, run to the event that closes a stride, and stay there; False after a fall."""
+        """Run from event mode to the event that closes a stride; return False after a fall."""
         before, until = self.strides, self._time + LONGEST
         ended = self._update()
         while not ended:

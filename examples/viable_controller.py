@@ -16,7 +16,7 @@ RUNNER = {"ground.friction": 10.0}
 RANGES = {"com_height": (0.5, 3.0), "com_speed": (0.0, 3.0)}
 CHOICE = {ANGLE: (0.1, 1.2, 23), TORQUE: (0.0, 0.5, 6)}
 PUSH = {"foot.y": 0.96, "foot.vx": 1.1}
-"""By which the first apex is higher and faster than that of the gait: m, m/s."""
+"""Amounts by which the first apex is higher and faster than that of the gait: m, m/s."""
 STRIDES = 12
 
 
@@ -24,7 +24,7 @@ class Unchanged:
     """No controller: the runner's own settings throughout."""
 
     def inputs_at(self, apex):
-        """Nothing is set."""
+        """Set nothing."""
         return {}
 
 

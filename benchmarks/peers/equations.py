@@ -17,7 +17,7 @@ from tdmf_slip.pages import PlainRunner
 from tdmf_slip.pages.hip import PLACE, REST, RETRACT
 
 Number: TypeAlias = Any
-"""What a peer reckons with: a float, an array of them, or a symbol."""
+"""Number that a peer computes with: a float, an array of floats, or a symbol."""
 State: TypeAlias = Sequence[Number]
 """The states of a mode, in the order of `FLIGHT` or `GROUND`."""
 Function: TypeAlias = Callable[[Any, Any, Any], int]
@@ -31,7 +31,7 @@ SWINGS = {"place": PLACE, "retract": RETRACT, "released": RETRACT, "rest": REST}
 MODES = {**dict.fromkeys(SWINGS, "flight"), "stick": "stick", "slip": "slip", "graze": "graze"}
 """Modes of the page by the names of modes here."""
 MOVING = {name: 8 if name in SWINGS else 4 if name == "stick" else 6 for name in MODES}
-"""How many of the states change in a mode: the first ones."""
+"""Number of states that change in each mode; they come first."""
 EVENTS = {
     "place": ("touchdown",),
     "retract": ("apex",),

@@ -25,7 +25,7 @@ EVENT_LIMIT = 60
 STEP_LIMIT = 100000
 SAFETY, SHRINK, GROW = 0.9, 0.2, 10.0
 CLOSE = 1e-14
-"""Of a step: as near the secant method comes to an event."""
+"""Fraction of a step to which the secant method locates an event."""
 
 Vector: TypeAlias = NDArray[np.float64]
 
@@ -83,7 +83,7 @@ def _step(
 
 @_jit
 def _error(s: Vector, reached: Vector, k: Vector, h: float, tolerance: float) -> float:
-    """As in SciPy's DOP853."""
+    """Error estimate of SciPy's DOP853."""
     fifth, third = 0.0, 0.0
     for i in range(STATES):
         scale = tolerance + tolerance * max(abs(s[i]), abs(reached[i]))

@@ -1,4 +1,4 @@
-"""What the public headers of the C library declare, and what their comments say of it.
+"""Declarations of the C library's public headers, with their comments.
 
 The headers are plain C99 with plain comments. A comment documents what follows it without an empty line, and
 what stands before it on the same line; the first comment of a header documents the header.
@@ -14,11 +14,11 @@ from pycparser import c_ast, c_generator, c_parser
 
 FOLDER = Path(__file__).parents[2] / "c_core/include/tdmf_slip"
 INTERNAL = "internal/"
-"""A folder in it, of headers that are no part of the interface."""
+"""Folder of headers that are not part of the interface."""
 TYPES = "".join(
     f"typedef int {name};" for name in ("bool", "size_t", "int32_t", "int64_t", "uint32_t", "uint64_t")
 )
-"""Of the standard headers, which the parser does not read."""
+"""Types of the standard headers, which the parser does not read."""
 COMMENT = re.compile(r"/\*(.*?)\*/", re.DOTALL)
 FOR_CPLUSPLUS = re.compile(r'#ifdef __cplusplus\n(extern "C" \{|\})\n#endif')
 INCLUDE = re.compile(r'#include "tdmf_slip/([\w/]+\.h)"')
@@ -31,9 +31,9 @@ class Member:
     """A member of a struct, or an enumerator."""
 
     name: str
-    """With the names of the structs around it, as `leg.stiffness`."""
+    """Name, after the names of the structs around it, as in `leg.stiffness`."""
     text: str
-    """As it is declared; of an enumerator with its value where one is given."""
+    """Declaration; for an enumerator, with its value where one is given."""
     comment: str
 
 
@@ -96,7 +96,7 @@ class _Comments:
         self.code = [line.strip() for line in blank.split("\n")]
 
     def of(self, line: int, *, beside: bool = True) -> str:
-        """What is said of the declaration that begins on a line, above it or, if it may be, beside it."""
+        """Comment on the declaration that begins on a line: above it or, with `beside`, on the same line."""
         if beside and line in self.beside:
             return self.beside[line]
         while True:
@@ -134,7 +134,7 @@ def _in_order(folder: Path) -> list[str]:
 
 @cache
 def headers(folder: Path = FOLDER) -> dict[str, Header]:
-    """All public headers by name."""
+    """Public headers by name."""
     names = _in_order(folder)
     texts = {name: (folder / name).read_text(encoding="utf-8") for name in names}
     whole = "".join(f'\n# 1 "{name}"\n{_without_preprocessor(text)}' for name, text in texts.items())

@@ -69,7 +69,7 @@ def _linked(text: str) -> str:
 
 
 class CHeader(SphinxDirective):
-    """What a header declares."""
+    """All declarations of a header."""
 
     required_arguments = 1
 

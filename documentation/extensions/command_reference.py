@@ -10,7 +10,7 @@ WIDTH = 100
 
 
 def help_texts() -> dict[str, str]:
-    """By command, in the order of the help: what `--help` prints."""
+    """Text that `--help` prints, by command, in the order of the help."""
     texts = {"": _help(commands, click.Context(commands, info_name="tdmf-slip", max_content_width=WIDTH))}
     top = click.Context(commands, info_name="tdmf-slip", show_default=True)
     for name in commands.list_commands(top):

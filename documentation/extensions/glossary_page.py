@@ -11,7 +11,7 @@ SOURCE = Path(__file__).parents[1] / "glossary.toml"
 
 
 class Words(SphinxDirective):
-    """All words in the order of the alphabet."""
+    """Glossary in alphabetical order."""
 
     def run(self) -> list[nodes.Node]:
         """Write a list of definitions."""

@@ -1,4 +1,4 @@
-"""What the guides need to run and to be read where only the package is: in a notebook that was downloaded.
+"""Files and pictures that a downloaded notebook needs where only the package is installed.
 
 A line `% needs ../../examples/runner.py` in a guide becomes a cell, not shown on the page, that writes this
 file; guides are executed in an empty folder. In notebooks for download directives become what any notebook

@@ -1,6 +1,6 @@
-"""What search engines and messengers show of a page: its title, its first sentences, a picture (Open Graph).
+"""Title, first sentences and picture that search engines and messengers show for a page (Open Graph).
 
-Addresses in these have to be whole, so that the picture is named where the site has one (`html_baseurl`).
+Open Graph needs absolute addresses, so the picture is named only where the site has one (`html_baseurl`).
 """
 
 from typing import Any
@@ -29,7 +29,7 @@ def first_sentences(doctree: nodes.document | None) -> str:
 def describe(
     app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None
 ) -> None:
-    """Tell the template what to say of a page."""
+    """Hand a page's description to the template."""
     base = app.config.html_baseurl
     context["page_description"] = first_sentences(doctree)
     context["page_card"] = f"{base.rstrip('/')}/{PICTURE}" if base else ""

@@ -14,7 +14,7 @@ from sphinx.util.osutil import relative_uri
 def tell_of_versions(
     app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None
 ) -> None:
-    """Where the list is, seen from a page."""
+    """Hand the template the list's address, relative to the page."""
     list_of_versions = app.config.versions_file
     own = app.builder.get_target_uri(page)
     context["versions_file"] = relative_uri(own, list_of_versions) if list_of_versions else ""
@@ -23,7 +23,7 @@ def tell_of_versions(
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
-    """Tell Sphinx of the setting, and when to ask."""
+    """Register the setting, and the function that every page calls."""
     app.add_config_value("versions_file", "", "html")
     app.connect("html-page-context", tell_of_versions)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -76,7 +76,7 @@ def script_first(driver, source):
 
 
 def wait(driver, condition, what="the page"):
-    """What a condition, JavaScript that gives a value, comes to when it is true of the page."""
+    """Wait until a JavaScript expression is true in the page, and return its value."""
     return WebDriverWait(driver, PATIENCE, poll_frequency=0.05).until(
         lambda d: d.execute_script(f"return {condition}"), f"waited in vain for {what}: {condition}"
     )

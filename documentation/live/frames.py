@@ -13,7 +13,7 @@ PACES = ("full", "stance", "slow", "slowest")
 
 
 def durations(driver, pace):
-    """Of so many frames at a pace, ms, in rising order."""
+    """Durations of `FRAMES` frames at a pace, ms, in rising order."""
     driver.execute_script("document.getElementById('pace').value = arguments[0]", pace)
     driver.execute_script("tdmfSlip.player.play(true); tdmfSlip.player.frames.length = 0")
     wait(driver, f"tdmfSlip.player.frames.length >= {FRAMES}", "frames")

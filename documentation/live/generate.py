@@ -26,7 +26,7 @@ MODE, PHASE = "contact.mode", "hip.phase"
 
 
 def values_of(table):
-    """What `live_accept` takes, in its order: the core's parameters, then the inputs."""
+    """Values that `live_accept` takes, in its order: the core's parameters, then the inputs."""
     return [*table.core_parameters(), *table.inputs()]
 
 
@@ -106,7 +106,7 @@ def described(variable):
 
 
 def display_units(table):
-    """By unit: the one that it is shown in, and how many of it make one."""
+    """Display unit of each unit, and how many of these make one."""
     units = {}
     for unit in table.units:
         shown = unit.find("DisplayUnit")
@@ -116,7 +116,7 @@ def display_units(table):
 
 
 def items(table, name):
-    """By number: name and description of an enumeration's items."""
+    """Name and description of an enumeration's items, by number."""
     return {
         int(item.get("value")): {"name": item.get("name"), "description": item.get("description")}
         for item in table.by_name[name].items

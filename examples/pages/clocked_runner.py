@@ -7,7 +7,7 @@ from tdmf_slip.pages.runner import PlainRunner
 
 
 class ClockedRunner(PlainRunner):
-    """In stance, the time since touchdown drives the hip. In flight, the leg aims at Raibert's point.
+    """Runner whose hip torque in stance follows a clock, and whose leg in flight aims at Raibert's point.
 
     Clock: tau = -tau0 sin(pi t/T) for the time T after touchdown, then 0, in place of (11). The hip needs no
     sensor of the leg angle. Legs like those of RHex are driven by such a clock (Seipel and Holmes 2007).
@@ -40,11 +40,11 @@ class ClockedRunner(PlainRunner):
         return r.replace(driving=0)
 
     def begins(r):
-        """A run begins with an aim."""
+        """Aim the leg at the start of a run."""
         return super().begins().aimed()
 
     def open_stride(r):
-        """At an apex, the leg is aimed."""
+        """Aim the leg at each apex."""
         return super().open_stride().aimed()
 
     def aimed(r):

@@ -50,11 +50,11 @@ class CompliantRunner(PlainRunner):
         return r.on_ground(push, r.torque(), -push.along / r.foot_mass) | r.swing_rates()
 
     def bounces(r):
-        """Whether the foot is free in a stance that goes on."""
+        """True while the foot is free in a stance that goes on."""
         return r.mode == "graze" and r.course == "bounce"
 
     def in_stance(r):
-        """Whether the law of stance drives the hip."""
+        """True while the stance law drives the hip."""
         return super().in_stance() or r.bounces()
 
     @event("start_of_run", when=lambda r: -1, counted=False)
@@ -105,7 +105,7 @@ class CompliantRunner(PlainRunner):
         return PlainRunner.apex(r.replace(liftoff_angle=r.leg().angle) if r.bounces() else r).fly()
 
     def open_stride(r):
-        """At an apex, count contacts anew."""
+        """Count contacts anew at each apex."""
         return super().open_stride().replace(
             contacts=r.contacts_so_far, contacts_so_far=0, depth=r.depth_so_far, depth_so_far=0)
 

@@ -99,7 +99,7 @@ void free_description(fmu_description *description) {
     description->text = NULL;
 }
 
-/* What follows the first ` name="`, or NULL. */
+/* The text after the first ` name="quoted`, or NULL. */
 static const char *value_after(const char *text, const char *name, const char *quoted) {
     char wanted[256];
     snprintf(wanted, sizeof wanted, " %s=\"%s", name, quoted);

@@ -28,8 +28,7 @@ typedef struct {
 /* The functions of a shared library. Ends the program with a message where there are none. */
 fmu_functions load_fmu(const char *path);
 
-/* What the program has to know of modelDescription.xml, found by its text alone: a real importer parses it.
- */
+/* The text of modelDescription.xml. This program searches the text; a real importer parses it. */
 typedef struct {
     char *text;
 } fmu_description;

@@ -156,7 +156,7 @@ static void look(importer *runner, double indicators[]) {
           "fmi2GetEventIndicators");
 }
 
-/* Whether an indicator has left its domain, which is above 0, or 0 and below. */
+/* Returns whether an indicator has changed between above 0 and not above 0. */
 static int has_event(importer *runner, const double before[]) {
     double now[MAX_INDICATORS];
     look(runner, now);
@@ -179,7 +179,7 @@ static double step_to_event(importer *runner, const double states[], const doubl
     return with;
 }
 
-/* From event mode to the next event, in event mode again. */
+/* Runs from event mode to the next event, and enters event mode again. */
 static void run_to_event(importer *runner, double until) {
     double states[MAX_STATES], after[MAX_STATES] = {0.0}, before[MAX_INDICATORS];
     fmi2Boolean found = fmi2False, asked = fmi2False, ends = fmi2False;
@@ -205,7 +205,7 @@ static void run_to_event(importer *runner, double until) {
     check(runner->call.enter_event_mode(runner->unit), "fmi2EnterEventMode");
 }
 
-/* From event mode to the event that closes a stride; false after a fall. */
+/* Runs from event mode to the event that closes a stride; returns false after a fall. */
 static int run_to_apex(importer *runner) {
     const int strides = strides_of(runner);
     const double until = runner->time + longest;

@@ -21,7 +21,7 @@ const char *live_gait_word(void) {
     return word;
 }
 
-/* Of the section's coordinates, by the values accepted last. */
+/* Scales of the section's coordinates, for the values accepted last. */
 LIVE_EXPORT(live_section_scales)
 double *live_section_scales(void) {
     tdmf_section_scales(&live.model, scales);

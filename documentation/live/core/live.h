@@ -1,6 +1,5 @@
-/* What the live page asks of the core, as functions that JavaScript can call: numbers go through arrays of
- * doubles whose offsets are given by name in the page's own table. There is one runner to an instance. No
- * physics here. */
+/* Functions of the core that the live page's JavaScript calls. Numbers go through arrays of doubles, whose
+ * offsets the page's own table gives by name. An instance has one runner. No physics here. */
 #ifndef LIVE_H
 #define LIVE_H
 
@@ -12,7 +11,7 @@
 
 enum { LIVE_MESSAGE_CAPACITY = 512 };
 
-/* What all files share. */
+/* State that all files share. */
 typedef struct {
     tdmf_model model;
     tdmf_inputs inputs;

@@ -23,7 +23,7 @@ int *live_fates(void) {
     return &fates[0][0];
 }
 
-/* What becomes of the first `count` starts, which may settle on the gait whose apex is in the section. */
+/* Runs the first `count` starts; they may settle on the gait whose apex is in the section. */
 LIVE_EXPORT(live_run_block)
 bool live_run_block(int count, double tolerance, double distance, int max_strides) {
     const tdmf_ensemble_case runner = {&live.model,

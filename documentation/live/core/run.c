@@ -34,7 +34,7 @@ double *live_samples_address(void) {
     return &samples[0][0];
 }
 
-/* Of the last call of live_advance. */
+/* Number of samples that the last call of live_advance wrote. */
 LIVE_EXPORT(live_sample_count)
 int live_samples_counted(void) {
     return sample_count;
@@ -146,13 +146,13 @@ double live_time(void) {
     return motion.time;
 }
 
-/* Of the last completed stride. */
+/* Word of the last completed stride. */
 LIVE_EXPORT(live_word)
 const char *live_word(void) {
     return motion.record.stride.word;
 }
 
-/* Of the stride under way; a contact is in it once it is over. */
+/* Word of the stride under way; a contact joins it when it ends. */
 LIVE_EXPORT(live_open_word)
 const char *live_open_word(void) {
     return motion.record.progress.open.word;

@@ -1,10 +1,10 @@
-/* Refusals in words, and outputs by the page's table. */
+/* Messages of refusals, and outputs in the order of the page's table. */
 #ifndef LIVE_VALUES_H
 #define LIVE_VALUES_H
 
 #include "live.h"
 
-/* Whether something was refused; the message then says what, else it is empty. */
+/* Returns whether a value was refused. The message then names it; otherwise it is empty. */
 bool live_refused(const tdmf_refusal *refusal);
 
 /* Fills the array of outputs. */

@@ -43,7 +43,7 @@ function written(variable, value) {
 }
 
 /**
- * What an address says.
+ * Reads the state that an address holds.
  * @param {string} hash With or without its #.
  * @returns {{state: Object<string, number>, rival: ?number, problem: string}} The defaults, and over them what was
  *   understood; the friction of a rival, or null.

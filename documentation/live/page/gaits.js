@@ -1,6 +1,6 @@
 /**
- * Where gaits are looked for, with the core's Newton's method: where a runner settles, and along the friction. The same
- * way as `tdmf-slip gait`.
+ * Search for gaits by the core's Newton's method, from where a runner settles and along the friction, as
+ * `tdmf-slip gait` does it.
  * @module
  */
 import { values } from "./data.js";

@@ -1,5 +1,5 @@
 /**
- * What the page says in sentences: what is wrong, above everything, and what has happened, to a screen reader.
+ * Messages of the page: problems, shown above everything else, and announcements for screen readers.
  * @module
  */
 
@@ -18,7 +18,7 @@ export function announce(text) {
 }
 
 /**
- * What goes wrong where nobody expects it is told, too, and the page goes on to answer.
+ * Does some work, and reports an unexpected error instead of leaving the page without an answer.
  * @param {function(): (void|Promise<void>)} work
  * @returns {Promise<boolean>} Whether it was done.
  */

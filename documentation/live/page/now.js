@@ -1,5 +1,5 @@
 /**
- * What happens now, in a sentence, and the stride's word as it comes, letter by letter.
+ * One sentence on what the runner does now, and the stride's word, which grows letter by letter.
  * @module
  */
 import { hipPhases } from "./data.js";

@@ -1,5 +1,5 @@
 /**
- * How fast the run is shown.
+ * Speed at which the run is shown.
  * @module
  */
 import { digits, printed } from "./numbers.js";

@@ -1,5 +1,5 @@
 /**
- * What is shown of a run: the scene, the plots of the stance, the bars of energy, the numbers.
+ * View of a run: the scene, the plots of the stance, the energy bars, the numbers.
  * @module
  */
 import { EnergyBars } from "./energy_bars.js";
