@@ -72,6 +72,7 @@ int main(int argc, char *argv[]) {
     tdmf_model model;
     const tdmf_system system = {&model, &inputs};
     tdmf_motion run = {.time = 0.0};
+    tdmf_outputs now;
     char text[256];
 
     tdmf_default_state(run.state);
@@ -94,12 +95,14 @@ int main(int argc, char *argv[]) {
         }
         if (run.record.stride.count > strides) {
             strides = run.record.stride.count;
-            printf("%d,%.3f,%.4f,%s,%.4f\n", strides, tdmf_center_of_mass(&model, run.state).x,
-                   inputs.ground.height, run.record.stride.word, run.record.stride.speed);
+            tdmf_outputs_of(system, &run, &now);
+            printf("%d,%.3f,%.4f,%s,%.4f\n", strides, now.com.x, inputs.ground.height, run.record.stride.word,
+                   run.record.stride.speed);
         }
     }
     if (run.mode.fallen) {
-        fprintf(stderr, "fell at x = %.3f\n", tdmf_center_of_mass(&model, run.state).x);
+        tdmf_outputs_of(system, &run, &now);
+        fprintf(stderr, "fell at x = %.3f\n", now.com.x);
     }
     return EXIT_SUCCESS;
 }

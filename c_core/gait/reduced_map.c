@@ -4,13 +4,13 @@
 
 #include "event_log.h"
 #include "ground_line.h"
+#include "kinematics.h"
 #include "page_fields.h"
 #include "page_solver.h"
 #include "patch.h"
 #include "request.h"
 #include "return_record.h"
 #include "tdmf_slip/automaton.h"
-#include "tdmf_slip/kinematics.h"
 
 #include <math.h>
 #include <string.h>

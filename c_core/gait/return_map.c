@@ -4,12 +4,12 @@
 
 #include "ground_line.h"
 #include "input_rates.h"
+#include "kinematics.h"
 #include "mapped_stride.h"
 #include "patch.h"
 #include "request.h"
 #include "return_record.h"
 #include "tdmf_slip/automaton.h"
-#include "tdmf_slip/kinematics.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,6 @@
-/* Small questions about state and mode. */
+/* The line of ground, and the default start. */
 #include "tdmf_slip/state.h"
 
-#include "contact_mode.h"
 #include "ranges.h"
 
 #include <math.h>
@@ -9,14 +8,6 @@
 tdmf_ground_line tdmf_ground_line_of(double height, double slope) {
     const tdmf_ground_line line = {height, slope, sin(slope), cos(slope)};
     return line;
-}
-
-bool tdmf_in_contact(const tdmf_mode *mode) {
-    return tdmf_is_loaded(mode);
-}
-
-double tdmf_slip_sign(const tdmf_mode *mode) {
-    return tdmf_sign_of_slip(mode);
 }
 
 void tdmf_default_state(double state[TDMF_STATE_COUNT]) {

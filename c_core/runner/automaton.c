@@ -4,10 +4,10 @@
 #include "automaton.h"
 #include "contact_mode.h"
 #include "input_rates.h"
+#include "kinematics.h"
 #include "motion_instant.h"
 #include "page_fields.h"
 #include "page_solver.h"
-#include "tdmf_slip/kinematics.h"
 
 #include <math.h>
 #include <string.h>

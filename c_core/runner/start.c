@@ -3,12 +3,12 @@
 #include "ground_line.h"
 #include "input_rates.h"
 #include "instant.h"
+#include "kinematics.h"
 #include "margins.h"
 #include "page_fields.h"
 #include "page_solver.h"
 #include "ranges.h"
 #include "rest_length.h"
-#include "tdmf_slip/kinematics.h"
 #include "tdmf_slip/variation.h"
 
 #include <float.h>

@@ -1,5 +1,6 @@
 /* The core's C interface with any runner in the declared ranges: starts, both solvers' steps, strides with
  * derivatives and ensembles. No crash, no hang, and no number that is not one behind a success. */
+#include "at_instant.h"
 #include "declared.h"
 #include "fuzz.h"
 #include "ground_line.h"
@@ -30,7 +31,7 @@ static void expect_numbers_of_motion(const subject *on) {
     expect_numbers(0, motion->state, TDMF_STATE_COUNT);
     expect_numbers(0, derivatives, TDMF_STATE_COUNT);
     expect_numbers(0, guards, TDMF_GUARD_COUNT);
-    const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(on), motion);
+    const tdmf_outputs outputs = outputs_of(SYSTEM_OF(on), motion);
     const double numbers[] = {outputs.com.y,        outputs.contact.fx,     outputs.contact.fy,
                               outputs.hip.torque,   outputs.energy.total,   outputs.energy.impact_loss,
                               outputs.stride.speed, outputs.stride.work,    outputs.stride.cost_of_transport,

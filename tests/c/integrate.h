@@ -3,8 +3,8 @@
 #ifndef TDMF_TESTS_INTEGRATE_H
 #define TDMF_TESTS_INTEGRATE_H
 
+#include "at_instant.h"
 #include "system_of.h"
-#include "tdmf_slip/tdmf_slip.h"
 
 typedef struct {
     tdmf_model model;

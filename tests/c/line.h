@@ -4,7 +4,7 @@
 #define TDMF_TESTS_LINE_H
 
 #include "scene.h"
-#include "tdmf_slip/variation.h"
+#include "tdmf_slip/tdmf_slip.h"
 
 enum { PARAMETERS = TDMF_PARAMETER_COUNT };
 

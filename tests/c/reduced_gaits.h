@@ -3,7 +3,7 @@
 #ifndef TDMF_TESTS_REDUCED_GAITS_H
 #define TDMF_TESTS_REDUCED_GAITS_H
 
-#include "tdmf_slip/reduced_map.h"
+#include "tdmf_slip/tdmf_slip.h"
 
 typedef struct {
     double friction, touchdown_angle;                     /* degrees */

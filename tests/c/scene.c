@@ -54,7 +54,7 @@ static double total_torque(const runner *runner) {
     const tdmf_mode *mode = &runner->motion.mode;
     return mode->contact == TDMF_CONTACT_GRAZE
                ? runner->inputs.hip.external_torque
-               : tdmf_hip_torque(SYSTEM_OF(runner), mode, runner->motion.state);
+               : outputs_at(SYSTEM_OF(runner), mode, runner->motion.state).hip.torque;
 }
 
 /* The torque acts through its lever, the leg length sought: a contracting fixed point. */
@@ -238,7 +238,7 @@ static void choose_ground(random_source copy, runner *runner) {
 static void constrain(runner *runner) {
     const tdmf_ground_line *ground = &runner->motion.mode.ground;
     double *state = runner->motion.state;
-    const double sign = tdmf_slip_sign(&runner->motion.mode);
+    const double sign = tdmf_sign_of_slip(&runner->motion.mode);
     const bool flies = runner->motion.mode.contact == TDMF_CONTACT_FLIGHT;
     const double along = state[TDMF_FOOT_X], off = flies ? state[TDMF_FOOT_Y] : 0.0;
     const double rate = flies ? state[TDMF_FOOT_VY] : 0.0;
@@ -263,7 +263,7 @@ runner scene_random(random_source *source, tdmf_contact_mode contact) {
     const bool first = random_chance(source, 0.5);
     runner.motion.mode.contact = contact;
     runner.motion.mode.liftoff_angle = random_uniform(source, -1.2, 1.2);
-    if (tdmf_in_contact(&runner.motion.mode)) {
+    if (tdmf_is_loaded(&runner.motion.mode)) {
         runner.motion.mode.phase = first ? TDMF_PHASE_DRIVE : TDMF_PHASE_COAST;
         runner.motion.mode.mid_stance_pending = first;
     } else {
@@ -287,7 +287,8 @@ double scene_force_tolerance(const runner *runner) {
     const tdmf_parameters *p = &runner->model.parameters;
     const double length = runner->motion.state[TDMF_LEG_LENGTH];
     const double turning = runner->motion.state[TDMF_LEG_ANGLE_RATE];
-    const double torque = tdmf_hip_torque(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
+    const double torque =
+        outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).hip.torque;
     const double forces = runner->model.scales.force + fabs(torque) / length +
                           p->leg.damping * fabs(runner->motion.state[TDMF_LEG_LENGTH_RATE]) +
                           p->body.mass * length * turning * turning;

@@ -88,7 +88,7 @@ const tdmf_event *simulation_event(const simulation *simulation, tdmf_guard guar
 
 double simulation_energy(const simulation *simulation) {
     const tdmf_motion *motion = &simulation->motion;
-    return tdmf_mechanical_energy(SYSTEM_OF(simulation), &motion->mode, motion->state).total;
+    return outputs_at(SYSTEM_OF(simulation), &motion->mode, motion->state).energy.total;
 }
 
 double simulation_ledger_error(const simulation *simulation) {

@@ -170,12 +170,12 @@ TEST(a_thrust_of_zero_is_noted_and_acts_where_it_is_set) {
 /* Along a stance of the native solver, in which nothing asks for the flag. */
 TEST(the_native_solver_notes_a_thrust_of_zero) {
     simulation run = begin(0.0, 1e-11);
-    while (!tdmf_in_contact(&run.motion.mode) || run.motion.state[TDMF_LEG_LENGTH_RATE] < 0.0) {
+    while (!tdmf_is_loaded(&run.motion.mode) || run.motion.state[TDMF_LEG_LENGTH_RATE] < 0.0) {
         assert_false(run.motion.mode.thrusts);
         assert_int_equal(simulation_advance(&run, run.motion.time + 0.05), TDMF_ARRIVED);
     }
     assert_true(run.motion.mode.thrusts);
-    while (tdmf_in_contact(&run.motion.mode)) {
+    while (tdmf_is_loaded(&run.motion.mode)) {
         simulation_advance(&run, run.motion.time + 0.01);
     }
     assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_GRAZE);
@@ -196,9 +196,9 @@ TEST(an_impact_on_a_lengthening_leg_thrusts_before_it_is_asked_whether_it_stays)
     free.motion.state[TDMF_LEG_LENGTH_RATE] += 0.3;
     scene_resolve(&thrusting);
     scene_resolve(&free);
-    assert_true(tdmf_in_contact(&thrusting.motion.mode) && thrusting.motion.mode.thrusts);
+    assert_true(tdmf_is_loaded(&thrusting.motion.mode) && thrusting.motion.mode.thrusts);
     assert_int_equal(thrusting.motion.record.event_count, 1);
-    assert_false(tdmf_in_contact(&free.motion.mode));
+    assert_false(tdmf_is_loaded(&free.motion.mode));
 }
 
 TEST(graze_keeps_thrust_and_does_not_start_it) {
@@ -213,7 +213,7 @@ TEST(graze_keeps_thrust_and_does_not_start_it) {
         assert_int_equal(runner.motion.mode.thrusts, on);
         scene_set_vertical_force(&runner, 0.1);
         scene_resolve(&runner);
-        assert_true(tdmf_in_contact(&runner.motion.mode) && runner.motion.mode.thrusts);
+        assert_true(tdmf_is_loaded(&runner.motion.mode) && runner.motion.mode.thrusts);
     }
 }
 

@@ -8,8 +8,8 @@
 #include "compare.h"
 #include "scene.h"
 #include "simulation.h"
-#include "tdmf_slip/kinematics.h"
 #include "tdmf_slip/solver.h"
+#include "tdmf_slip/tdmf_slip.h"
 
 #include <math.h>
 #include <string.h>

@@ -93,7 +93,7 @@ TEST(an_input_that_has_jumped_is_met_before_the_first_step) {
     simulation by_native = standing;
     assert_int_equal(advance(&standing, standing.motion.time + 1e-4), TDMF_ARRIVED);
     assert_int_equal(simulation_advance(&by_native, by_native.motion.time + 1e-4), TDMF_ARRIVED);
-    assert_true(tdmf_slip_sign(&standing.motion.mode) != 0.0);
+    assert_true(tdmf_sign_of_slip(&standing.motion.mode) != 0.0);
     assert_int_equal(standing.motion.mode.contact, by_native.motion.mode.contact);
     assert_int_equal(standing.motion.record.event_count, by_native.motion.record.event_count);
     assert_true(standing.motion.state[TDMF_FOOT_VX] != 0.0);

@@ -52,18 +52,18 @@ typedef struct {
 
 static double loss_of_ledger(const run *run) {
     const double *state = run->motion.state;
-    return tdmf_mechanical_energy(SYSTEM_OF(run), &run->motion.mode, state).total - run->start_energy -
+    return outputs_at(SYSTEM_OF(run), &run->motion.mode, state).energy.total - run->start_energy -
            state[TDMF_HIP_WORK] - state[TDMF_LEG_WORK] - state[TDMF_ENERGY_EXTERNAL_WORK] +
            state[TDMF_ENERGY_DAMPER_LOSS] + state[TDMF_ENERGY_FRICTION_LOSS] + run->motion.record.impact_loss;
 }
 
 static double largest_energy(const run *run) {
     const double *state = run->motion.state;
-    const tdmf_energy energy = tdmf_mechanical_energy(SYSTEM_OF(run), &run->motion.mode, state);
+    const tdmf_outputs now = outputs_at(SYSTEM_OF(run), &run->motion.mode, state);
     const double thrust = run->model.parameters.leg.thrust + run->inputs.control.thrust;
     const double of_thrust = run->model.parameters.leg.stiffness * thrust * thrust; /* off again, maybe */
-    return energy.kinetic + fabs(energy.potential) + energy.elastic + of_thrust + fabs(state[TDMF_HIP_WORK]) +
-           fabs(state[TDMF_LEG_WORK]) + fabs(state[TDMF_ENERGY_EXTERNAL_WORK]) +
+    return now.energy.kinetic + fabs(now.energy.potential) + now.energy.elastic + of_thrust +
+           fabs(state[TDMF_HIP_WORK]) + fabs(state[TDMF_LEG_WORK]) + fabs(state[TDMF_ENERGY_EXTERNAL_WORK]) +
            state[TDMF_HIP_POSITIVE_WORK] + state[TDMF_ENERGY_DAMPER_LOSS] + state[TDMF_ENERGY_FRICTION_LOSS] +
            run->motion.record.impact_loss;
 }
@@ -93,7 +93,7 @@ static void record_energies(run *run, const tdmf_inputs *from) {
 
 static const char *not_a_number(const run *run) {
     const tdmf_motion *motion = &run->motion;
-    const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(run), motion);
+    const tdmf_outputs outputs = outputs_of(SYSTEM_OF(run), motion);
     const double numbers[] = {motion->time,           outputs.body.y,
                               outputs.com.vx,         outputs.contact.fx,
                               outputs.contact.fy,     outputs.hip.torque,
@@ -177,7 +177,7 @@ static const char *waits_for_nothing(const run *run) {
 /* Contact, phase and what is noted with them go together. */
 static const char *broken_mode(const run *run) {
     const tdmf_mode *mode = &run->motion.mode;
-    const bool in_contact = tdmf_in_contact(mode);
+    const bool in_contact = tdmf_is_loaded(mode);
     const bool may_clamp = mode->phase == TDMF_PHASE_RETRACT && run->model.parameters.hip.swing_clamp;
     const bool sound = in_contact == (mode->phase == TDMF_PHASE_DRIVE || mode->phase == TDMF_PHASE_COAST) &&
                        (!in_contact || mode->mid_stance_pending == (mode->phase == TDMF_PHASE_DRIVE)) &&
@@ -191,11 +191,11 @@ static const char *broken_contact(const run *run, tdmf_outcome outcome) {
     const tdmf_mode *mode = &run->motion.mode;
     const double *state = run->motion.state;
     const tdmf_point foot = tdmf_foot_over_ground(&mode->ground, state);
-    const tdmf_ground_force force = tdmf_contact_force(SYSTEM_OF(run), mode, state);
+    const tdmf_outputs now = outputs_at(SYSTEM_OF(run), mode, state);
     const double turning = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
     const double speed = run->model.scales.speed + fabs(turning) + fabs(foot.vx);
     const double share = 2.0 * TDMF_GUARD_MARGIN + 1e2 * run->solver.relative_tolerance;
-    const double forces = run->model.scales.force + fabs(force.tangential) +
+    const double forces = run->model.scales.force + fabs(now.contact.tangential) +
                           run->model.parameters.leg.damping * speed +
                           run->model.parameters.leg.stiffness * fabs(state[TDMF_LEG_LENGTH]);
     /* of rest, which slow slips may have, too */
@@ -206,11 +206,12 @@ static const char *broken_contact(const run *run, tdmf_outcome outcome) {
         return NULL;
     }
     if (fabs(foot.vy) > 1e-12 * speed || (mode->contact == TDMF_CONTACT_STICK && foot.vx != 0.0) ||
-        tdmf_slip_sign(mode) * foot.vx < -share * speed) {
+        tdmf_sign_of_slip(mode) * foot.vx < -share * speed) {
         return "a foot at the ground moves as it must not";
     }
-    return force.normal < -share * forces ||
-                   fabs(force.tangential) > friction * force.normal + share * (1.0 + friction) * forces
+    return now.contact.normal < -share * forces ||
+                   fabs(now.contact.tangential) >
+                       friction * now.contact.normal + share * (1.0 + friction) * forces
                ? "the ground pulls, or friction leaves its cone"
                : NULL;
 }
@@ -318,7 +319,7 @@ static bool begin(uint64_t seed, run *run) {
     }
     tdmf_motion *motion = &run->motion;
     motion->mode.ground = tdmf_ground_line_set(&run->inputs);
-    run->start_energy = tdmf_mechanical_energy(SYSTEM_OF(run), &motion->mode, motion->state).total;
+    run->start_energy = outputs_at(SYSTEM_OF(run), &motion->mode, motion->state).energy.total;
     motion->time = 0.0;
     if (tdmf_start(SYSTEM_OF(run), motion).variable != NULL) {
         return false;

@@ -279,17 +279,17 @@ static void compare_with_lagrange(const runner *runner) {
     assert_close(derivatives[TDMF_LEG_ANGLE_RATE] * scales->length, expected[THETA] * scales->length,
                  1e-11 * fmax(largest, fabs(expected[THETA]) * scales->length));
 
-    const tdmf_ground_force force =
-        tdmf_contact_force(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
-    const double torque = tdmf_hip_torque(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
+    const tdmf_outputs now = outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
+    const double torque =
+        outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).hip.torque;
     const double largest_force = largest_of(&expected[FX], 2, scales->force);
     const tdmf_ground_line *ground = &runner->motion.mode.ground;
-    const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(runner), &runner->motion);
+    const tdmf_outputs outputs = outputs_of(SYSTEM_OF(runner), &runner->motion);
     assert_close(outputs.contact.fx, expected[FX], 1e-11 * largest_force);
     assert_close(outputs.contact.fy, expected[FY], 1e-11 * largest_force);
-    assert_close(force.tangential, ground->cosine * expected[FX] + ground->sine * expected[FY],
+    assert_close(now.contact.tangential, ground->cosine * expected[FX] + ground->sine * expected[FY],
                  1e-11 * largest_force);
-    assert_close(force.normal, ground->cosine * expected[FY] - ground->sine * expected[FX],
+    assert_close(now.contact.normal, ground->cosine * expected[FY] - ground->sine * expected[FX],
                  1e-11 * largest_force);
     assert_close(torque, expected[TAU], 1e-11 * fmax(fabs(expected[TAU]), scales->energy));
 }
@@ -297,7 +297,7 @@ static void compare_with_lagrange(const runner *runner) {
 /* A leg that thrusts and is extended, a body that is pushed. */
 static void actuate(random_source *source, runner *runner) {
     const tdmf_scales *scales = &runner->model.scales;
-    runner->motion.mode.thrusts = tdmf_in_contact(&runner->motion.mode) && random_chance(source, 0.5);
+    runner->motion.mode.thrusts = tdmf_is_loaded(&runner->motion.mode) && random_chance(source, 0.5);
     runner->model.parameters.leg.thrust = random_uniform(source, 0.0, 0.2) * scales->length;
     runner->inputs.control.thrust = random_uniform(source, 0.0, 0.2) * scales->length;
     runner->inputs.leg.extension = random_uniform(source, -0.3, 0.3) * scales->length;
@@ -401,7 +401,8 @@ TEST(clamp_stays_as_located) {
         runner runner = scene_in_flight(TDMF_PHASE_RETRACT, 0.1);
         runner.motion.mode.clamp_closed = closed == 1;
         runner.motion.state[TDMF_LEG_ANGLE_RATE] = closed ? -1e-11 : 1e-11;
-        const double torque = tdmf_hip_torque(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state);
+        const double torque =
+            outputs_at(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state).hip.torque;
         assert_close(torque, closed ? 0.0 : -1e-12, closed ? 0.0 : 1e-16);
     }
 }

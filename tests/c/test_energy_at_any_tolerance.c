@@ -9,8 +9,8 @@
 #include <math.h>
 
 static double energy_in(const simulation *run) {
-    const tdmf_energy energy = tdmf_mechanical_energy(SYSTEM_OF(run), &run->motion.mode, run->motion.state);
-    return energy.kinetic + fabs(energy.potential) + energy.elastic;
+    const tdmf_outputs now = outputs_at(SYSTEM_OF(run), &run->motion.mode, run->motion.state);
+    return now.energy.kinetic + fabs(now.energy.potential) + now.energy.elastic;
 }
 
 /* Above rounding and a few hundred steps' errors; energies from nothing were as large as all there is.

@@ -281,7 +281,7 @@ static double mechanical_energy(const tdmf_model *model, const double apex[TDMF_
     const tdmf_inputs inputs = tdmf_default_inputs();
     const tdmf_mode mode = {.contact = TDMF_CONTACT_FLIGHT};
     tdmf_section_state((tdmf_system){model, &inputs}, apex, state);
-    return tdmf_mechanical_energy((tdmf_system){model, &inputs}, &mode, state).total;
+    return outputs_at((tdmf_system){model, &inputs}, &mode, state).energy.total;
 }
 
 TEST(energy_is_accounted_for_and_work_is_counted) {

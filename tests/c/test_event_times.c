@@ -5,8 +5,7 @@
 #include "system_of.h"
 
 #include "tdmf_slip/cvode.h"
-#include "tdmf_slip/kinematics.h"
-#include "tdmf_slip/orbit.h"
+#include "tdmf_slip/tdmf_slip.h"
 
 #include <math.h>
 #include <string.h>

@@ -8,7 +8,7 @@
 #include "simulation.h"
 
 #include "tdmf_slip/cvode.h"
-#include "tdmf_slip/impact.h"
+#include "tdmf_slip/tdmf_slip.h"
 
 #include <float.h>
 #include <math.h>
@@ -52,7 +52,7 @@ static runner falling_foot(const reference_impact *law, double speed) {
 
 static double speed_after(const reference_impact *law, double speed) {
     runner runner = falling_foot(law, speed);
-    tdmf_impact(SYSTEM_OF(&runner), &runner.motion.mode.ground, runner.motion.state);
+    impact_on(SYSTEM_OF(&runner), &runner.motion.mode.ground, runner.motion.state);
     return runner.motion.state[TDMF_FOOT_VX];
 }
 
@@ -74,10 +74,10 @@ TEST(an_impact_loses_what_the_foot_does) {
         const reference_impact *law = &reference_impacts[i];
         runner runner = falling_foot(law, law->speed_before);
         const double before =
-            tdmf_mechanical_energy(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state).total;
-        const double loss = tdmf_impact(SYSTEM_OF(&runner), &runner.motion.mode.ground, runner.motion.state);
+            outputs_at(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state).energy.total;
+        const double loss = impact_on(SYSTEM_OF(&runner), &runner.motion.mode.ground, runner.motion.state);
         const double after =
-            tdmf_mechanical_energy(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state).total;
+            outputs_at(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state).energy.total;
         assert_true(loss > 0.0);
         assert_close(before - after, loss, 1e-14);
     }

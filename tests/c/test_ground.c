@@ -49,7 +49,7 @@ static void set_line(simulation *run, double height, double slope) {
 }
 
 static bool waits(const simulation *run) {
-    const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(run), &run->motion);
+    const tdmf_outputs outputs = outputs_of(SYSTEM_OF(run), &run->motion);
     return outputs.ground.pending;
 }
 
@@ -80,7 +80,7 @@ TEST(the_same_line_set_again_is_no_event) {
 TEST(a_foot_that_stands_keeps_its_ground) {
     simulation run = run_at_apex(0.0, 0.0);
     assert_int_equal(simulation_advance(&run, 12.5), TDMF_ARRIVED);
-    assert_true(tdmf_in_contact(&run.motion.mode));
+    assert_true(tdmf_is_loaded(&run.motion.mode));
     set_line(&run, -0.05, 0.0);
     assert_true(waits(&run));
     assert_true(run.motion.mode.ground.height == 0.0 && run.motion.state[TDMF_FOOT_Y] == 0.0);
@@ -229,7 +229,7 @@ TEST(a_start_beside_the_ground_is_one_on_it) {
         runner.motion.state[TDMF_FOOT_VY] = off[(i + 1) % 3];
         runner_start(&runner);
         const tdmf_point foot = tdmf_foot_over_ground(&runner.motion.mode.ground, runner.motion.state);
-        assert_true(tdmf_in_contact(&runner.motion.mode));
+        assert_true(tdmf_is_loaded(&runner.motion.mode));
         assert_close(foot.y, 0.0, 4.0 * DBL_EPSILON);
         assert_close(foot.vy, 0.0, DBL_EPSILON * 1e-12);
         assert_int_equal(runner.motion.record.progress.open.touchdowns, 0);
@@ -252,7 +252,7 @@ TEST(a_start_below_the_ground_is_refused) {
 /* ---- impact -------------------------------------------------------------------------------------------- */
 
 static double kinetic_energy(const runner *runner) {
-    return tdmf_mechanical_energy(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).kinetic;
+    return outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).energy.kinetic;
 }
 
 TEST(at_no_impact_on_any_slope_does_kinetic_energy_rise) {
@@ -266,7 +266,7 @@ TEST(at_no_impact_on_any_slope_does_kinetic_energy_rise) {
         scene_set_foot_velocity(foot.vx * ground->cosine - foot.vy * ground->sine,
                                 foot.vx * ground->sine + foot.vy * ground->cosine, runner.motion.state);
         const double before = kinetic_energy(&runner);
-        const double loss = tdmf_impact(SYSTEM_OF(&runner), ground, runner.motion.state);
+        const double loss = impact_on(SYSTEM_OF(&runner), ground, runner.motion.state);
         assert_true(loss >= 0.0);
         assert_close(kinetic_energy(&runner), before - loss, 1e-13 * before);
     }

@@ -44,7 +44,7 @@ static void set_cone(runner *runner, double distance) {
 }
 
 static void set_slip_speed(runner *runner, double speed) {
-    runner->motion.state[TDMF_FOOT_VX] = speed * tdmf_slip_sign(&runner->motion.mode);
+    runner->motion.state[TDMF_FOOT_VX] = speed * tdmf_sign_of_slip(&runner->motion.mode);
 }
 
 static void set_leg_angle(runner *runner, double angle) {

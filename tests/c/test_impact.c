@@ -18,12 +18,12 @@ static runner falling_foot(double vx, double vy) {
 static double impact(runner *runner, double friction) {
     tdmf_inputs inputs = runner->inputs;
     inputs.ground.friction = friction;
-    return tdmf_impact((tdmf_system){&runner->model, &inputs}, &runner->motion.mode.ground,
-                       runner->motion.state);
+    return impact_on((tdmf_system){&runner->model, &inputs}, &runner->motion.mode.ground,
+                     runner->motion.state);
 }
 
 static double total_energy(const runner *runner) {
-    return tdmf_mechanical_energy(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).total;
+    return outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).energy.total;
 }
 
 static double vx_after(double vx, double vy, double friction) {
@@ -36,9 +36,8 @@ static double vx_after(double vx, double vy, double friction) {
 
 /* Sum of the sizes of the energy's parts, which may cancel on low ground. */
 static double size_of_energy(const runner *runner) {
-    const tdmf_energy energy =
-        tdmf_mechanical_energy(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
-    return energy.kinetic + fabs(energy.potential) + energy.elastic;
+    const tdmf_outputs now = outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
+    return now.energy.kinetic + fabs(now.energy.potential) + now.energy.elastic;
 }
 
 /* Newton and Coulomb at one random impact. */

@@ -7,7 +7,7 @@
 #include "simulation.h"
 
 #include "tdmf_slip/cvode.h"
-#include "tdmf_slip/orbit.h"
+#include "tdmf_slip/tdmf_slip.h"
 
 #include <math.h>
 #include <string.h>
@@ -27,10 +27,9 @@ TEST(the_cones_guard_rounds_like_the_forces) {
         for (double angle = -1.0; angle < 1.1; angle += 0.25) {
             runner runner = scene_on_ground(TDMF_CONTACT_STICK, angle, 1e-9);
             runner.inputs.ground.friction = frictions[i];
-            const tdmf_ground_force force =
-                tdmf_sticking_force(SYSTEM_OF(&runner), &runner.motion.mode, 0.0, runner.motion.state);
-            const long double edge = fabsl((long double)force.tangential) / (long double)frictions[i];
-            const double value = (double)((long double)force.normal - edge);
+            const tdmf_outputs now = outputs_of(SYSTEM_OF(&runner), &runner.motion);
+            const long double edge = fabsl((long double)now.contact.tangential) / (long double)frictions[i];
+            const double value = (double)((long double)now.contact.normal - edge);
             const double positive = scene_guard(&runner, TDMF_GUARD_SLIP_ONSET_POSITIVE);
             const double negative = scene_guard(&runner, TDMF_GUARD_SLIP_ONSET_NEGATIVE);
             assert_close((fmin(positive, negative) - TDMF_GUARD_MARGIN) / frictions[i], value, 1e-15);

@@ -167,7 +167,7 @@ TEST(a_friction_that_falls_ends_at_zero) {
     simulation in_two = at_once;
     assert_arrives(&at_once, until);
     assert_arrives(&in_two, zero);
-    assert_true(tdmf_in_contact(&in_two.motion.mode));
+    assert_true(tdmf_is_loaded(&in_two.motion.mode));
     in_two.inputs.ground.friction = in_two.rates.ground.friction = 0.0;
     assert_arrives(&in_two, until);
     assert_same_state(&at_once.motion, &in_two.motion, 1e-9);
@@ -206,7 +206,7 @@ TEST(a_rising_force_is_met_where_a_call_ends) {
     const runner runner = bouncing_runner();
     simulation run = simulation_of(&runner, 1e-11);
     assert_arrives(&run, 0.2);
-    const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(&run), &run.motion);
+    const tdmf_outputs outputs = outputs_of(SYSTEM_OF(&run), &run.motion);
     assert_true(run.motion.mode.ground_force_rising);
     assert_close(run.motion.record.progress.open.peak_force, outputs.contact.fy, 1e-15);
 }

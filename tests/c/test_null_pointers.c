@@ -43,14 +43,15 @@ TEST(without_a_direction_nothing_changes) {
     const runner runner = started();
     const tdmf_variation length_seed = {.state = {[TDMF_LEG_LENGTH] = 1.0}};
     const double zeros[TDMF_STATE_COUNT] = {0.0};
-    const tdmf_output_variation given = tdmf_vary_outputs(SYSTEM_OF(&runner), &runner.motion.mode,
-                                                          runner.motion.state, &nothing_given, &length_seed);
-    const tdmf_output_variation no_change =
-        tdmf_vary_outputs(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state, NULL, &length_seed);
-    const tdmf_output_variation nothing =
-        tdmf_vary_outputs(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state, NULL, NULL);
-    assert_same_numbers(no_change.derivatives, given.derivatives, TDMF_STATE_COUNT);
-    assert_same_numbers(nothing.derivatives, zeros, TDMF_STATE_COUNT);
+    const tdmf_mode *mode = &runner.motion.mode;
+    const double *state = runner.motion.state;
+    double given[TDMF_STATE_COUNT], no_change[TDMF_STATE_COUNT], none[TDMF_STATE_COUNT];
+    tdmf_outputs nothing;
+    tdmf_vary_outputs(SYSTEM_OF(&runner), mode, state, &nothing_given, &length_seed, given, &nothing);
+    tdmf_vary_outputs(SYSTEM_OF(&runner), mode, state, NULL, &length_seed, no_change, &nothing);
+    tdmf_vary_outputs(SYSTEM_OF(&runner), mode, state, NULL, NULL, none, &nothing);
+    assert_same_numbers(no_change, given, TDMF_STATE_COUNT);
+    assert_same_numbers(none, zeros, TDMF_STATE_COUNT);
     assert_true(nothing.body.x == 0.0 && nothing.com.x == 0.0);
     double before[TDMF_STATE_COUNT];
     memcpy(before, runner.motion.state, sizeof before);

@@ -9,37 +9,26 @@
 #include <math.h>
 #include <string.h>
 
-enum { OUTPUTS = 15, CONTACT_FX = TDMF_STATE_COUNT + OUTPUTS, CONTACT_FY, UNKNOWNS };
+enum { OUTPUTS = 18, UNKNOWNS = TDMF_STATE_COUNT + OUTPUTS };
 
 typedef struct {
     line line;
     int unknown;
 } unknown_line;
 
-static void outputs_of(tdmf_point body, tdmf_point com, tdmf_ground_force contact, double torque,
-                       tdmf_energy energy, double values[OUTPUTS]) {
-    const double all[OUTPUTS] = {body.x, body.y,         body.vx,          body.vy,        com.x,
-                                 com.y,  com.vx,         com.vy,           contact.normal, contact.tangential,
-                                 torque, energy.kinetic, energy.potential, energy.elastic, energy.total};
+static void list_outputs(const tdmf_outputs *o, double values[OUTPUTS]) {
+    const double all[OUTPUTS] = {o->body.x,         o->body.y,      o->body.vx,        o->body.vy,
+                                 o->com.x,          o->com.y,       o->com.vx,         o->com.vy,
+                                 o->contact.normal, o->contact.fx,  o->contact.fy,     o->contact.tangential,
+                                 o->hip.torque,     o->leg.force,   o->energy.kinetic, o->energy.potential,
+                                 o->energy.elastic, o->energy.total};
     memcpy(values, all, sizeof all);
 }
 
 static void values_of(const runner *runner, double values[UNKNOWNS]) {
-    const tdmf_model *model = &runner->model;
-    const tdmf_outputs outputs = tdmf_outputs_of((tdmf_system){model, &runner->inputs}, &runner->motion);
-    tdmf_derivatives((tdmf_system){model, &runner->inputs}, &runner->motion.mode, runner->motion.state,
-                     values);
-    const tdmf_point body = {outputs.body.x, outputs.body.y, outputs.body.vx, outputs.body.vy};
-    const tdmf_point com = {outputs.com.x, outputs.com.y, outputs.com.vx, outputs.com.vy};
-    outputs_of(
-        body, com,
-        tdmf_contact_force((tdmf_system){model, &runner->inputs}, &runner->motion.mode, runner->motion.state),
-        tdmf_hip_torque((tdmf_system){model, &runner->inputs}, &runner->motion.mode, runner->motion.state),
-        tdmf_mechanical_energy((tdmf_system){model, &runner->inputs}, &runner->motion.mode,
-                               runner->motion.state),
-        values + TDMF_STATE_COUNT);
-    values[CONTACT_FX] = outputs.contact.fx;
-    values[CONTACT_FY] = outputs.contact.fy;
+    const tdmf_outputs outputs = outputs_of(SYSTEM_OF(runner), &runner->motion);
+    tdmf_derivatives(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state, values);
+    list_outputs(&outputs, values + TDMF_STATE_COUNT);
 }
 
 static long double unknown_on_line(long double t, const void *context) {
@@ -74,13 +63,10 @@ static bool differentiable(const unknown_line *on) {
 static void variation_agrees_on(const line *line) {
     const runner *runner = line->runner;
     double exact[UNKNOWNS];
-    const tdmf_output_variation varied = tdmf_vary_outputs(
-        SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state, &line->seed, &line->variation);
-    memcpy(exact, varied.derivatives, sizeof varied.derivatives);
-    outputs_of(varied.body, varied.com, varied.contact, varied.torque, varied.energy,
-               exact + TDMF_STATE_COUNT);
-    exact[CONTACT_FX] = varied.contact_fx;
-    exact[CONTACT_FY] = varied.contact_fy;
+    tdmf_outputs varied;
+    tdmf_vary_outputs(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state, &line->seed,
+                      &line->variation, exact, &varied);
+    list_outputs(&varied, exact + TDMF_STATE_COUNT);
     unknown_line on = {*line, 0};
     for (on.unknown = 0; on.unknown < UNKNOWNS; ++on.unknown) {
         if (differentiable(&on)) {

@@ -104,7 +104,7 @@ TEST(contact_and_phase_have_to_go_together) {
             scene.motion.mode.contact = (tdmf_contact_mode)contact;
             scene.motion.mode.phase = (tdmf_hip_phase)phase;
             const bool of_stance = phase == TDMF_PHASE_DRIVE || phase == TDMF_PHASE_COAST;
-            if (of_stance != tdmf_in_contact(&scene.motion.mode)) {
+            if (of_stance != tdmf_is_loaded(&scene.motion.mode)) {
                 assert_refused(advance, &scene);
             } else {
                 assert_int_not_equal(advance(&scene), TDMF_REFUSED);
@@ -131,7 +131,7 @@ TEST(the_automaton_takes_nothing_in_a_mode_that_there_is_not) {
         }
         tdmf_derivatives(SYSTEM_OF(&s), &mode, motion.state, derivatives);
         assert_true(isnan(derivatives[TDMF_LEG_ANGLE_RATE]) && isnan(derivatives[TDMF_LEG_LENGTH_RATE]));
-        assert_true(isnan(tdmf_hip_torque(SYSTEM_OF(&s), &mode, motion.state)));
+        assert_true(isnan(outputs_at(SYSTEM_OF(&s), &mode, motion.state).hip.torque));
     }
 }
 

@@ -6,7 +6,7 @@
 #include "sample.h"
 #include "scene.h"
 #include "simulation.h"
-#include "tdmf_slip/orbit.h"
+#include "tdmf_slip/tdmf_slip.h"
 
 #include <math.h>
 #include <string.h>

@@ -31,21 +31,6 @@ static factors to_unity(const tdmf_parameters *p) {
     return factors;
 }
 
-TEST(scales_of_states_are_in_the_units_of_states) {
-    const factors by = {2.0, 3.0, 5.0};
-    const tdmf_parameters original = tdmf_default_parameters(), changed = scaled_parameters(original, &by);
-    tdmf_model models[2];
-    double scales[2][TDMF_STATE_COUNT];
-    models[0] = accepted_model(&original);
-    models[1] = accepted_model(&changed);
-    tdmf_state_scales(&models[0], scales[0]);
-    tdmf_state_scales(&models[1], scales[1]);
-    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        const double expected = scales[0][i] * factor_of_element(&by, i);
-        assert_close(scales[1][i], expected, 1e-14 * expected);
-    }
-}
-
 /* Guards are pure numbers: they don't know the units. */
 TEST(guards_are_dimensionless) {
     random_source source = {51};

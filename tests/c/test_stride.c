@@ -47,12 +47,12 @@ static void slip(runner *runner, double time, double sign) {
     put_on_ground(runner, 0.1);
     runner->inputs.ground.friction = 0.0;
     at_time(runner, time);
-    assert_true(tdmf_slip_sign(&runner->motion.mode) == sign);
+    assert_true(tdmf_sign_of_slip(&runner->motion.mode) == sign);
 }
 
 /* From slip, finds its grip again. */
 static void stick(runner *runner, double time) {
-    runner->motion.state[TDMF_FOOT_VX] = -1e-9 * tdmf_slip_sign(&runner->motion.mode);
+    runner->motion.state[TDMF_FOOT_VX] = -1e-9 * tdmf_sign_of_slip(&runner->motion.mode);
     runner->inputs.ground.friction = 1000.0;
     at_time(runner, time);
     assert_int_equal(runner->motion.mode.contact, TDMF_CONTACT_STICK);
@@ -81,7 +81,7 @@ static void reload(runner *runner, double time, double vx) {
     scene_set_vertical_force(runner, 0.1);
     runner->motion.state[TDMF_FOOT_VX] = vx;
     at_time(runner, time);
-    assert_true(tdmf_in_contact(&runner->motion.mode));
+    assert_true(tdmf_is_loaded(&runner->motion.mode));
 }
 
 static void reach_apex(runner *runner, double time) {
@@ -247,7 +247,7 @@ static void sample(sampling *seen, const runner *runner, int end) {
 static void sample_force(sampling *seen, const runner *runner, const tdmf_mode *mode) {
     tdmf_motion motion = runner->motion;
     motion.mode = *mode;
-    const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(runner), &motion);
+    const tdmf_outputs outputs = outputs_of(SYSTEM_OF(runner), &motion);
     seen->largest_force = fmax(seen->largest_force, outputs.contact.normal);
     seen->largest_vertical_force = fmax(seen->largest_vertical_force, outputs.contact.fy);
 }
@@ -260,7 +260,7 @@ static sampling sample_stride(runner *runner, double step) {
         const double time = runner->motion.time;
         const double x = runner->motion.state[TDMF_FOOT_X];
         const tdmf_mode mode = runner->motion.mode;
-        const bool contact = tdmf_in_contact(&mode);
+        const bool contact = tdmf_is_loaded(&mode);
         assert_true(runner_advance(runner, step));
         seen.stance_time += contact ? runner->motion.time - time : 0.0;
         seen.slip_distance += contact ? fabs(runner->motion.state[TDMF_FOOT_X] - x) : 0.0;
@@ -328,14 +328,10 @@ TEST(both_peaks_of_the_force_are_found_on_a_slope) {
     assert_true(apart >= 6);
 }
 
-static tdmf_outputs outputs_of(const runner *runner) {
-    return tdmf_outputs_of(SYSTEM_OF(runner), &runner->motion);
-}
-
 /* A still leg at 0.3 rad under 0.101 N, 0.1 N of them from the body. */
 TEST(outputs_follow_the_motion) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.3, 0.101);
-    const tdmf_outputs outputs = outputs_of(&runner);
+    const tdmf_outputs outputs = outputs_of(SYSTEM_OF(&runner), &runner.motion);
     const double length = 1.0 - 0.1 / cos(0.3);
     assert_close(outputs.body.x, -length * sin(0.3), 1e-15);
     assert_close(outputs.body.y, length * cos(0.3), 1e-15);
@@ -349,7 +345,7 @@ TEST(outputs_follow_the_motion) {
     assert_close(outputs.energy.total, outputs.energy.potential + outputs.energy.elastic, 1e-15);
     runner.motion.mode.fallen = true;
     assert_int_equal(outputs.status.fallen, 0);
-    assert_int_equal(outputs_of(&runner).status.fallen, 1);
+    assert_int_equal(outputs_of(SYSTEM_OF(&runner), &runner.motion).status.fallen, 1);
 }
 
 /* Not what the run has done since its start. */
@@ -362,7 +358,7 @@ TEST(a_second_stride_counts_its_own_work_only) {
     const double at = tdmf_center_of_mass(&runner.model, runner.motion.state).x;
     runner_stride(&runner, 0.01);
     const tdmf_stride *stride = &runner.motion.record.stride;
-    const tdmf_outputs outputs = outputs_of(&runner);
+    const tdmf_outputs outputs = outputs_of(SYSTEM_OF(&runner), &runner.motion);
     assert_string_equal(outputs.stride.word, "+0-0+");
     assert_true(outputs.apex.com_height == outputs.com.y && outputs.apex.com_speed == outputs.com.vx);
     assert_true(outputs.apex.time == runner.motion.time && outputs.event.last_time == runner.motion.time);

@@ -115,7 +115,7 @@ TEST(upright_foot_without_load_does_not_graze) {
         runner.motion.state[TDMF_LEG_LENGTH] = 1.0 + foot_weight - damping * length_rate;
         run_from_start(&runner, 0.5, 5);
         assert_true(length_rate > 0.0 ? runner.motion.mode.contact == TDMF_CONTACT_FLIGHT
-                                      : tdmf_in_contact(&runner.motion.mode));
+                                      : tdmf_is_loaded(&runner.motion.mode));
     }
 }
 
@@ -131,7 +131,7 @@ TEST(upright_foot_flies_where_it_is_pulled_up_and_stays_without_load_at_rest) {
     runner_start(&resting);
     assert_int_equal(pulled.motion.mode.contact, TDMF_CONTACT_FLIGHT);
     assert_int_equal(pulled.motion.record.event_count, 0); /* it was never loaded */
-    assert_true(tdmf_in_contact(&resting.motion.mode));
+    assert_true(tdmf_is_loaded(&resting.motion.mode));
 }
 
 /* The units are k l0, here 10^4, and sqrt(m/k), here 0.01. */
@@ -323,7 +323,7 @@ TEST(lift_off_into_graze_needs_laws_that_differ) {
 static runner loaded_foot(int contact, double angle, double friction) {
     runner runner = scene_on_ground((tdmf_contact_mode)contact, angle, 0.101);
     runner.inputs.ground.friction = friction;
-    runner.motion.state[TDMF_FOOT_VX] = beyond * tdmf_slip_sign(&runner.motion.mode);
+    runner.motion.state[TDMF_FOOT_VX] = beyond * tdmf_sign_of_slip(&runner.motion.mode);
     return runner;
 }
 
@@ -363,9 +363,8 @@ TEST(static_friction_decides_whether_a_foot_rests) {
             loaded_foot(i < 2 ? STICK : FORWARD, i < 2 ? 0.5 : -0.5, edge + (i % 2 == 0 ? 1e-9 : -1e-9));
         runner.model.parameters.ground.static_friction_ratio = 1.25;
         enter(&runner, i == 0 ? 0 : 1, after[i], COAST);
-        const tdmf_ground_force force =
-            tdmf_contact_force(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state);
-        assert_true(i < 3 || fabs(force.tangential - edge * force.normal) < 1e-9);
+        const tdmf_outputs now = outputs_at(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state);
+        assert_true(i < 3 || fabs(now.contact.tangential - edge * now.contact.normal) < 1e-9);
     }
 }
 
@@ -405,7 +404,7 @@ TEST(mid_stance_ends_the_drive_for_good) {
         assert_false(scene_resolve(&runner).mode_changed);
     }
     assert_int_equal(runner.motion.record.event_count, 1);
-    assert_true(tdmf_hip_torque(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state) == 0.0);
+    assert_true(outputs_at(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state).hip.torque == 0.0);
 }
 
 /* Without the drive, which held it down, the foot lifts; without the torque that balanced the drive, it

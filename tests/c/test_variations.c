@@ -80,15 +80,15 @@ static long double value_on_line(long double t, const void *context) {
 
 static void assert_row_varies(const line *line, row (*of)(const runner *at), const row *exact) {
     const row here = of(line->runner);
-    double scales[TDMF_STATE_COUNT];
-    tdmf_state_scales(&line->runner->model, scales);
+    const tdmf_parameters *p = &line->runner->model.parameters;
+    const factors units = {p->body.mass, p->leg.stiffness, p->leg.free_length};
     assert_int_equal(here.count, exact->count);
     for (int i = 0; i < here.count; ++i) {
         const row_line on = {line, of, i};
         const double numerical = (double)derivative_at_zero(value_on_line, &on, (long double)LINE_STEP);
         const double there = (double)value_on_line((long double)LINE_STEP, &on);
         /* A foot that lands and leaves at once is rounded by the sizes of the leg and of its velocity. */
-        const double rounding = i < TDMF_MECHANICAL_COUNT ? scales[i] : 0.0;
+        const double rounding = i < TDMF_MECHANICAL_COUNT ? factor_of_element(&units, i) : 0.0;
         const double size = fmax(fmax(fabs(here.values[i]), fabs(there)), rounding);
         assert_close(numerical, exact->values[i], 1e-9 * fabs(exact->values[i]) + 1e-11 / LINE_STEP * size);
     }

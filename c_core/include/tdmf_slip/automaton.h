@@ -35,6 +35,13 @@ typedef struct {
  */
 TDMF_API tdmf_refusal tdmf_start(tdmf_system system, tdmf_motion *motion);
 
+/* Writes the time derivative of the state in the given mode (8): the right-hand side to integrate. That of a
+ * fallen run is zero. It is finite for leg lengths at or below zero too, because a solver may try a state
+ * beyond an event. The leg's rates are NaN if the contact or phase is invalid. `derivatives` may be `state`.
+ */
+TDMF_API void tdmf_derivatives(tdmf_system system, const tdmf_mode *mode,
+                               const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]);
+
 /* Writes the values of all guards in the present mode. Those of a fallen run are 1. All are NaN if the
  * contact or phase is invalid. */
 TDMF_API void tdmf_guards(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],

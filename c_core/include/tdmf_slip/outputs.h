@@ -1,4 +1,5 @@
-/* Everything a user reads off a run that is not a state. Member paths are the FMU's variable names. */
+/* Everything that you can read off a run besides its state, and how it changes with state, inputs and
+ * parameters. Member paths are the names of the unit's variables. */
 #ifndef TDMF_SLIP_OUTPUTS_H
 #define TDMF_SLIP_OUTPUTS_H
 
@@ -6,50 +7,79 @@
 #include "tdmf_slip/motion.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/stride.h"
+#include "tdmf_slip/variation.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* The unit's outputs, by their names in the unit. */
+/* A point that moves. */
 typedef struct {
+    double x, y, vx, vy; /* m, m/s */
+} tdmf_point;
+
+/* The outputs at an instant. Works and losses since the start are elements of the state. The energy ledger
+ * closes: energy.total changes by the works of hip, leg and external forces, less the losses in the damper,
+ * by friction and at impacts. */
+typedef struct {
+    tdmf_point body; /* the body's mass */
+    tdmf_point com;  /* the centre of mass of body and foot */
     struct {
-        double x, y, vx, vy; /* m, m/s */
-    } body, com;
-    struct {
-        double fx, fy;             /* N */
-        double normal, tangential; /* the same force across and along the ground, N */
-        int mode;                  /* tdmf_contact_mode */
-        int mode_index;            /* the same number, for tools without enumerations */
+        double fx, fy;     /* force of the ground on the foot, N: zero in flight and graze */
+        double normal;     /* its part away from the ground, N */
+        double tangential; /* its part along the ground, N; -friction times normal where the foot slips
+                              forward */
+        int mode;          /* the tdmf_contact_mode */
+        int mode_index;    /* the same number, for tools without enumerations */
     } contact;
     struct {
-        bool pending; /* while the line set last is not in force yet */
+        bool pending; /* the line of ground set last is not in force yet */
     } ground;
     struct {
-        double force; /* N, of spring and damper */
+        double force; /* of spring and damper, N */
     } leg;
     struct {
-        double torque;        /* N.m, total */
-        double liftoff_angle; /* rad */
-        int phase;            /* tdmf_hip_phase */
+        double torque;        /* total: the hip's law and the external torque, N.m */
+        double liftoff_angle; /* leg angle at the last lift-off, rad */
+        int phase;            /* the tdmf_hip_phase */
         int phase_index;      /* the same number */
     } hip;
     struct {
-        double kinetic, potential, elastic, total, impact_loss; /* J */
+        double kinetic;     /* of body and foot, J */
+        double potential;   /* zero at y = 0, J */
+        double elastic;     /* in the leg's spring, J */
+        double total;       /* kinetic + potential + elastic, J */
+        double impact_loss; /* lost at impacts since the start, J */
     } energy;
     struct {
         int count;        /* contact and phase changes since the start */
-        double last_time; /* s */
+        double last_time; /* of the last one, s */
     } event;
     struct {
-        bool fallen; /* from a fall on */
+        bool fallen; /* true from a fall on */
     } status;
-    tdmf_stride stride; /* the last that closed */
-    tdmf_apex apex;     /* the last */
+    tdmf_stride stride; /* the last completed stride */
+    tdmf_apex apex;     /* the last apex */
 } tdmf_outputs;
 
-/* The outputs at an instant of a run that tdmf_start has begun. */
-TDMF_API tdmf_outputs tdmf_outputs_of(tdmf_system system, const tdmf_motion *motion);
+/* Writes the outputs of a motion that tdmf_start has begun.
+ *
+ *     tdmf_outputs now;
+ *     tdmf_outputs_of(system, &motion, &now);
+ *     printf("%g N at x = %g m\n", now.contact.normal, now.com.x);
+ */
+TDMF_API void tdmf_outputs_of(tdmf_system system, const tdmf_motion *motion, tdmf_outputs *outputs);
+
+/* Writes the derivatives of the right-hand side and of the outputs along a direction: `seed` is the change of
+ * parameters and inputs, `variation` the change of state and theta_LO. Either may be NULL: it does not
+ * change. The mode is held, and the clamp stays open or closed.
+ *
+ * `outputs` receives the change of each real output; what changes at events only is 0. The hip's positive
+ * work counts as not changing where the power is zero. The derivatives of a fallen run do not change. */
+TDMF_API void tdmf_vary_outputs(tdmf_system system, const tdmf_mode *mode,
+                                const double state[TDMF_STATE_COUNT], const tdmf_seed *seed,
+                                const tdmf_variation *variation, double derivatives[TDMF_STATE_COUNT],
+                                tdmf_outputs *outputs);
 
 #ifdef __cplusplus
 }

@@ -66,12 +66,6 @@ typedef struct {
 /* Makes the line y = height + x tan(slope). */
 TDMF_API tdmf_ground_line tdmf_ground_line_of(double height, double slope);
 
-/* Foot on the ground and loaded: stick or slip. */
-TDMF_API bool tdmf_in_contact(const tdmf_mode *mode);
-
-/* +1 or -1 in a slip mode, the sign of the foot's velocity; 0 in every other mode. */
-TDMF_API double tdmf_slip_sign(const tdmf_mode *mode);
-
 /* Writes the apex of the default parameters' periodic gait at friction 0.6, with integrals of zero. */
 TDMF_API void tdmf_default_state(double state[TDMF_STATE_COUNT]);
 

@@ -8,17 +8,9 @@
 #define TDMF_SLIP_TDMF_SLIP_H
 
 #include "tdmf_slip/automaton.h"
-#include "tdmf_slip/contact.h"
-#include "tdmf_slip/dynamics.h"
 #include "tdmf_slip/eigenvalues.h"
-#include "tdmf_slip/energy.h"
-#include "tdmf_slip/extension.h"
-#include "tdmf_slip/hip.h"
-#include "tdmf_slip/impact.h"
-#include "tdmf_slip/kinematics.h"
 #include "tdmf_slip/motion.h"
 #include "tdmf_slip/orbit.h"
-#include "tdmf_slip/output_variation.h"
 #include "tdmf_slip/outputs.h"
 #include "tdmf_slip/page.h"
 #include "tdmf_slip/parameters.h"

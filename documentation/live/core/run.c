@@ -67,34 +67,36 @@ bool live_start(void) {
     return true;
 }
 
-/* Goes on with the values that live_accept took last: mode tests are repeated, as after a jump of an input,
- * and a leg whose rest length jumps does work. */
+/* Goes on with the values that live_accept took last, as after a jump of an input. */
 LIVE_EXPORT(live_go_on)
 void live_go_on(void) {
     if (!motion.mode.fallen) {
-        const tdmf_leg_sample now = tdmf_leg_sample_of(motion.time, motion.state);
-        motion.state[TDMF_LEG_WORK] += tdmf_account_for_extension(live_system(), &now, &now, &motion.mode);
         tdmf_resolve(live_system(), &motion);
     }
 }
 
-static void sample(double time, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
+static void sample(const tdmf_motion *at) {
+    const tdmf_ground_line *ground = &at->mode.ground;
+    tdmf_outputs now;
     if (sample_count == SAMPLE_CAPACITY) {
         return;
     }
-    const tdmf_ground_force force = tdmf_contact_force(live_system(), mode, state);
+    tdmf_outputs_of(live_system(), at, &now);
     double *row = samples[sample_count++];
-    row[SAMPLE_TIME] = time;
-    row[SAMPLE_FOOT_X] = state[TDMF_FOOT_X];
-    row[SAMPLE_VELOCITY] = tdmf_foot_over_ground(&mode->ground, state).vx;
-    row[SAMPLE_TANGENTIAL] = force.tangential;
-    row[SAMPLE_NORMAL] = force.normal;
-    row[SAMPLE_MODE] = mode->contact;
+    row[SAMPLE_TIME] = at->time;
+    row[SAMPLE_FOOT_X] = at->state[TDMF_FOOT_X];
+    row[SAMPLE_VELOCITY] = ground->cosine * at->state[TDMF_FOOT_VX] + ground->sine * at->state[TDMF_FOOT_VY];
+    row[SAMPLE_TANGENTIAL] = now.contact.tangential;
+    row[SAMPLE_NORMAL] = now.contact.normal;
+    row[SAMPLE_MODE] = at->mode.contact;
 }
 
 static void sample_events(const tdmf_event_log *log) {
     for (int i = 0; i < log->count && i < TDMF_EVENT_CAPACITY; ++i) {
-        sample(log->events[i].time, &log->events[i].before, log->events[i].state);
+        const tdmf_event *event = &log->events[i];
+        tdmf_motion before = {.time = event->time, .mode = event->before};
+        memcpy(before.state, event->state, sizeof before.state);
+        sample(&before);
     }
 }
 
@@ -107,7 +109,7 @@ static tdmf_outcome advance_to_event(double until, bool *event) {
     solver.event_limit = 1;
     const tdmf_outcome outcome = tdmf_native_advance(&solver, live_system(), NULL, until, &motion);
     sample_events(&log);
-    sample(motion.time, &motion.mode, motion.state);
+    sample(&motion);
     *event = outcome == TDMF_TOO_MANY_EVENTS;
     return *event ? TDMF_ARRIVED : outcome;
 }
@@ -137,7 +139,8 @@ int live_advance(double until, double interval, bool to_event) {
 /* Fills the outputs with those of the present instant. */
 LIVE_EXPORT(live_read)
 void live_read(void) {
-    const tdmf_outputs outputs = tdmf_outputs_of(live_system(), &motion);
+    tdmf_outputs outputs;
+    tdmf_outputs_of(live_system(), &motion, &outputs);
     live_write_outputs(&outputs, motion.state);
 }
 

@@ -31,9 +31,7 @@ LONGEST = 1e6
 """Largest time that may be asked for, in sqrt(m/k)."""
 STATES = tuple(name[4:-1] for name in VARIABLES if name.startswith("der("))
 """The unit's continuous states, in the order of the library's array."""
-MOTION, OUTPUTS, VARIATION, VARIED_OUTPUTS = map(
-    dtype_of, ("tdmf_motion", "tdmf_outputs", "tdmf_variation", "tdmf_output_variation")
-)
+MOTION, OUTPUTS, VARIATION = map(dtype_of, ("tdmf_motion", "tdmf_outputs", "tdmf_variation"))
 OUTPUT_NAMES = tuple(
     f"{group}.{member}"
     for group in OUTPUTS.names or ()
@@ -43,13 +41,17 @@ OUTPUT_NAMES = tuple(
 """The unit's outputs that are no states and not the last stride's."""
 DIFFERENTIABLE = STATES[: c.TDMF_VARIED_COUNT]
 """States with a derivative: the mechanical ones, and the works of hip and leg."""
-ENERGIES = ("energy.kinetic", "energy.potential", "energy.elastic", "energy.total")
-_PATHS = {
-    "contact.fx": "contact_fx",
-    "contact.fy": "contact_fy",
-    "hip.torque": "torque",
-    "leg.force": "leg_force",
-}
+VARIED_OUTPUTS = (
+    "contact.fx",
+    "contact.fy",
+    "hip.torque",
+    "leg.force",
+    "energy.kinetic",
+    "energy.potential",
+    "energy.elastic",
+    "energy.total",
+)
+"""Outputs with a derivative, beside those of body and com."""
 
 
 @shares_steps
@@ -124,9 +126,9 @@ def trajectory(
         of_outputs = np.concatenate([block[3] for block in made], axis=1)
         rates = {name: varied["state"][..., STATES.index(name)] for name in DIFFERENTIABLE}
         rates |= {
-            name: _member(of_outputs, _PATHS.get(name, name))
+            name: _member(of_outputs, name)
             for name in OUTPUT_NAMES
-            if name in _PATHS or name.partition(".")[0] in ("body", "com") or name in ENERGIES
+            if name in VARIED_OUTPUTS or name.partition(".")[0] in ("body", "com")
         }
         variables |= {f"d_{name}": (("time", "by"), array.copy()) for name, array in rates.items()}
     coordinates: dict[str, Any] = {"time": ("time", at, VARIABLES["time"].attributes)}
@@ -196,14 +198,14 @@ def _run(
         start = c.tdmf_vary_start(system, given, motion.state, mode, seeds + number, by)
         variations[number] = start.variation
     kinds = (MOTION, len(times)), (OUTPUTS, len(times)), (VARIATION, (len(times), count))
-    arrays = [np.zeros(shape, kind) for kind, shape in (*kinds, (VARIED_OUTPUTS, (len(times), count)))]
+    arrays = [np.zeros(shape, kind) for kind, shape in (*kinds, (OUTPUTS, (len(times), count)))]
     motions, outputs, varied, of_outputs = (
         ffi.from_buffer(f"{name}[]", array)
         for name, array in zip(
-            ("tdmf_motion", "tdmf_outputs", "tdmf_variation", "tdmf_output_variation"), arrays, strict=True
+            ("tdmf_motion", "tdmf_outputs", "tdmf_variation", "tdmf_outputs"), arrays, strict=True
         )
     )
-    solver = runner.solver()
+    solver, rates = runner.solver(), ffi.new("double[]", c.TDMF_STATE_COUNT)
     for row, time in enumerate(times.tolist()):
         while motion.time < time and not motion.mode.fallen:
             if count:
@@ -213,11 +215,18 @@ def _run(
                 end = c.tdmf_native_advance(solver, system, ffi.NULL, time, motion)
             if end not in (c.TDMF_ARRIVED, c.TDMF_FELL):
                 raise RunError(f"at {motion.time:g} s: {text_of(c.tdmf_outcome_text(end))}")
-        motions[row], outputs[row] = motion[0], c.tdmf_outputs_of(system, motion)
+        motions[row] = motion[0]
+        c.tdmf_outputs_of(system, motion, outputs + row)
         for number in range(count):
             varied[row * count + number] = variations[number]
-            of_outputs[row * count + number] = c.tdmf_vary_outputs(
-                system, ffi.addressof(motion, "mode"), motion.state, seeds + number, variations + number
+            c.tdmf_vary_outputs(
+                system,
+                ffi.addressof(motion, "mode"),
+                motion.state,
+                seeds + number,
+                variations + number,
+                rates,
+                of_outputs + row * count + number,
             )
     return tuple(arrays)
 
