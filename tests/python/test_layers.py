@@ -9,8 +9,8 @@ PACKAGE = ROOT / "scripts/tdmf_slip"
 GROUND = {"blocks", "builds", "checks", "errors", "given", "record", "uninterrupted", "version"}
 """Modules that every part may import; they import only each other. The build writes `version`."""
 PARTS = (
-    "terminal", "numerics", "files", "variables", "fmu", "building", "library", "analysis", "feedback", "fitting",
-    "optimization", "proof", "viable_sets", "pictures", "paper", "cli",
+    "terminal", "numerics", "files", "variables", "fmu", "building", "library", "analysis", "feedback",
+    "fitting", "optimization", "proof", "viable_sets", "pictures", "paper", "cli",
 )  # fmt: skip
 """The parts in order: a part may import those before it."""
 KNOWN_TO = {

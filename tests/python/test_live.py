@@ -9,7 +9,7 @@ import live_pages
 import numpy as np
 import pytest
 import tdmf_slip
-from conftest import reference_gaits, release, runner_of_gait
+from conftest import reference_gaits, runner_of_gait
 from live_pages import (
     EQUAL,
     close,
@@ -34,19 +34,16 @@ from live_pages import (
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.select import Select
 from tdmf_slip.analysis.ball import fates
-from tdmf_slip.analysis.basin import range_around
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.members import INPUTS, PARAMETERS, names_of
 from tdmf_slip.pictures import style
-from tdmf_slip.variables.parameters import preset_names, read_parameters
+from tdmf_slip.variables.parameters import read_parameters
 from tdmf_slip.variables.table import STATES, paper_unit
 
 built, address, driver = live_pages.built, live_pages.address, live_pages.driver
 page, used_page = live_pages.page, live_pages.used_page
 
 CLAMP = "hip.swing_clamp"
-WITHOUT_GAIT = ("human_running",)
-"""Presets for which the full model finds no gait."""
 MAX_BYTES = 1_000_000
 
 
@@ -122,20 +119,6 @@ def test_the_gait_of_a_runner_at_random_is_the_librarys(driver, address):
     assert np.abs(eigenvalues(driver) - gait.eigenvalues).max() < EQUAL
 
 
-@release
-def test_every_other_preset_has_the_gait_that_the_library_finds(page):
-    names = [option.text for option in Select(find(page, "preset")).options][6:]
-    shipped = [name for name in preset_names() if name not in ("paper", *WITHOUT_GAIT)]
-    assert [f"{name} scale" for name in shipped] == names[:1] and len(names) > 2
-    for name in names:
-        Select(find(page, "preset")).select_by_visible_text(name)
-        find_gait(page)
-        gait = tdmf_slip.find_gait(js(page, "tdmfSlip.state.values"))
-        assert value_shown(page, "gait", "word") == gait.word
-        assert close(value_shown(page, "gait", "stride.period"), gait.period)
-        assert np.abs(eigenvalues(page) - gait.eigenvalues).max() < EQUAL
-
-
 def test_a_run_on_a_gait_has_its_numbers(page):
     Select(find(page, "preset")).select_by_visible_text("human scale")
     find_gait(page)
@@ -173,16 +156,6 @@ def test_the_ledger_of_a_stride_closes_also_where_inputs_and_settings_jump_in_it
     assert int(value_shown(used_page, "numbers", "stride.count")) == strides + 1
     ledger = js(used_page, "tdmfSlip.run.lastLedger")
     assert closes(ledger) and ledger["leg.work"] > 1e-3
-
-
-def test_a_stride_in_which_a_mass_was_changed_has_no_ledger(used_page):
-    used_page.execute_script(
-        "tdmfSlip.begin(tdmfSlip.state.values); tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(40))"
-    )
-    used_page.execute_script(
-        "tdmfSlip.set('body.mass', 1.01); tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(24))"
-    )
-    assert js(used_page, "tdmfSlip.run.lastLedger") is None
 
 
 @pytest.mark.on_phone
@@ -228,16 +201,6 @@ def test_every_cell_of_a_painted_region_is_the_librarys(page):
     assert region["fates"] == [FATES[number] for number in ends["fate"]]
     assert region["strides"] == ends["strides"].tolist()
     assert len(region["fates"]) == 32 * 32 and {"settled", "fell", "no_start"} <= set(region["fates"])
-
-
-def test_a_region_around_the_gait_is_that_of_the_command(page):
-    find_gait(page)
-    Select(find(page, "region-width")).select_by_value("1")
-    Select(find(page, "region-points")).select_by_visible_text("32")
-    paint(page)
-    region = js(page, "tdmfSlip.gaits.region.read")
-    for axis, values in zip(region["axes"], (region["rows"], region["columns"]), strict=True):
-        assert [values[0], values[-1]] == pytest.approx(range_around(tdmf_slip.find_gait(), axis), rel=1e-5)
 
 
 @pytest.mark.on_phone
@@ -336,20 +299,6 @@ def test_a_fall_and_a_runner_too_stiff_are_told(driver, address):
     open_page(driver, address, "#foot.mass=1e-12")
     wait(driver, "tdmfSlip.run.over", "the end")
     assert "too stiff" in sentence(driver)
-
-
-def test_a_fragment_of_the_page_is_no_runner(driver, address):
-    open_page(driver, address, "#ground.friction=0.3")
-    driver.execute_script("location.hash = '#gait-title'")
-    wait(driver, "location.hash === '#gait-title'", "the address")
-    assert sentence(driver) == ""
-    assert js(driver, "tdmfSlip.state.values['ground.friction']") == 0.3
-
-
-def test_no_gait_is_told(driver, address):
-    open_page(driver, address, "#ground.friction=0")
-    press(driver, "find")
-    wait(driver, "document.getElementById('gait-hint').textContent.includes('nothing fixes')", "the reason")
 
 
 def changes_within(page, body, events):

@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 import tomllib
+from subprocess import DEVNULL, PIPE
 
 import pytest
 from conftest import HANGS, ROOT, succeed
@@ -86,13 +87,10 @@ def test_locks_agree_and_have_all_that_is_needed_in_turn():
     assert checked > 50
 
 
-def test_one_extra_has_all_others_that_a_user_may_leave_out():
+def test_the_package_pins_nothing_and_the_extra_all_has_all_others():
+    """The package lives beside other packages; only the scripts' environment is pinned."""
     (text,) = EXTRAS["all"]
     assert packaging.Requirement(text).extras == set(PARTS)
-
-
-def test_the_package_itself_pins_nothing():
-    """It lives beside other packages; the scripts' environment is another matter."""
     extras = (text for name in (*PARTS, "bench") for text in EXTRAS[name])
     for text in [*DEPENDENCIES, *extras, *PROJECT["build-system"]["requires"]]:
         operators = {specifier.operator for specifier in packaging.Requirement(text).specifier}
@@ -133,7 +131,7 @@ def need(tmp_path):
         (folder / name).write_text(f"#!/bin/sh\n{body}\n")
         (folder / name).chmod(0o755)
 
-    def run(user, stdin, stderr=subprocess.PIPE):
+    def run(user, stdin, stderr=PIPE):
         environment = os.environ | {
             "PATH": f"{folder}:{os.environ['PATH']}",
             "USER_NUMBER": str(user),
@@ -150,20 +148,13 @@ INSTALLED = "apt-get install -y -qq --no-install-recommends some-package"
 
 
 @POSIX_ONLY
-def test_root_installs_without_a_question(need):
-    process, calls = need(0, subprocess.PIPE)  # which says nothing and does not end
-    assert process.wait(HANGS) == 0
-    process.communicate()
-    assert calls() == ["apt-get update -qq", INSTALLED]
-
-
-@POSIX_ONLY
-@pytest.mark.parametrize("stdin", [subprocess.PIPE, subprocess.DEVNULL])
-def test_without_a_terminal_nobody_is_asked_and_sudo_is_not_used(need, stdin):
-    process, calls = need(1000, stdin)
-    assert process.wait(HANGS) == 1
+@pytest.mark.parametrize(("user", "stdin"), [(0, PIPE), (1000, PIPE), (1000, DEVNULL)])
+def test_without_a_terminal_only_root_installs_and_nobody_is_asked(need, user, stdin):
+    process, calls = need(user, stdin)  # a pipe says nothing and does not end
+    assert process.wait(HANGS) == (0 if user == 0 else 1)
     _, said = process.communicate()
-    assert b"apt-get install some-package" in said and calls() == []
+    assert calls() == (["apt-get update -qq", INSTALLED] if user == 0 else [])
+    assert user == 0 or b"apt-get install some-package" in said
 
 
 @POSIX_ONLY
@@ -184,66 +175,51 @@ def test_at_a_terminal_sudo_is_used_after_asking_only(need, answer, does):
         pass
     assert process.wait(HANGS) == (0 if does else 1)
     os.close(terminal)
-    if does:
-        assert [call for call in calls() if call.startswith("sudo")] == [
-            "sudo apt-get update -qq",
-            f"sudo env DEBIAN_FRONTEND=noninteractive {INSTALLED}",
-        ]
-    else:
-        assert calls() == [] and b"please install" in said
+    asked = ["sudo apt-get update -qq", f"sudo env DEBIAN_FRONTEND=noninteractive {INSTALLED}"]
+    assert [call for call in calls() if call.startswith("sudo")] == (asked if does else [])
+    assert does or (calls() == [] and b"please install" in said)
 
 
-# ---- what CONTRIBUTING and the development guide say ----
+# ---- what scripts, workflows and the guides for developers name ----
 
 
-def test_the_development_guide_names_files_that_there_are():
-    files = "\n".join(f"/{name}" for name in succeed("git", "ls-files", cwd=ROOT).splitlines())
-    for page in ("architecture", "pages"):
-        text = (ROOT / f"documentation/development/{page}.md").read_text(encoding="utf-8")
-        named = set(re.findall(r"`([\w/]+\.(?:c|h|py|json))`", text)) - {"sources/unit_names.h"}
-        assert len(named) > 5
-        assert [name for name in named if f"/{name}\n" not in files] == []
+def text_of(path):
+    return (ROOT / path).read_text(encoding="utf-8")
 
 
-def test_the_fast_tests_of_a_check_are_there():
-    (names,) = re.findall(
-        r"^FAST_TESTS=\((.+?)\)", (ROOT / "scripts/check").read_text(encoding="utf-8"), re.S | re.M
+def test_files_that_guides_and_scripts_name_exist():
+    tracked = "\n".join(f"/{name}" for name in succeed("git", "ls-files", cwd=ROOT).splitlines())
+    guides = "".join(text_of(f"documentation/development/{page}.md") for page in ("architecture", "pages"))
+    named = set(re.findall(r"`([\w/]+\.(?:c|h|py|json))`", guides)) - {"sources/unit_names.h"}
+    lists = re.findall(
+        r"^\w+_TESTS=\(([^)]*)\)$", text_of("scripts/test") + text_of("scripts/check"), re.MULTILINE
     )
-    assert len(names.split()) > 5
-    assert [name for name in names.split() if not (ROOT / f"tests/python/{name}.py").is_file()] == []
+    assert len(named) > 10 and len(lists) == 3
+    named |= {f"tests/python/{name}.py" for names in lists for name in names.split()}
+    named |= {
+        f"scripts/{name}"
+        for name in re.findall(r"^(?:\./)?scripts/(\w+)\b", text_of("CONTRIBUTING.md"), re.M)
+    }
+    assert [name for name in named if f"/{name}\n" not in f"{tracked}\n"] == []
 
 
-def test_contributing_names_scripts_and_presets_that_there_are():
-    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
-    scripts = set(re.findall(r"^(?:\./)?scripts/(\w+)\b", text, re.MULTILINE))
-    assert len(scripts) >= 6
-    assert all(os.access(ROOT / "scripts" / name, os.X_OK) for name in scripts), scripts
-    presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))
+def test_presets_that_contributing_names_exist():
+    text, presets = text_of("CONTRIBUTING.md"), json.loads(text_of("CMakePresets.json"))
     there = {preset["name"] for preset in presets["configurePresets"]}
-    named = set(re.findall(r"--preset (\w+)", text)) | set(
-        re.findall(r"`(\w+)`", text.split("CMake presets:")[1][:150])
-    )
+    named = set(re.findall(r"--preset (\w+)", text))
+    named |= set(re.findall(r"`(\w+)`", text.split("CMake presets:")[1][:150]))
     assert len(named) >= 5 and named <= there, named - there
     assert {preset["configurePreset"] for preset in presets["testPresets"]} <= there
 
 
 def test_a_public_host_runs_all_parts_of_the_same_script():
-    workflow = (ROOT / ".github" / "workflows" / "test.yml").read_text(encoding="utf-8")
+    workflow = text_of(".github/workflows/test.yml")
     assert "run: ./scripts/test ${{ matrix.tests }}\n" in workflow
-    script = (ROOT / "scripts" / "test").read_text(encoding="utf-8")
-    parts = re.search(r"^PARTS=\((.*)\)$", script, re.MULTILINE)[1].split()
-    jobs = re.findall(r"^ +- (--.*)$", workflow, re.MULTILINE)
-    assert len(parts) == 5 and set(jobs) >= {f"--only {part}" for part in parts}
-    assert set(jobs) >= {f"--release --only {part}" for part in ("lint", "c", "site", "python", "platforms")}
-    assert (ROOT / ".ci" / "run").read_text().rstrip().endswith("exec ./scripts/test")
-
-
-def test_the_parts_of_the_tests_have_files_that_there_are():
-    script = (ROOT / "scripts" / "test").read_text(encoding="utf-8")
-    files = re.findall(r"^[A-Z]+_TESTS=\(([^)]*)\)$", script, re.MULTILINE)
-    names = " ".join(files).split()
-    assert len(files) == 2 and len(names) == 11
-    assert all((ROOT / "tests" / "python" / f"{name}.py").is_file() for name in names), names
+    parts = re.search(r"^PARTS=\((.*)\)$", text_of("scripts/test"), re.MULTILINE)[1].split()
+    jobs = set(re.findall(r"^ +- (--.*)$", workflow, re.MULTILINE))
+    assert len(parts) == 5 and jobs >= {f"--only {part}" for part in parts}
+    assert jobs >= {f"--release --only {part}" for part in ("lint", "c", "site", "python", "platforms")}
+    assert text_of(".ci/run").rstrip().endswith("exec ./scripts/test")
 
 
 @POSIX_ONLY
@@ -279,23 +255,15 @@ def test_the_parts_and_the_slowest_tests_of_all_reports_are_printed(tmp_path):
     assert [name[-1] for _, *name in listed[:2]] == ["test_one::test_b", "test_impact"]
 
 
-def test_no_workflow_may_write_to_the_repository_unless_a_job_asks_for_it():
-    yaml = pytest.importorskip("yaml")
-    workflows = sorted((ROOT / ".github" / "workflows").glob("*.yml"))
-    assert len(workflows) >= 1
-    for path in workflows:
-        assert yaml.safe_load(path.read_text(encoding="utf-8"))["permissions"] == {"contents": "read"}, path
-
-
-def test_a_workflow_runs_actions_by_their_commit_and_leaves_no_credentials():
-    yaml = pytest.importorskip("yaml")
-    pinned, checkouts = 0, 0
+def test_workflows_only_read_unless_a_job_asks_and_run_actions_by_their_commit():
+    """A checkout leaves no credentials behind."""
+    yaml, pinned = pytest.importorskip("yaml"), 0
     for path in (ROOT / ".github" / "workflows").glob("*.yml"):
-        jobs = yaml.safe_load(path.read_text(encoding="utf-8"))["jobs"].values()
-        for step in (step for job in jobs for step in job["steps"] if "uses" in step):
+        workflow = yaml.safe_load(path.read_text(encoding="utf-8"))
+        assert workflow["permissions"] == {"contents": "read"}, path
+        for step in (step for job in workflow["jobs"].values() for step in job["steps"] if "uses" in step):
             assert re.fullmatch(r"[\w-]+/[\w-]+@[0-9a-f]{40}", step["uses"]), f"{path.name}: {step['uses']}"
+            is_checkout = step["uses"].startswith("actions/checkout@")
+            assert not is_checkout or step["with"]["persist-credentials"] is False, path.name
             pinned += 1
-            if step["uses"].startswith("actions/checkout@"):
-                assert step["with"]["persist-credentials"] is False, path.name
-                checkouts += 1
-    assert pinned >= 7 and checkouts >= 2
+    assert pinned >= 7

@@ -1,0 +1,172 @@
+"""Strides that independent programs have computed, by every solver: the engine, and the unit run by FMPy.
+
+The strides are the published gaits by both readings of (12), gaits on slopes, with retraction, thrust, static
+friction and pushes, strides of random runners, and runs over a patch of other friction.
+"""
+
+import json
+from pathlib import Path
+
+import fmpy
+import numpy as np
+import pytest
+import tdmf_slip
+from conftest import CLAMPED, reference_gaits, runner_of_gait, some_of
+from tdmf_slip.library.fixed_point import gait_near
+from tdmf_slip.library.section import COORDINATES
+
+
+def read(name):
+    return json.loads(Path(__file__).with_name(name).read_text(encoding="utf-8"))
+
+
+def in_radians(value):
+    return np.radians(float(value.removesuffix(" deg"))) if isinstance(value, str) else value
+
+
+FREE, FURTHER, PATCHES = read("free_swing.json"), read("further_gaits.json"), read("patch_runs.json")
+GAITS = [gait | {"start_values": runner_of_gait(gait)} for gait in [*reference_gaits(), *FREE["gaits"]]]
+GAITS += [
+    gait | {"start_values": CLAMPED | {n: in_radians(v) for n, v in gait["start_values"].items()}}
+    for gait in FURTHER["gaits"]
+]
+RUNS = [run | {"start_values": CLAMPED | run["start_values"]} for run in PATCHES["runs"]]
+STRIDES = [
+    {"start_values": {**stride["given"], "hip.swing_clamp": False}, "words": [stride["word"]], **stride}
+    for stride in FREE["strides"][::4]
+]
+each_gait = pytest.mark.parametrize(
+    "gait", GAITS, ids=lambda gait: " ".join(map(str, gait["start_values"].values()))
+)
+LOSSES = ("energy.damper_loss", "energy.friction_loss", "energy.impact_loss")
+WORKS = ("hip.work", "leg.work", "energy.external_work")
+NAMES = {
+    "period": "stride.period", "length": "stride.length", "speed": "stride.speed", "rise": "stride.rise",
+    "hip_work": "stride.hip_work", "leg_work": "stride.leg_work", "work": "stride.work",
+    "cost_of_transport": "stride.cost_of_transport", "slip_distance": "stride.slip_distance",
+    "stance_time": "stride.stance_time", "liftoff_angle": "hip.liftoff_angle",
+}  # fmt: skip
+"""Names in the unit of what the references have."""
+COUNTED = ("stride.count", "stride.word_code", "event.count")
+OUTPUT = [
+    *NAMES.values(),
+    *(f"apex.{name}" for name in COORDINATES),
+    *LOSSES,
+    *WORKS,
+    *COUNTED,
+    "energy.total",
+]
+WAYS = {
+    "Co-Simulation": ({"fmi_type": "CoSimulation"}, {}, 1e-8),
+    "Co-Simulation by CVODE": ({"fmi_type": "CoSimulation"}, {"solver.method": 2}, 1e-8),
+    "Model Exchange": ({"fmi_type": "ModelExchange"}, {}, 1e-6),
+}
+"""By name: FMPy's options, start values, and the accuracy that is asked of it."""
+each_way = pytest.mark.parametrize("way", WAYS)
+
+
+def code_of(word):
+    """The unit's number of a word: base 4, the first letter most significant."""
+    return int("0" + word.translate(str.maketrans("|-0+", "0123")), 4)
+
+
+def run_unit(unpacked, description, way, runner, apex, time):
+    """Rows of a run that ends just after a time, and the accuracy that its way is good for."""
+    options, settings, accuracy = WAYS[way]
+    start = tdmf_slip.Runner(runner).start_values(apex)
+    rows = fmpy.simulate_fmu(
+        unpacked, model_description=description, stop_time=1.001 * time, output_interval=time / 200,
+        relative_tolerance=1e-12, start_values={**start, **settings}, output=OUTPUT, **options,
+    )  # fmt: skip
+    first, last = (dict(zip(rows.dtype.names, row, strict=True)) for row in (rows[0], rows[-1]))
+    moved = {name: last[name] - first[name] for name in (*LOSSES, *WORKS, "energy.total")}
+    gained = sum(moved[name] for name in WORKS) - sum(moved[name] for name in LOSSES)
+    assert moved["energy.total"] == pytest.approx(gained, abs=10 * accuracy * (1 + moved["hip.work"]))
+    assert moved["energy.friction_loss"] >= 0
+    return rows, last, accuracy
+
+
+def apex_in(last):
+    return [last[f"apex.{name}"] for name in COORDINATES]
+
+
+@each_way
+@each_gait
+def test_a_stride_of_the_unit_is_that_of_the_reference(unpacked, description, gait, way):
+    rows, last, accuracy = run_unit(
+        unpacked, description, way, gait["start_values"], gait["apex"], gait["period"]
+    )
+    assert (last["stride.count"], last["stride.word_code"]) == (1, code_of(gait["word"]))
+    assert apex_in(last) == pytest.approx(gait["apex"], abs=accuracy)
+    known = {of: gait[name] for name, of in NAMES.items() if name in gait}
+    assert {of: last[of] for of in known} == pytest.approx(known, rel=accuracy, abs=accuracy)
+    assert last["event.count"] == len([name for name, _ in gait["events"] if "clamp" not in name])
+    if way == "Model Exchange":  # rows before and after each event
+        times, counts = np.unique(rows["time"], return_counts=True)
+        for name, time in gait["events"]:
+            assert np.min(np.abs(times[counts > 1] - time)) <= 1e-6 * time, name
+
+
+@each_gait
+def test_the_search_finds_each_gait_with_its_jacobian(gait):
+    runner, apex = tdmf_slip.Runner(gait["start_values"]), np.array(gait["apex"])
+    found = gait_near(runner, apex + 1e-4 * np.array([1, -1, 0, 1, 0, 0]) * runner.scales)
+    assert found.word == gait["word"]
+    assert found.apex == pytest.approx(apex, abs=1e-10)
+    known = {name: gait[name] for name in found.stride if name in gait and name not in ("word", "apex")}
+    assert len(known) >= 5
+    assert {name: found.stride[name] for name in known} == pytest.approx(known, abs=2e-10)
+    assert found.liftoff_angle == pytest.approx(gait["liftoff_angle"], abs=1e-10)
+    if "jacobian" in gait:
+        assert found.jacobian == pytest.approx(np.array(gait["jacobian"]), abs=1e-8)
+    if "eigenvalues" in gait:  # the others are rounded to 0
+        assert found.eigenvalues[:3] == pytest.approx(np.array(gait["eigenvalues"])[:3], abs=1e-8)
+
+
+@pytest.mark.parametrize("stride", STRIDES, ids=lambda stride: stride["word"])
+def test_strides_of_random_runners_are_those_of_the_reference(stride):
+    found = tdmf_slip.stride_map(stride["start_values"], stride["apex"], tolerance=1e-12)
+    assert found["word"].item() == stride["word"]
+    assert found["next_apex"].values[0, 0] == pytest.approx(stride["end"], abs=1e-9)
+    for name in ("period", "length", "work", "touchdowns"):
+        assert found[name].item() == pytest.approx(stride[name], abs=1e-8), name
+
+
+@pytest.mark.parametrize("by", [0.0, -40.0], ids=["at 0", "at -40 m"])
+@pytest.mark.parametrize("run", RUNS, ids=lambda run: run["name"])
+def test_the_engine_runs_over_a_patch_as_the_reference_wherever_it_is(run, by):
+    given = run["start_values"]
+    moved = given | {name: given.get(name, 0.0) + by for name in ("ground.patch_begin", "ground.patch_end")}
+    count = len(run["words"])
+    made = tdmf_slip.stride_map(moved, run["apex"], strides=count, foot_x=by, tolerance=1e-13)
+    assert made["word"].values[0].tolist() == run["words"]
+    assert made["next_apex"].values[0, -1] == pytest.approx(run["end"]["apex"], rel=1e-8, abs=1e-8)
+    assert made["foot.x"].values[0, -1] == pytest.approx(run["end"]["foot.x"] + by, rel=1e-9)
+
+
+@each_way
+@pytest.mark.parametrize(
+    "run", some_of([run for run in RUNS if "fall" not in run], 4), ids=lambda run: run["name"]
+)
+def test_the_unit_runs_over_a_patch_as_the_reference(unpacked, description, run, way):
+    end = run["end"]
+    _, last, accuracy = run_unit(unpacked, description, way, run["start_values"], run["apex"], end["time"])
+    assert last["stride.count"] == len(run["words"])
+    assert apex_in(last) == pytest.approx(end["apex"], rel=accuracy, abs=accuracy)
+
+
+NOTHING = {
+    "a patch of no length": {"ground.patch_begin": 12.5, "ground.patch_end": 12.5},
+    "friction that falls at once": {"ground.stribeck_velocity": 0.0},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("friction", [0.6, 0.2])
+@pytest.mark.parametrize("nothing", NOTHING.values(), ids=NOTHING)
+def test_what_does_nothing_changes_no_bit(nothing, friction):
+    runner = {"ground.friction": friction}
+    apex = tdmf_slip.find_gait(runner).apex
+    one, other = (tdmf_slip.stride_map(given, apex, strides=2) for given in (runner, runner | nothing))
+    compared = [name for name in one.data_vars if one[name].dtype.kind == "f"]
+    assert len(compared) > 15
+    assert [name for name in compared if one[name].values.tobytes() != other[name].values.tobytes()] == []
