@@ -8,7 +8,7 @@ import pytest
 import tdmf_slip
 from conftest import release
 from own_pages import loaded
-from tdmf_slip.fitting.measurements import read_measurements
+from tdmf_slip.fitting.measurements import measurements_of
 from tdmf_slip.fmu.simulation import run_unit
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
@@ -96,7 +96,7 @@ def test_forces_of_a_treadmill_become_a_table_that_gives_back_the_runner(load, m
     example.main()
     table = tmp_path / "run.csv"
     table.write_text(capsys.readouterr().out, encoding="utf-8")
-    (row,) = read_measurements(table).rows
+    (row,) = measurements_of(table).rows
     assert row["speed"].value == 3.5
     assert row["frequency"].value == pytest.approx(1.0 / period, rel=1e-3)
     assert row["stance_time"].value == pytest.approx(stance, abs=3.0 / example.RATE)

@@ -4,17 +4,15 @@ import json
 import math
 import re
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pandas
 import pytest
 from tdmf_slip import InputError, Runner, find_gait, fit
 from tdmf_slip.fitting import problem as problem_module
-from tdmf_slip.fitting.conclusion import is_met
-from tdmf_slip.fitting.measurements import Measured, Measurements, measurements_of, read_measurements, shipped
-from tdmf_slip.fitting.problem import Problem
-from tdmf_slip.fitting.result import QUANTILE, identified
+from tdmf_slip.fitting.measurements import Measured, Measurements, measurements_of, shipped
+from tdmf_slip.fitting.problem import Prior, Problem, Request
+from tdmf_slip.fitting.result import QUANTILE, identified, is_likely
 from tdmf_slip.fitting.search import Across
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.quantities import quantities_of, unit_of
@@ -91,10 +89,18 @@ def test_the_search_goes_on_across_folds(runner, model, row, free):
 
 def test_the_search_across_folds_has_exact_derivatives():
     row = measured(find_gait({"ground.friction": 0.6}))
-    problem = Problem(
-        find_gait({"ground.friction": 0.55}), Measurements((row, row), "a gait"), ["leg.stiffness"], []
+    request = Request(
+        Measurements((row, row), "a gait"),
+        shared=("leg.stiffness",),
+        each=("leg.damping",),
+        priors=(Prior(1.0, 0.1, "leg.stiffness"),),
+        robust=False,
+        scale_errors=False,
+        profiled=(),
+        starts=1,
     )
-    across = Across(problem, np.zeros(1))
+    problem = Problem(request, find_gait({"ground.friction": 0.55}))
+    across = Across(problem, np.zeros(3))
     at = across.begin + 1e-3
     exact, step = across.jacobian(at), 1e-6
     for k in range(len(at)):
@@ -113,13 +119,10 @@ def test_two_measurements_of_one_speed_are_met_in_their_middle():
     assert "chi square 2 with 1 degrees of freedom, probability 0.16" in found.as_text()
 
 
-@pytest.mark.parametrize(
-    ("chi_square", "degrees_of_freedom", "met"),
-    [(6.4, 1, True), (6.8, 1, False), (9.0, 2, True), (9.4, 2, False), (0.9, 0, True), (1.1, 0, False)],
-)
-def test_data_are_met_up_to_the_chance_of_one_in_a_hundred(chi_square, degrees_of_freedom, met):
+def test_data_are_met_up_to_the_chance_of_one_in_a_hundred():
     """That is 6.635 with one degree of freedom and -2 log 0.01 = 9.21 with two."""
-    assert is_met(chi_square, SimpleNamespace(degrees_of_freedom=degrees_of_freedom)) is met
+    assert is_likely(6.4, 1) and is_likely(9.0, 2) and is_likely(0.9, 0)
+    assert not is_likely(6.8, 1) and not is_likely(9.4, 2) and not is_likely(1.1, 0)
 
 
 @pytest.mark.parametrize(("size", "count"), [(1.2, 1), (1.9, 1), (2.0, 0), (2.5, 0)])
@@ -215,7 +218,7 @@ def written(tmp_path, text):
 
 def test_a_table_has_comments_and_empty_cells(tmp_path):
     table = written(tmp_path, f"# from a paper, table 1\n{TABLE}1.0,0.01,,\n1.1,0.01,0.04,0.001\n")
-    first, second = read_measurements(table).rows
+    first, second = measurements_of(table).rows
     assert first == {"speed": Measured(1.0, 0.01)}
     assert second == {"speed": Measured(1.1, 0.01), "frequency": Measured(0.04, 0.001)}
 
@@ -226,7 +229,7 @@ def test_semicolons_and_tabulators_may_be_between_cells(tmp_path, separator, row
     """As spreadsheets write where the decimal sign is a comma."""
     lines = f"{TABLE.replace(',', separator)}{row.replace(';', separator)}\n"
     table = written(tmp_path, f"# made\n{lines}")
-    (found,) = read_measurements(table).rows
+    (found,) = measurements_of(table).rows
     assert found == {"speed": Measured(1.0, 0.01), "frequency": Measured(0.04, 0.001)}
 
 
@@ -330,7 +333,7 @@ def is_number(text):
 
 
 def test_the_numbers_of_a_runner_at_eight_speeds_are_made_of_those_published():
-    weight, rows = 84.0 * 9.81, read_measurements(shipped("human_running.csv")).rows
+    weight, rows = 84.0 * 9.81, measurements_of(shipped("human_running.csv")).rows
     speed, peak, impulse = published("human_running.csv", 3).T
     assert len(rows) == len(speed) == 8
     made = {"speed": speed, "frequency": 1.0 / impulse, "peak_force": peak * weight}
@@ -353,7 +356,7 @@ def test_the_numbers_of_fast_runners_are_made_of_those_published():
         "frequency": printed["step frequency"],
         "peak_force": printed["peak vertical force"] * 84.0 * 9.81,
     }
-    for number, row in enumerate(read_measurements(shipped("human_fast_running.csv")).rows):
+    for number, row in enumerate(measurements_of(shipped("human_fast_running.csv")).rows):
         for name, (mean, deviation) in ((name, of[number]) for name, of in made.items()):
             assert row[name].value == pytest.approx(mean, rel=1e-4)
             assert row[name].error == pytest.approx(deviation / np.sqrt((11, 9)[number]), rel=2e-3)

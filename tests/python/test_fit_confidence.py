@@ -252,7 +252,7 @@ def test_errors_are_scaled_by_the_residuals_on_request():
 def test_a_search_that_ends_for_want_of_gaits_has_not_converged(monkeypatch):
     """An error off, at a fold: chi square is small enough, but is not least there."""
     row = {"speed": Measured(0.6, 0.1)}
-    monkeypatch.setattr("tdmf_slip.fitting.fitted.cross", lambda *arguments: None)
+    monkeypatch.setattr("tdmf_slip.fitting.search.across_folds", lambda *arguments: None)
     found = fit(None, one_row(row), ["hip.touchdown_angle"])
     assert found.chi_square > 1.0 and not found.converged
     assert not any(estimate.is_profiled for estimate in found.estimates)

@@ -7,7 +7,7 @@ import numpy as np
 import pandas
 import pytest
 from tdmf_slip import InputError
-from tdmf_slip.fitting.measurements import measurements_of, read_measurements
+from tdmf_slip.fitting.measurements import measurements_of
 from tdmf_slip.fmu.inputs import read_tables
 from tdmf_slip.fmu.simulation import run_unit
 from tdmf_slip.library.ground import read_heights
@@ -96,7 +96,7 @@ TITLES = "speed [m/s]{0}speed_error [m/s]{0}peak_force [N]{0}peak_force_error [N
 def test_a_comma_is_no_decimal_sign_beside_points(tmp_path, separator, row):
     text = TITLES.format(separator) + row.replace("|", separator)
     with pytest.raises(InputError, match=r"line 2: .* in a table that has "):
-        read_measurements(written(tmp_path, "data.csv", text))
+        measurements_of(written(tmp_path, "data.csv", text))
 
 
 def test_what_has_no_number_was_not_measured(tmp_path):
@@ -109,7 +109,7 @@ def test_what_has_no_number_was_not_measured(tmp_path):
         for text in ("", "nan", "NaN", "NA"):
             path = tmp_path / "data.csv"
             table.to_csv(path, index=False, na_rep=text)
-            rows = read_measurements(path).rows
+            rows = measurements_of(path).rows
             assert [list(row) for row in rows] == [["speed"], ["speed", "peak_force"]]
             assert rows == measurements_of(table).rows == measurements_of(table.convert_dtypes()).rows
 
@@ -144,7 +144,7 @@ def test_a_byte_order_mark_is_no_part_of_a_text(tmp_path, fmu, command, monkeypa
     table = written(tmp_path, "inputs.csv", f"time,{FRICTION}\n0,1\n", MARK)
     assert list(read_tables(table, fmu)) == [FRICTION]
     data = written(tmp_path, "data.csv", "speed [m/s],speed_error [m/s]\n1,0.1\n", MARK)
-    assert read_measurements(data).rows[0]["speed"].value == 1.0
+    assert measurements_of(data).rows[0]["speed"].value == 1.0
     printed = command("gait", "--json")[1]
     gait = written(tmp_path, "gait.json", printed, MARK)
     told = command("simulate", "--from-gait", gait, "--strides", "1", "--json")

@@ -8,8 +8,8 @@ import click
 
 from ..checks import number_in
 from ..errors import InputError
-from ..fitting.fitted import MAX_STARTS, LeftOut, fit
-from ..fitting.result import Fit
+from ..fitting.fitted import MAX_STARTS, fit
+from ..fitting.result import Fit, LeftOut
 from ..terminal.text import table
 from .command import Answer, command, option
 from .options import NewPicture, Number, names_given

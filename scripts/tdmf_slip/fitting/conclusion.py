@@ -1,4 +1,4 @@
-"""Results of a search: estimates with their intervals, unidentified combinations, and notes.
+"""From the end of a search to a fit: estimates with their intervals, and notes.
 
 Intervals by the profile likelihood: a parameter is held, the others are fitted anew, and the loss rises.
 
@@ -8,17 +8,170 @@ linear interval; where they identify it poorly it is not symmetric, and may have
 """
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..errors import RunError
-from .measurements import Measurements
-from .problem import FIRST_STEP, MAX_STRIDES, Problem, Request, bounds_of
-from .result import CONFIDENCE, QUANTILE, UNLIKELY, Estimate, Fit, Identified, Residual, identified
-from .search import Bounds, Ended, is_stationary, searched, weights_of
+from .measurements import Measured
+from .problem import FIRST_STEP, MAX_STRIDES, Problem, Vector
+from .result import (
+    CONFIDENCE,
+    QUANTILE,
+    UNLIKELY,
+    Estimate,
+    Fit,
+    Identified,
+    Residual,
+    identified,
+    probability_of,
+)
+from .search import Ended, best_from, is_stationary, searched, weights_of
+
+AGAIN = 3
+"""Largest number of fits that are begun anew where a profile has led to a better one."""
+FAR_OFF = 1e4
+"""Chi square over the number of data: residuals of a hundred errors each are no fit that has converged."""
+
+
+def concluded(problem: Problem, found: Ended, starts: int = 1) -> Fit:
+    """The fit at the end of a search, begun anew where a profile has led to a better fit."""
+    for _ in range(AGAIN):
+        try:
+            return _fit(problem, found, starts, is_profiled=True)
+        except BetterFitError as better:
+            found = best_from(problem, better.at)
+    return _fit(problem, found, starts, is_profiled=False)
+
+
+def _fit(problem: Problem, found: Ended, starts: int, *, is_profiled: bool) -> Fit:
+    request, spent_strides = problem.request, problem.strides if problem.is_spent else 0
+    problem.grant()
+    jacobian, residuals = problem.jacobian(found.at), problem.residuals(found.at)
+    apexes, words = tuple(problem.apexes), tuple(problem.words)
+    chi_square = float(residuals @ residuals)
+    converged = bool(
+        found.ended
+        and not spent_strides
+        and chi_square <= FAR_OFF * len(residuals)
+        and (found.on_border or is_stationary(found, jacobian, request.robust))
+    )
+    scale, quantile = 1.0, QUANTILE
+    if request.scale_errors:
+        from scipy.special import stdtrit  # slow to load
+
+        scale = float(np.sqrt(chi_square / request.degrees_of_freedom))
+        quantile = scale * float(stdtrit(request.degrees_of_freedom, 0.5 + 0.5 * CONFIDENCE))
+    values, parameters = problem.values(found.at), problem.parameters
+    weighted = weights_of(residuals, request.robust)[:, None] * jacobian
+    known = identified(weighted / FIRST_STEP, [of.label for of in parameters], problem.scales, QUANTILE)
+    covariance = scale**2 * known.covariance * np.outer(problem.scales, problem.scales)
+    spreads = np.where(known.reported, np.sqrt(np.diag(covariance)), np.inf)
+    notes = [*_notes(problem, found, spent_strides, converged, chi_square, scale)]
+    intervals: Intervals = {}
+    if is_profiled and converged:
+        intervals, further = _profile(problem, found, known, quantile)
+        notes += further
+    half, estimates = quantile / scale, []
+    for k, (of, value, spread) in enumerate(zip(parameters, values.tolist(), spreads.tolist(), strict=True)):
+        linear = value - half * spread, value + half * spread, ""
+        low, high, ends_at = intervals.get(k, linear)
+        estimates.append(Estimate(of.label, of.name, value, spread, low, high, k in intervals, ends_at))
+    measured: list[tuple[int, str, Measured]] = [
+        (n, *item) for n, row in enumerate(problem.rows, start=1) for item in row.items()
+    ]
+    measured += [(0, prior.name, prior) for prior in request.priors]
+    beside = tuple(
+        Residual(row, name, of.value, of.error, of.value + off * of.error)
+        for (row, name, of), off in zip(measured, residuals.tolist(), strict=True)
+    )
+    count = request.measurements.count
+    return Fit(
+        request=request,
+        runners=tuple(problem.runner_of(values, row) for row in range(len(problem.rows))),
+        apexes=apexes,
+        words=words,
+        estimates=tuple(estimates),
+        covariance=covariance,
+        unidentified=known.unidentified,
+        residuals=beside[:count],
+        priors=beside[count:],
+        converged=converged,
+        steps=found.tries,
+        starts=starts,
+        notes=tuple(notes),
+    )
+
+
+def _notes(
+    problem: Problem, found: Ended, spent_strides: int, converged: bool, chi_square: float, scale: float
+) -> Iterator[str]:
+    """Notes on the search and on how to read the fit."""
+    request = problem.request
+    probability = probability_of(chi_square, request.degrees_of_freedom)
+    if spent_strides:
+        yield (
+            f"the search was ended after {spent_strides:,} strides ({MAX_STRIDES:,} are "
+            "allowed): its values are not the best ones; are the data in the units that their titles say?"
+        )
+    if not found.ended:
+        yield f"the search has not ended after {found.tries} tries: its values are not the best ones"
+    elif not spent_strides and not converged:
+        yield (
+            "the search ended where the sum of squares is not least, or is far too large: its values and "
+            "intervals mean nothing; begin elsewhere, with other values or more starts"
+        )
+    if np.isnan(probability) and chi_square > 1.0:
+        yield "the data are not met, though as many numbers are fitted as were measured"
+    if probability < UNLIKELY and not request.scale_errors:
+        yield (
+            f"residuals as large as these come by chance with a probability of {probability:.1g}: "
+            "the model is farther from the data than their errors, and the intervals are too narrow"
+        )
+    if request.scale_errors:
+        yield f"the errors are taken {scale:.3g} times as large as the data say"
+    for parameter, bound in zip(problem.parameters, found.at_bound, strict=True):
+        if bound:
+            yield f"{parameter.label} is at the {'lower' if bound < 0 else 'upper'} end of its range"
+    for row, words in enumerate(problem.seen_words, start=1):
+        if len(words) > 1:
+            yield f"the word of row {row} changed on the way: {', '.join(words)}"
+    if found.on_border:
+        yield "the sum of squares is least on a border between words, where it has a kink"
+    if problem.lost:
+        yield f"{problem.lost} of the tries led where a row has no gait, and were made shorter"
+    if problem.crossed:
+        yield "the search went on across a fold, where gaits turn back"
+
+
+Intervals: TypeAlias = dict[int, tuple[float, float, str]]
+"""Both ends of parameters' intervals, in their units, and why they end there; by the parameters' numbers."""
+
+
+def _profile(
+    problem: Problem, best: Ended, known: Identified, quantile: float
+) -> tuple[Intervals, list[str]]:
+    """Intervals by the profile likelihood, and notes on them."""
+    problem.grant()
+    profile, intervals, notes, linear = Profile(problem, best, known.covariance, quantile), {}, [], []
+    for k, of in enumerate(problem.parameters):
+        if of.name not in problem.request.profiled or not known.reported[k]:
+            continue
+        try:
+            ends = None if problem.is_spent else profile.interval(k)
+        except RunError:
+            ends = None
+        if ends is None or problem.is_spent:
+            linear.append(of.label)
+            continue
+        low, high = (float(problem.begin[k] + problem.steps[k] * at) for at, _ in ends)
+        intervals[k] = low, high, ", ".join(dict.fromkeys(why for _, why in ends if why))
+        if any(why == "gaits" for _, why in ends):
+            notes.append(f"the interval of {of.label} ends where no gaits are found")
+    if linear:
+        notes.append(f"the profile likelihood was not followed: linear intervals of {', '.join(linear)}")
+    return intervals, notes
+
 
 MET = 0.02
 """Relative error of the root of the rise at which the interval's end is interpolated."""
@@ -31,7 +184,6 @@ CHANGE = 1e-4
 BETTER = 1e-3
 """Fall of the loss below the least one that says that this was none."""
 
-
 End: TypeAlias = tuple[float, str]
 """One end of an interval: the unknown, infinite where there is no end; and why it ends before the loss has
 risen, `range` or `gaits`, else an empty text."""
@@ -40,7 +192,7 @@ risen, `range` or `gaits`, else an empty text."""
 class BetterFitError(Exception):
     """The loss with a parameter held is less than the least one."""
 
-    def __init__(self, at: NDArray[np.float64]) -> None:
+    def __init__(self, at: Vector) -> None:
         """Keep the unknowns at which the loss is less."""
         super().__init__("the loss is less elsewhere")
         self.at = at
@@ -49,19 +201,11 @@ class BetterFitError(Exception):
 class Profile:
     """The profile of a fit."""
 
-    def __init__(
-        self,
-        problem: Problem,
-        best: Ended,
-        bounds: Bounds,
-        robust: bool,
-        covariance: NDArray[np.float64],
-        rise: float,
-    ) -> None:
-        """Begin at the fit `best`, with its linear covariance and the loss's rise at an interval's end."""
-        self.problem, self.best, self.bounds, self.robust = problem, best, bounds, robust
-        self.covariance, self.root = covariance, float(np.sqrt(rise))
-        self._apexes = problem.apexes()
+    def __init__(self, problem: Problem, best: Ended, covariance: Vector, root: float) -> None:
+        """Begin at the best fit, with its linear covariance and the root of the rise at an interval's end."""
+        self.problem, self.best, self.root = problem, best, root
+        self.covariance = covariance / FIRST_STEP**2
+        self._apexes = problem.apexes
 
     def interval(self, number: int) -> tuple[End, End]:
         """Both ends of the interval of a parameter; `BetterFitError` where the fit was none."""
@@ -72,7 +216,7 @@ class Profile:
     def _end(self, number: int, sign: float) -> End:
         """One end, by the secant method on the root of the rise, which is nearly linear."""
         self.problem.restart(self.best.at, self._apexes)
-        begin, bound = float(self.best.at[number]), float(self.bounds[sign > 0.0][number])
+        begin, bound = float(self.best.at[number]), float(self.problem.bounds[int(sign > 0.0)][number])
         spread = float(np.sqrt(self.covariance[number, number]))
         inside, outside, seen = (0.0, 0.0), None, self.best.at
         step = min(self.root * spread, LONGEST) if spread > 0.0 else LONGEST
@@ -124,206 +268,18 @@ class Profile:
             raise BetterFitError(found.at)
         return float(np.sqrt(max(rise, 0.0)))
 
-    def _constrained(self, number: int, value: float, seen: NDArray[np.float64]) -> Ended | None:
+    def _constrained(self, number: int, value: float, seen: Vector) -> Ended | None:
         """The others fitted while one is held, from where they are predicted; None where no gaits are."""
         moved = value - seen[number]
         along = self.covariance[:, number] / (self.covariance[number, number] or 1.0)
         for share in (1.0, 0.0):
             begin = seen + share * moved * along
             begin[number] = value
-            begin = np.clip(begin, *self.bounds)
+            begin = np.clip(begin, *self.problem.bounds)
             try:
-                found = searched(self.problem, begin, self.bounds, self.robust, number, CHANGE)
+                found = searched(self.problem, begin, number, CHANGE)
             except RunError:
                 continue
             if np.isfinite(found.residuals).all():
                 return found
         return None
-
-
-FAR_OFF = 1e4
-"""Chi square over the number of data: residuals of a hundred errors each are no fit that has converged."""
-
-
-class Conclusion:
-    """Results of a search."""
-
-    def __init__(self, request: Request, problem: Problem, found: Ended, starts: int) -> None:
-        """Results from a request, its problem, the end of its search, and the number of searches."""
-        self.request, self.problem, self.found, self.starts = request, problem, found, starts
-        is_there = problem.is_linear_at(found.at)
-        self.strides = problem.log.strides
-        self.is_spent = problem.is_spent
-        self.log = replace(problem.log, words=[[*words] for words in problem.log.words])
-        problem.grant()
-        self.jacobian = problem.jacobian(found.at)
-        self.apexes, self.words = tuple(problem.apexes()), tuple(problem.words())
-        self.residuals = found.residuals if is_there else problem.residuals(found.at)
-        self.chi_square = float(self.residuals @ self.residuals)
-        self.probability = probability_of(self.chi_square, request.degrees_of_freedom)
-
-    @property
-    def converged(self) -> bool:
-        """Whether the search ended where the loss is least, and the data are not far off."""
-        return bool(
-            self.found.ended
-            and not self.is_spent
-            and self.chi_square <= FAR_OFF * len(self.residuals)
-            and (self.found.on_border or is_stationary(self.found, self.jacobian, self.request.robust))
-        )
-
-    @property
-    def scale(self) -> float:
-        """Scale of the errors: 1 if known, else the root of chi square over the degrees of freedom."""
-        if not self.request.scale_errors:
-            return 1.0
-        return float(np.sqrt(self.chi_square / self.request.degrees_of_freedom))
-
-    @property
-    def quantile(self) -> float:
-        """Standard errors to each side of a linear interval."""
-        if not self.request.scale_errors:
-            return QUANTILE
-        from scipy.special import stdtrit  # slow to load
-
-        return self.scale * float(stdtrit(self.request.degrees_of_freedom, 0.5 + 0.5 * CONFIDENCE))
-
-    def fit(self) -> Fit:
-        """The fit with its estimates, intervals and notes."""
-        problem, request = self.problem, self.request
-        values = problem.values(self.found.at)
-        labels = [parameter.label for parameter in problem.parameters]
-        weighted = weights_of(self.residuals, request.robust)[:, None] * self.jacobian
-        known = identified(weighted / FIRST_STEP, labels, problem.scales, QUANTILE)
-        covariance = self.scale**2 * known.covariance * np.outer(problem.scales, problem.scales)
-        spreads = np.where(known.reported, np.sqrt(np.diag(covariance)), np.inf)
-        intervals, trouble = self._intervals(known)
-        half, estimates = self.quantile / self.scale, []
-        found = zip(problem.parameters, values.tolist(), spreads.tolist(), intervals, strict=True)
-        for of, value, spread, interval in found:
-            low, high, ends_at = interval or (value - half * spread, value + half * spread, "")
-            is_profiled = interval is not None
-            estimates.append(Estimate(of.label, of.name, value, spread, low, high, is_profiled, ends_at))
-        count = request.measurements.count
-        return Fit(
-            measurements=request.measurements,
-            runners=tuple(problem.runner_of(values, row) for row in range(len(request.measurements.rows))),
-            apexes=self.apexes,
-            words=self.words,
-            estimates=tuple(estimates),
-            covariance=covariance,
-            unidentified=known.unidentified,
-            residuals=_residuals(request.measurements, self.residuals[:count]),
-            priors=tuple(
-                Residual(0, prior.name, prior.value, prior.error, prior.value + float(off) * prior.error)
-                for prior, off in zip(request.priors, self.residuals[count:], strict=True)
-            ),
-            probability=self.probability,
-            converged=self.converged,
-            steps=self.found.tries,
-            starts=self.starts,
-            request=request,
-            notes=(*self._notes(), *trouble),
-        )
-
-    def _intervals(self, known: Identified) -> tuple[list[tuple[float, float, str] | None], list[str]]:
-        """Ends of those that are by the profile likelihood, in the parameters' units; and what came of it."""
-        problem, names = self.problem, self.request.profiled
-        found: list[tuple[float, float, str] | None] = [None] * len(problem.parameters)
-        wanted = [k for k, of in enumerate(problem.parameters) if of.name in names and known.reported[k]]
-        if not wanted or not self.converged:
-            return found, []
-        problem.grant()
-        profile = Profile(
-            problem,
-            self.found,
-            bounds_of(problem, self.request.ranges),
-            self.request.robust,
-            known.covariance / FIRST_STEP**2,
-            self.quantile**2,
-        )
-        linear, recorded = [], []
-        for k in wanted:
-            try:
-                ends = profile.interval(k)
-            except RunError:
-                linear.append(problem.parameters[k].label)
-                continue
-            if problem.is_spent:
-                linear += [problem.parameters[other].label for other in wanted if other >= k]
-                break
-            low, high = (float(problem.begin[k] + problem.steps[k] * at) for at, _ in ends)
-            found[k] = low, high, ", ".join(dict.fromkeys(why for _, why in ends if why))
-            if any(why == "gaits" for _, why in ends):
-                recorded.append(
-                    f"the interval of {problem.parameters[k].label} ends where no gaits are found"
-                )
-        if linear:
-            recorded.append(
-                f"the profile likelihood was not followed: linear intervals of {', '.join(linear)}"
-            )
-        return found, recorded
-
-    def _notes(self) -> Iterator[str]:
-        """Notes on the search and on how to read the fit."""
-        log, found = self.log, self.found
-        if self.is_spent:
-            yield (
-                f"the search was ended after {self.strides:,} strides ({MAX_STRIDES:,} are "
-                "allowed): its values are not the best ones; are the data in the units that their titles say?"
-            )
-        if not found.ended:
-            yield f"the search has not ended after {found.tries} tries: its values are not the best ones"
-        elif not self.is_spent and not self.converged:
-            yield (
-                "the search ended where the sum of squares is not least, or is far too large: its values and "
-                "intervals mean nothing; begin elsewhere, with other values or more starts"
-            )
-        if np.isnan(self.probability) and self.chi_square > 1.0:
-            yield "the data are not met, though as many numbers are fitted as were measured"
-        if self.probability < UNLIKELY and not self.request.scale_errors:
-            yield (
-                f"residuals as large as these come by chance with a probability of {self.probability:.1g}: "
-                "the model is farther from the data than their errors, and the intervals are too narrow"
-            )
-        if self.request.scale_errors:
-            yield f"the errors are taken {self.scale:.3g} times as large as the data say"
-        for parameter, bound in zip(self.problem.parameters, found.at_bound, strict=True):
-            if bound:
-                yield f"{parameter.label} is at the {'lower' if bound < 0 else 'upper'} end of its range"
-        for row, words in enumerate(log.words, start=1):
-            if len(words) > 1:
-                yield f"the word of row {row} changed on the way: {', '.join(words)}"
-        if found.on_border:
-            yield "the sum of squares is least on a border between words, where it has a kink"
-        if log.lost:
-            yield f"{log.lost} of the tries led where a row has no gait, and were made shorter"
-        if log.crossed:
-            yield "the search went on across a fold, where gaits turn back"
-
-
-def is_met(loss: float, request: Request) -> bool:
-    """Whether the residuals are such as come by chance."""
-    probability = probability_of(loss, request.degrees_of_freedom)
-    return bool(loss < 1.0 if np.isnan(probability) else probability >= UNLIKELY)
-
-
-def probability_of(chi_square: float, degrees_of_freedom: int) -> float:
-    """Probability that the chi square distribution exceeds a value."""
-    from scipy.special import gammaincc  # slow to load
-
-    if degrees_of_freedom == 0:
-        return float("nan")
-    return float(gammaincc(0.5 * degrees_of_freedom, 0.5 * chi_square))
-
-
-def _residuals(measurements: Measurements, over_errors: NDArray[np.float64]) -> tuple[Residual, ...]:
-    measured = [
-        (number, name, of)
-        for number, row in enumerate(measurements.rows, start=1)
-        for name, of in row.items()
-    ]
-    return tuple(
-        Residual(number, name, of.value, of.error, of.value + float(off) * of.error)
-        for (number, name, of), off in zip(measured, over_errors, strict=True)
-    )

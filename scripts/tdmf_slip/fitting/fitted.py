@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+import contextlib
+from collections.abc import Mapping, Sequence
 from itertools import islice
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..analysis.search import periodic_gait
 from ..checks import checked_flag, checked_whole, is_one_of, shown
@@ -21,11 +20,11 @@ from ..library.shared_steps import shares_steps
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model, full_names, model_of
-from .conclusion import BetterFitError, Conclusion, is_met
+from .conclusion import concluded
 from .measurements import Data, Errors, Measurements, Units, measurements_of
-from .problem import PriorGiven, Problem, Request, bounds_of, checked_priors
+from .problem import PriorGiven, Problem, Request, checked_priors
 from .result import Fit
-from .search import Bounds, Ended, cross, past_kinks, searched
+from .search import Ended, best_from
 from .search import starts as starts_of
 
 
@@ -59,8 +58,6 @@ def check_names(shared: Sequence[str], each: Sequence[str], measurements: Measur
 
 
 STARTS, MAX_STARTS = 1, 100
-AGAIN = 3
-"""Fits that are begun anew where a profile has led to a better one."""
 
 
 @shares_steps
@@ -168,9 +165,6 @@ def fit(
         scale_errors=checked_flag("scale_errors", scale_errors),
         profiled=profiled,
         starts=checked_whole("starts", starts, 1, MAX_STARTS),
-        ranges={
-            name: (own.variables[name].minimum, own.variables[name].maximum) for name in (*shared, *each)
-        },
     )
     if request.scale_errors and request.degrees_of_freedom < 1:
         raise InputError(
@@ -179,8 +173,20 @@ def fit(
         )
     first = _first(begun, guess)
     with progress_bar("fit", None, "strides", progress) as bar:
-        others = starts_of(first, measurements, (*shared, *each)) if request.starts > 1 else iter(())
-        return fitted_from(request, first, islice(others, request.starts - 1), bar.update)
+
+        def begin(gait: Gait) -> tuple[Problem, Ended]:
+            problem = Problem(request, gait, bar.update)
+            return problem, best_from(problem, np.zeros(len(problem.parameters)))
+
+        (problem, found), count = begin(first), 1
+        others = starts_of(first, request) if request.starts > 1 else iter(())
+        for other in islice(others, request.starts - 1):
+            count += 1
+            with contextlib.suppress(RunError):
+                another, ended = begin(other)
+                if ended.loss < found.loss:
+                    problem, found = another, ended
+        return concluded(problem, found, count)
 
 
 def _first(runner: Runner, guess: Apex | None) -> Gait:
@@ -194,126 +200,3 @@ def _first(runner: Runner, guess: Apex | None) -> Gait:
             return gait_near(runner, runner.start_apex())
         except RunError:
             raise problem from None
-
-
-def fitted_from(
-    request: Request, first: Gait, others: Iterator[Gait], strides_made: Callable[[int], object]
-) -> Fit:
-    """The best fit from some gaits."""
-    best, count = _begun(request, first, strides_made), 1
-    for other in others:
-        count += 1
-        try:
-            tried = _begun(request, other, strides_made)
-        except RunError:
-            continue
-        best = tried if tried[1].loss < best[1].loss else best
-    return _reported(request, *best, count)
-
-
-def _begun(request: Request, first: Gait, strides_made: Callable[[int], object]) -> tuple[Problem, Ended]:
-    """A search from one gait."""
-    problem = Problem(first, request.measurements, request.shared, request.each, strides_made, request.priors)
-    return problem, _found(request, problem, np.zeros(len(problem.parameters)))
-
-
-def _reported(request: Request, problem: Problem, found: Ended, starts: int) -> Fit:
-    """The fit with its intervals, begun anew where a profile has led to a better fit."""
-    for _ in range(AGAIN):
-        try:
-            return Conclusion(request, problem, found, starts).fit()
-        except BetterFitError as better:
-            found = _found(request, problem, better.at)
-    return Conclusion(replace(request, profiled=()), problem, found, starts).fit()
-
-
-def _found(request: Request, problem: Problem, begin: NDArray[np.float64]) -> Ended:
-    """Search, and where the goal is not met, search across the folds near it."""
-    bounds = bounds_of(problem, request.ranges)
-    found = searched(problem, begin, bounds, request.robust)
-    if problem.log.lost and not problem.is_spent and not is_met(found.loss, request):
-        found = _crossed(request, problem, found, bounds)
-    if not problem.is_spent and np.isfinite(found.loss):
-        found = past_kinks(problem, found, bounds, request.robust)
-    return found
-
-
-def _crossed(request: Request, problem: Problem, ended: Ended, bounds: Bounds) -> Ended:
-    """The better of a search that has ended and of one that goes on across the folds near it."""
-    apexes = problem.apexes()
-    begin = cross(problem, ended.at, bounds)
-    if begin is not None:
-        found = searched(problem, begin, bounds, request.robust)
-        if found.loss < ended.loss:
-            problem.log.crossed = True
-            return found
-        problem.restart(ended.at, apexes)
-    return ended
-
-
-@dataclass(frozen=True, eq=False)
-class LeftOut:
-    """A datum, and the fit without it."""
-
-    row: int
-    """Row of the datum, from 1."""
-    name: str
-    """Name of the datum's quantity."""
-    fit: Fit
-    """Fit of all other data, with linear intervals."""
-
-    def shifts(self, of: Fit) -> Mapping[str, float]:
-        """Changes of shared estimates by label, over their standard errors in the whole fit."""
-        shared = [estimate for estimate in of.estimates if estimate.label == estimate.name]
-        return {
-            one.label: (self.fit.parameters[one.label].value - one.value) / one.standard_error
-            for one in shared
-        }
-
-
-def without(found: Fit, row: int, name: str, profile: bool = True) -> Fit:
-    """The fit to all data but one, from the gaits of the fit to all."""
-    request = found.request
-    measured = request.measurements.rows
-    if not 1 <= row <= len(measured) or name not in measured[row - 1]:
-        raise InputError(f"row {row}, {name}: is not among the data; allowed: what was measured")
-    rows = [
-        {of: value for of, value in given.items() if (k, of) != (row, name)}
-        for k, given in enumerate(measured, 1)
-    ]
-    kept = [k for k, given in enumerate(rows) if given]
-    where = f"{request.measurements.where} without {name} of row {row}"
-    data = Measurements(tuple(rows[k] for k in kept), where)
-    fewer = replace(request, measurements=data, starts=1, profiled=request.profiled if profile else ())
-    if fewer.degrees_of_freedom < fewer.scale_errors or not kept:
-        raise InputError(f"{where}: less is left than is fitted; allowed: a datum that can be spared")
-    problem, begin = _begin_without(fewer, found, kept)
-    return _reported(fewer, problem, _found(fewer, problem, begin), 1)
-
-
-def without_each(found: Fit) -> tuple[LeftOut, ...]:
-    """The fits without one datum each, of all data that can be spared."""
-    left = []
-    for residual in found.residuals:
-        try:
-            left.append(
-                LeftOut(residual.row, residual.name, without(found, residual.row, residual.name, False))
-            )
-        except InputError:
-            continue
-    return tuple(left)
-
-
-def _begin_without(request: Request, found: Fit, kept: list[int]) -> tuple[Problem, NDArray[np.float64]]:
-    """A problem that begins with gaits of a fit, and its unknowns there."""
-    problem = Problem(
-        found.gaits[kept[0]],
-        request.measurements,
-        request.shared,
-        request.each,
-        priors=request.priors,
-    )
-    values = [found.runners[kept[parameter.row or 0]][parameter.name] for parameter in problem.parameters]
-    at = (np.array(values) - problem.begin) / problem.steps
-    problem.restart(at, [found.apexes[k] for k in kept])
-    return problem, at

@@ -1,7 +1,7 @@
 """Measured gaits: quantities of a stride with their standard errors, a row for each condition."""
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -97,18 +97,57 @@ def measurements_of(
     errors: Errors | None = None,
     model: Model = MODELS["full"],
 ) -> Measurements:
-    """Measurements as they are given, or those of a table, of columns by name, or of a file."""
+    """Measurements as they are given, or those of a table, of columns by name, or of a CSV file.
+
+    Titles of a file are `speed [m/s]`, `frequency [Hz]`, `stance_time [s]`, `duty_factor [1]`,
+    `slip_distance [m]`, `peak_force [N]` or others, also with another unit of the quantity. The standard
+    errors of a quantity are in a second column, as `speed_error [m/s]`. `units` and `errors` give what the
+    titles do not, see `fit`. Each row is a condition. A quantity that was not measured in it has both of its
+    cells empty, or NaN. Cells are separated by commas, or by semicolons, and then the decimal sign may be a
+    comma. Lines that begin with `#` are skipped.
+    """
     if isinstance(given, Measurements):
         if units or errors:
             raise InputError("units, errors: Measurements have both; allowed: with a table or a file")
         return given
     units, errors = (_by_quantity(of, name, model) for of, name in ((units, "units"), (errors, "errors")))
     if is_table(given) or isinstance(given, Mapping):
-        return _of_table(given, units, errors, model)
-    path = path_of(given, "data", "the path of a CSV file, a DataFrame, columns by name, or Measurements")
-    if str(path) in [known.stem for known in DATA.glob("*.csv")]:
-        return read_measurements(shipped(f"{path}.csv"), units, errors, model, name=str(path))
-    return read_measurements(path, units, errors, model)
+        where, cells = "data", _table_cells(given, model)
+        units = {name: unit_of(name, model) for name in measurable(model)} | units
+    else:
+        path = path_of(given, "data", "the path of a CSV file, a DataFrame, columns by name, or Measurements")
+        where, comes = f"table {path}", [known.stem for known in DATA.glob("*.csv")]
+        cells = _file_cells(shipped(f"{path}.csv") if str(path) in comes else path, where)
+    titles, *rows = cells
+    factors = dict(_factor(title, where, units, model) for title in titles)
+    if len(factors) != len(titles):
+        names = [title.partition("[")[0].strip() for title in titles]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise InputError(f"{where}: column {twice} is there twice; allowed: once")
+    for number, row in enumerate(rows, start=1):
+        if len(row) != len(titles):
+            raise InputError(
+                f"{where}, row {number}: {len(row)} cells under {len(titles)} columns; allowed: as many"
+            )
+    for name, of in errors.items():
+        if name not in factors or f"{name}{ERROR}" in factors:
+            has = "a column of errors" if name in factors else "no column"
+            raise InputError(f"errors: {name} has {has} in {where}; allowed: a quantity without errors there")
+        column = [*factors].index(name)
+        added = _errors_of(name, of, [row[column] for row in rows])
+        rows = [[*row, error] for row, error in zip(rows, added, strict=True)]
+        factors[f"{name}{ERROR}"] = factors[name]
+    for name in factors:
+        other = name.removesuffix(ERROR) if name.endswith(ERROR) else f"{name}{ERROR}"
+        if other not in factors:
+            unit = unit_of(other.removesuffix(ERROR), model)
+            raise InputError(
+                f"{where}: column {name} without {other}; allowed: with a column {other} [{unit}], or errors="
+            )
+    measured = [
+        _row(factors, row, f"{where}, row {number}", model.is_own) for number, row in enumerate(rows, start=1)
+    ]
+    return Measurements(tuple(measured), where)
 
 
 def _by_quantity(given: object, what: str, model: Model) -> dict[str, Any]:
@@ -121,49 +160,29 @@ def _by_quantity(given: object, what: str, model: Model) -> dict[str, Any]:
     return found
 
 
-def _of_table(given: object, units: Units, errors: Errors, model: Model) -> Measurements:
-    """Measurements from columns by name; durations are converted to seconds."""
+def _table_cells(given: object, model: Model) -> list[list[str]]:
+    """Titles and rows of a table, as the texts that a file would have; durations are in seconds."""
     columns = mapping_of(given, "data", "columns by the names of quantities")
-    own = {name: unit_of(name, model) for name in measurable(model)} | dict(units)
-    kept = [_column(str(title).strip(), "data", own, model) for title in columns]
-    rows = [row_of(of, f"data {title}", "a column of numbers") for title, of in columns.items()]
-    if len({len(row) for row in rows}) != 1:
+    cells = []
+    for title, of in columns.items():
+        name = str(title).partition("[")[0].strip().removesuffix(ERROR)
+        unit = unit_of(name, model) if name in measurable(model) else ""
+        column = row_of(of, f"data {title}", "a column of numbers")
+        cells.append([_cell(value, unit) for value in column])
+    if len({len(column) for column in cells}) != 1:
         raise InputError("data: columns of different lengths, or none; allowed: one or more, of one length")
-    cells = [
-        [
-            _cell_of(value, unit_of(name.removesuffix(ERROR), model))
-            for value, (name, _) in zip(row, kept, strict=True)
-        ]
-        for row in zip(*rows, strict=True)
-    ]
-    return Measurements(tuple(_rows(kept, cells, "data", errors, model)), "data")
+    return [[str(title) for title in columns], *map(list, zip(*cells, strict=True))]
 
 
-def _cell_of(value: object, unit: str) -> str:
-    """A value of a DataFrame as the text that a file would have."""
+def _cell(value: object, unit: str) -> str:
     number = number_of(value, unit)
     if number is not None:
         return repr(number)
     return value if isinstance(value, str) else shown(value)
 
 
-def read_measurements(
-    path: Path,
-    units: Units | None = None,
-    errors: Errors | None = None,
-    model: Model = MODELS["full"],
-    *,
-    name: str | None = None,
-) -> Measurements:
-    """Measurements from a CSV file.
-
-    The header has any of `speed [m/s]`, `frequency [Hz]`, `stance_time [s]`, `duty_factor [1]`,
-    `slip_distance [m]`, `peak_force [N]`, or another unit of the quantity, and for each its standard error,
-    as in `speed_error [m/s]`. `units` and `errors` give what the header does not, see `fit`. Each row is a
-    condition; a quantity that was not measured in it has both of its cells empty, or NaN. Between cells is a
-    comma, or a semicolon, and then the decimal sign may be a comma. Lines that begin with `#` are skipped.
-    """
-    where = f"table {name or path}"
+def _file_cells(path: Path, where: str) -> list[list[str]]:
+    """Titles and rows of a CSV file."""
     try:
         text = path.read_text(encoding="utf-8-sig")
     except (OSError, ValueError) as problem:
@@ -173,13 +192,11 @@ def read_measurements(
     if len(lines) < 2:
         missing = "the header and the rows" if not lines else "the rows"
         raise InputError(f"{where}: {missing} are missing; allowed: a header, and a row for each condition")
-    header, *cells = [row for _, row in cells_of(lines, where)]
-    columns = [_column(title, where, units or {}, model) for title in header]
-    return Measurements(tuple(_rows(columns, cells, where, errors or {}, model)), where)
+    return [row for _, row in cells_of(lines, where)]
 
 
-def _column(title: str, where: str, units: Units, model: Model) -> tuple[str, float]:
-    """The name of a column, and how many of its unit make one of the quantity's."""
+def _factor(title: str, where: str, units: Units, model: Model) -> tuple[str, float]:
+    """The name in a title, and how many of its unit make one of the quantity's."""
     name, bracket, rest = title.partition("[")
     name = name.strip()
     quantity = name.removesuffix(ERROR)
@@ -204,86 +221,49 @@ def _column(title: str, where: str, units: Units, model: Model) -> tuple[str, fl
     return name, factor
 
 
-def _check_columns(columns: Sequence[str], where: str, errors: Errors, model: Model) -> None:
-    """Each once, and each quantity with its error, in one place."""
-    for name in errors:
-        if name not in columns or f"{name}{ERROR}" in columns:
-            has = "a column of errors" if name in columns else "no column"
-            raise InputError(f"errors: {name} has {has} in {where}; allowed: a quantity without errors there")
-    for name in columns:
-        if columns.count(name) > 1:
-            raise InputError(f"{where}: column {name} is there twice; allowed: once")
-        other = name.removesuffix(ERROR) if name.endswith(ERROR) else f"{name}{ERROR}"
-        if other not in columns and name not in errors:
-            unit = unit_of(other.removesuffix(ERROR), model)
-            raise InputError(
-                f"{where}: column {name} without {other}; allowed: with a column {other} [{unit}], or errors="
-            )
-
-
-def _rows(
-    columns: Sequence[tuple[str, float]],
-    cells: Sequence[Sequence[str]],
-    where: str,
-    errors: Errors,
-    model: Model,
-) -> Iterator[Row]:
-    factors = dict(columns)
-    names = list(factors)
-    _check_columns([name for name, _ in columns], where, errors, model)
-    given = {name: _errors_of(name, of, len(cells)) for name, of in errors.items()}
-    for number, row in enumerate(cells, start=1):
-        here = f"{where}, row {number}"
-        if len(row) != len(columns):
-            raise InputError(f"{here}: {len(row)} cells under {len(columns)} columns; allowed: as many")
-        by_name = dict(zip(names, row, strict=True))
-        measured = {}
-        for name in names:
-            value, error = by_name[name], by_name.get(f"{name}{ERROR}", "")
-            if name.endswith(ERROR) or {value.lower(), error.lower()} <= {*NOTHING}:
-                continue
-            factor, error_factor = factors[name], factors.get(f"{name}{ERROR}", factors[name])
-            if name in given:
-                share, each = given[name]
-                error = repr(abs(_number(value)) * each[number - 1] if share else each[number - 1])
-            low = -MAXIMUM if model.is_own or name in SIGNED else 0.0
-            measured[name] = _measured(name, (value, factor), (error, error_factor), here, low)
-        if not measured:
-            raise InputError(f"{here}: nothing is measured; allowed: one quantity or more")
-        yield measured
-
-
-def _errors_of(name: str, given: object, rows: int) -> tuple[bool, list[float]]:
-    """Whether errors are shares of the values, and the error of each row."""
-    allowed = f"a number in the unit of the column, {rows} of them, or a text such as '2 %'"
+def _errors_of(name: str, given: object, values: Sequence[str]) -> list[str]:
+    """A column of errors from numbers in the unit of the values' column, or from a share of the values."""
+    allowed = f"a number in the unit of the column, {len(values)} of them, or a text such as '2 %'"
     if isinstance(given, str):
         number, unit = split(given)
         if unit != "%" or not math.isfinite(_number(number)):
             raise refusal(f"errors: {name}", given, allowed)
-        return True, [0.01 * _number(number)] * rows
-    each = numbers_of(f"errors: {name}", given, allowed)
-    if each.shape not in ((), (rows,)):
-        raise refusal(f"errors: {name}", given, allowed)
-    return False, np.broadcast_to(each, rows).tolist()
+        each = [abs(_number(value)) * 0.01 * _number(number) for value in values]
+    else:
+        numbers = numbers_of(f"errors: {name}", given, allowed)
+        if numbers.shape not in ((), (len(values),)):
+            raise refusal(f"errors: {name}", given, allowed)
+        each = np.broadcast_to(numbers, len(values)).tolist()
+    return [
+        "" if value.lower() in NOTHING else repr(error) for value, error in zip(values, each, strict=True)
+    ]
 
 
-def _measured(
-    name: str, value: tuple[str, float], error: tuple[str, float], here: str, low: float
-) -> Measured:
-    """A quantity and its error from texts, each with how many of its unit make one of the quantity's."""
-    high = 1.0 if name == "duty_factor" else MAXIMUM
-    measured, spread = (_number(text) / factor for text, factor in (value, error))
-    if not low <= measured <= high:
-        raise InputError(
-            f"{here}: {name} = {value[0] or 'nothing'} is not allowed; allowed: a number {low:g} to {high:g}"
-        )
-    minimum = SMALLEST_ERROR * max(abs(measured), MINIMUM)
-    if not minimum <= spread <= MAXIMUM:
-        raise InputError(
-            f"{here}: {name}{ERROR} = {error[0] or 'nothing'} is not allowed; allowed: a standard error "
-            f"above 0, {minimum:.3g} to {MAXIMUM:g}"
-        )
-    return Measured(measured, spread)
+def _row(factors: Mapping[str, float], cells: Sequence[str], here: str, is_own: bool) -> Row:
+    """What was measured in a row; factors are those of the columns, by name."""
+    texts, measured = dict(zip(factors, cells, strict=True)), {}
+    for name in (name for name in factors if not name.endswith(ERROR)):
+        value, error = texts[name], texts[f"{name}{ERROR}"]
+        if {value.lower(), error.lower()} <= {*NOTHING}:
+            continue
+        number = _number(value) / factors[name]
+        spread = _number(error) / factors[f"{name}{ERROR}"]
+        low = -MAXIMUM if is_own or name in SIGNED else 0.0
+        high = 1.0 if name == "duty_factor" else MAXIMUM
+        least = SMALLEST_ERROR * max(abs(number), MINIMUM)
+        if not low <= number <= high:
+            raise InputError(
+                f"{here}: {name} = {value or 'nothing'} is not allowed; allowed: a number {low:g} to {high:g}"
+            )
+        if not least <= spread <= MAXIMUM:
+            raise InputError(
+                f"{here}: {name}{ERROR} = {error or 'nothing'} is not allowed; allowed: a standard error "
+                f"above 0, {least:.3g} to {MAXIMUM:g}"
+            )
+        measured[name] = Measured(number, spread)
+    if not measured:
+        raise InputError(f"{here}: nothing is measured; allowed: one quantity or more")
+    return measured
 
 
 def _number(text: str) -> float:

@@ -5,9 +5,9 @@ from its first value in tenths of its scale. A residual is a quantity less the m
 """
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import TypeAlias
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +23,7 @@ from ..library.runner import Runner
 from ..library.strides import MadeStride, VariedGait, plain_stride, varied_gait
 from ..variables.table import Model, by_full_name
 from ..variables.variable import Given
-from .measurements import Measurements
+from .measurements import Measured, Measurements
 
 
 @dataclass(frozen=True)
@@ -42,15 +42,11 @@ class Parameter:
 
 
 @dataclass(frozen=True)
-class Prior:
-    """Prior of a parameter."""
+class Prior(Measured):
+    """What is known beforehand of a parameter that all rows share: its value and standard error."""
 
     name: str
-    """Name of the parameter, which all rows share."""
-    value: float
-    """Expected value, in the unit's unit."""
-    error: float
-    """Standard error of the value, in the same unit."""
+    """Name of the parameter."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,30 +68,21 @@ class Request:
     profiled: tuple[str, ...]
     """Names of parameters whose intervals are by the profile likelihood."""
     starts: int
-    """Fits, at the most, of which the best counts."""
-    ranges: Mapping[str, tuple[float, float]]
-    """Ranges of the parameters, by name."""
+    """Largest number of fits, of which the best counts."""
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """All that is looked for, first what all rows share."""
+        rows = range(len(self.measurements.rows))
+        return (
+            *(Parameter(name, None) for name in self.shared),
+            *(Parameter(name, row) for row in rows for name in self.each),
+        )
 
     @property
     def degrees_of_freedom(self) -> int:
         """Measured numbers and priors less fitted numbers."""
-        rows = len(self.measurements.rows)
-        fitted = len(self.shared) + rows * len(self.each)
-        return self.measurements.count + len(self.priors) - fitted
-
-
-@dataclass
-class SearchLog:
-    """Obstacles of the search."""
-
-    strides: int = 0
-    """Strides made by all rows."""
-    lost: int = 0
-    """Tries at which a row had no gait."""
-    crossed: bool = False
-    """The search went on across a fold."""
-    words: list[list[str]] = field(default_factory=list)
-    """Words of each row's gait, in their order."""
+        return self.measurements.count + len(self.priors) - len(self.parameters)
 
 
 PriorGiven: TypeAlias = "tuple[Given, float] | Sequence[float]"
@@ -119,7 +106,7 @@ def checked_priors(given: object, each: Sequence[str], model: Model) -> tuple[Pr
         error = number_of(reported[1])
         if error is None or not 0.0 < error < math.inf:
             raise refusal(f"{where}: error", reported[1], "a standard error above 0")
-        priors.append(Prior(name, value, error))
+        priors.append(Prior(value, error, name))
     return tuple(priors)
 
 
@@ -138,83 +125,88 @@ CHORDS = 16
 """Steps of Newton's method with the Jacobian of a gait nearby, before its own is asked for."""
 
 
-@dataclass(frozen=True, eq=False)
-class _Iterate:
-    """A gait of a row and how it changes."""
+Vector: TypeAlias = NDArray[np.float64]
 
-    apex: NDArray[np.float64]
-    varied: VariedGait
-    values: NDArray[np.float64]
+
+class _Base(NamedTuple):
+    """A gait of a row from which others are predicted."""
+
+    values: Vector
     """Values of the row's parameters."""
+    apex: Vector
+    varied: VariedGait
 
 
 class Problem:
-    """Residuals of all rows and their exact Jacobian, for SciPy."""
+    """Residuals of all rows and of the priors, with their exact Jacobian, for SciPy.
+
+    The gaits at which the Jacobian was last evaluated are those from which a search goes on.
+    """
 
     def __init__(
-        self,
-        first: Gait,
-        measurements: Measurements,
-        shared: Sequence[str],
-        each: Sequence[str],
-        strides_made: Callable[[int], object] = lambda count: None,
-        priors: Sequence[Prior] = (),
+        self, request: Request, first: Gait, strides_made: Callable[[int], object] = lambda count: None
     ) -> None:
-        """All are taken as they are; `fitted.fit` checks them."""
-        self._strides_made = strides_made
-        self.runner, self.rows = first.runner, measurements.rows
-        count = len(self.rows)
-        self.parameters = (
-            *(Parameter(name, None) for name in shared),
-            *(Parameter(name, row) for row in range(count) for name in each),
-        )
-        self.vary = (*shared, *each)
+        """All rows begin with the first gait."""
+        self.request, self.runner, self.rows = request, first.runner, request.measurements.rows
+        self.robust, self.parameters = request.robust, request.parameters
+        self.vary, shared, count = (*request.shared, *request.each), len(request.shared), len(self.rows)
+        own = len(request.each)
         self.columns = [
-            [*range(len(shared)), *(len(shared) + row * len(each) + k for k in range(len(each)))]
-            for row in range(count)
+            [*range(shared), *range(shared + r * own, shared + (r + 1) * own)] for r in range(count)
         ]
+        ends_of_rows = np.cumsum([len(row) for row in self.rows]).tolist()
+        self.places = [slice(end - len(row), end) for end, row in zip(ends_of_rows, self.rows, strict=True)]
+        self._of_priors = [request.shared.index(prior.name) for prior in request.priors]
+        known: list[Measured] = [*(of for row in self.rows for of in row.values()), *request.priors]
+        self.measured = np.array([of.value for of in known])
+        self.errors = np.array([of.error for of in known])
         names = [parameter.name for parameter in self.parameters]
         self.scales = scales_of(self.runner, names)[len(first.apex) :]
         self.steps = FIRST_STEP * self.scales
         self.begin = np.array([self.runner[name] for name in names])
-        self.priors = tuple(priors)
-        self._of_priors = [shared.index(prior.name) for prior in priors]
-        self.count = measurements.count + len(self.priors)
-        self._granted = 0
-        self.log = SearchLog(words=[[first.word] for _ in self.rows])
+        variables = (self.runner.model.variables[name] for name in names)
+        ends = np.array([(of.minimum, of.maximum) for of in variables]).T
+        scaled = (ends - self.begin) / self.scales
+        self.bounds = np.where(np.abs(scaled) > FAR, [[-np.inf], [np.inf]], scaled) / FIRST_STEP
+        self._strides_made, self.strides, self._granted = strides_made, 0, 0
+        self.lost, self.crossed = 0, False
+        self.seen_words = [[first.word] for _ in self.rows]
         start = varied_gait(self.runner, first.apex, (), self.vary)
-        own = np.array([self.runner[name] for name in self.vary])
-        self._bases = [_Iterate(first.apex, start, own)] * count
-        self._words = [first.word] * count
-        self._tried: tuple[NDArray[np.float64], list[tuple[NDArray[np.float64], MadeStride]]] | None = None
-        self._linear_at: NDArray[np.float64] | None = None
-        self._last: NDArray[np.float64] | None = None
+        self._bases = [_Base(self.begin[columns], first.apex, start) for columns in self.columns]
+        self.words = [first.word] * count
+        self._tried: tuple[Vector, list[tuple[Vector, MadeStride]]] | None = None
+        self._last: Vector | None = None
 
     @property
     def is_spent(self) -> bool:
         """Whether no further stride is to be made: the search then ends where it is."""
-        return self.log.strides >= self._granted + MAX_STRIDES
+        return self.strides >= self._granted + MAX_STRIDES
 
     def grant(self) -> None:
         """Allow as many strides once more, for what follows the search."""
-        self._granted = self.log.strides
+        self._granted = self.strides
 
     def count_strides(self, count: int) -> None:
         """Note strides that were made for this fit."""
-        self.log.strides += count
+        self.strides += count
         self._strides_made(count)
 
-    def values(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
+    @property
+    def apexes(self) -> list[Vector]:
+        """Apexes of the gaits from which others are predicted."""
+        return [base.apex for base in self._bases]
+
+    def values(self, unknowns: Vector) -> Vector:
         """The parameters, in the order of `parameters` and in their units."""
-        values: NDArray[np.float64] = self.begin + self.steps * unknowns
+        values: Vector = self.begin + self.steps * unknowns
         return values
 
-    def runner_of(self, values: NDArray[np.float64], row: int) -> Runner:
+    def runner_of(self, values: Vector, row: int) -> Runner:
         """The runner of a row."""
         own = map(float, values[self.columns[row]])
         return self.runner.replace(dict(zip(self.vary, own, strict=True)))
 
-    def residuals(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
+    def residuals(self, unknowns: Vector) -> Vector:
         """Residuals of all rows in turn; infinite where one has no gait, so that a shorter step is tried.
 
         Where no further stride is to be made, those of before: no step is then better, and the search ends.
@@ -226,83 +218,55 @@ class Problem:
             self._last = found
         return found
 
-    def _residuals(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
+    def _residuals(self, unknowns: Vector) -> Vector:
         values = self.values(unknowns)
         try:
             gaits = [self._gait(values, row) for row in range(len(self.rows))]
         except (InputError, RunError):
-            self.log.lost += 1
-            return np.full(self.count, np.inf)
+            self.lost += 1
+            return np.full(len(self.errors), np.inf)
         self._tried = np.array(unknowns), gaits
-        return np.concatenate(
-            [
-                *(self.over_errors(stride.quantities, row) for row, (_, stride) in enumerate(gaits)),
-                self.off_priors(values),
-            ]
-        )
+        return self.over_errors([stride for _, stride in gaits], values)
 
-    def off_priors(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Parameters less what is known of them, over the errors."""
-        known = np.array([prior.value for prior in self.priors])
-        errors = np.array([prior.error for prior in self.priors])
-        off: NDArray[np.float64] = (values[self._of_priors] - known) / errors
-        return off
-
-    def slopes_of_priors(self) -> NDArray[np.float64]:
-        """Changes of these by the unknowns, in rows."""
-        slopes = np.zeros((len(self.priors), len(self.parameters)))
-        for row, (column, prior) in enumerate(zip(self._of_priors, self.priors, strict=True)):
-            slopes[row, column] = self.steps[column] / prior.error
-        return slopes
-
-    def over_errors(self, quantities: NDArray[np.float64], row: int) -> NDArray[np.float64]:
-        """Quantities of a row less those measured, over the errors."""
-        measured = np.array([of.value for of in self.rows[row].values()])
-        errors = np.array([of.error for of in self.rows[row].values()])
-        over: NDArray[np.float64] = (quantities - measured) / errors
+    def over_errors(self, strides: Sequence[MadeStride], values: Vector) -> Vector:
+        """Quantities of all rows' strides and parameters with priors, less what is known, over the errors."""
+        has = np.concatenate([*(stride.quantities for stride in strides), values[self._of_priors]])
+        over: Vector = (has - self.measured) / self.errors
         return over
 
-    def restart(self, unknowns: NDArray[np.float64], apexes: Sequence[NDArray[np.float64]]) -> None:
-        """Go on from other gaits."""
-        values = self.values(unknowns)
-        iterates = [
-            _Iterate(apex, self._varied(values, row, apex), values[self.columns[row]])
-            for row, apex in enumerate(apexes)
-        ]
-        self._bases, self._tried, self._linear_at = iterates, None, None
-
-    def jacobian(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
+    def jacobian(self, unknowns: Vector) -> Vector:
         """Jacobian of the residuals; the search goes on from there."""
         if self._tried is None or not np.array_equal(self._tried[0], unknowns):
             self._residuals(unknowns)
         assert self._tried is not None
+        tried = self._tried
+        self.restart(unknowns, [apex for apex, _ in tried[1]])
+        self._tried, self.words = tried, [stride.word for _, stride in tried[1]]
+        for word, seen in zip(self.words, self.seen_words, strict=True):
+            if word not in seen:
+                seen.append(word)
+        return self.by_unknowns([base.varied.by_parameters for base in self._bases])
+
+    def by_unknowns(self, by_parameters: Sequence[Vector]) -> Vector:
+        """Jacobian of the residuals from derivatives of each row's quantities by its parameters."""
+        slopes = np.zeros((len(self.errors), len(self.parameters)))
+        for rows, columns, by in zip(self.places, self.columns, by_parameters, strict=True):
+            slopes[rows, columns] = by
+        first_prior = len(self.errors) - len(self._of_priors)
+        slopes[range(first_prior, len(self.errors)), self._of_priors] = 1.0
+        over: Vector = slopes * self.steps / self.errors[:, None]
+        return over
+
+    def restart(self, unknowns: Vector, apexes: Sequence[Vector]) -> None:
+        """Go on from other gaits."""
         values = self.values(unknowns)
-        self._linear_at = np.array(unknowns)
-        rows = []
-        for number, ((apex, stride), row) in enumerate(zip(self._tried[1], self.rows, strict=True)):
-            varied = self._varied(values, number, apex)
-            self._bases[number] = _Iterate(apex, varied, values[self.columns[number]])
-            self._words[number] = stride.word
-            if stride.word not in self.log.words[number]:
-                self.log.words[number].append(stride.word)
-            block = np.zeros((len(row), len(self.parameters)))
-            block[:, self.columns[number]] = varied.by_parameters
-            rows.append(block / np.array([measured.error for measured in row.values()])[:, None])
-        return np.vstack([np.vstack(rows) * self.steps, self.slopes_of_priors()])
+        self._bases = [
+            _Base(values[self.columns[row]], apex, self._varied(values, row, apex))
+            for row, apex in enumerate(apexes)
+        ]
+        self._tried = None
 
-    def is_linear_at(self, unknowns: NDArray[np.float64]) -> bool:
-        """Whether the Jacobian was asked for there last."""
-        return self._linear_at is not None and np.array_equal(self._linear_at, unknowns)
-
-    def apexes(self) -> list[NDArray[np.float64]]:
-        """Apexes of the gaits at the last evaluation of the Jacobian."""
-        return [base.apex for base in self._bases]
-
-    def words(self) -> list[str]:
-        """Words of the gaits at the last evaluation of the Jacobian."""
-        return list(self._words)
-
-    def _varied(self, values: NDArray[np.float64], row: int, apex: NDArray[np.float64]) -> VariedGait:
+    def _varied(self, values: Vector, row: int, apex: Vector) -> VariedGait:
         self.count_strides(1)
         try:
             return varied_gait(self.runner_of(values, row), apex, tuple(self.rows[row]), self.vary)
@@ -311,7 +275,7 @@ class Problem:
                 f"the fit stops at row {row + 1}: {problem}; other first values lead past it"
             ) from None
 
-    def _gait(self, values: NDArray[np.float64], row: int) -> tuple[NDArray[np.float64], MadeStride]:
+    def _gait(self, values: Vector, row: int) -> tuple[Vector, MadeStride]:
         """The gait of a row, from the one at which the Jacobian was asked for last."""
         runner, base, names = self.runner_of(values, row), self._bases[row], tuple(self.rows[row])
         moved = values[self.columns[row]] - base.values
@@ -332,13 +296,3 @@ class Problem:
         self.count_strides(STRIDES_OF_SEARCH)
         apex = gait_near(runner, predicted).apex
         return apex, plain_stride(runner, apex, names)
-
-
-def bounds_of(
-    problem: Problem, ranges: Mapping[str, tuple[float, float]]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The unknowns' least and greatest values."""
-    ends = np.array([ranges[parameter.name] for parameter in problem.parameters]).T
-    scaled = (ends - problem.begin) / problem.scales
-    bounded: NDArray[np.float64] = np.where(np.abs(scaled) > FAR, [[-np.inf], [np.inf]], scaled) / FIRST_STEP
-    return bounded[0], bounded[1]

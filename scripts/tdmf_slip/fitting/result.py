@@ -8,15 +8,16 @@ up to rounding, and poorly where a change as large as the parameters themselves 
 the data.
 """
 
+import contextlib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from statistics import NormalDist
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..errors import InputError
 from ..library.gait import Gait
 from ..library.quantities import unit_of
 from ..library.runner import Runner
@@ -24,10 +25,7 @@ from ..library.strides import strides_from
 from ..record import entries, origin_of
 from ..terminal.text import quantity, table
 from .measurements import Measurements
-from .problem import Request
-
-if TYPE_CHECKING:
-    from .fitted import LeftOut
+from .problem import Problem, Request
 
 ROUNDING = 1e-9
 """Share of the largest singular value below which a singular value counts as zero."""
@@ -137,6 +135,19 @@ UNLIKELY = 0.01
 """Probability of residuals as large as those found, below which data and model are said to differ."""
 
 
+def probability_of(chi_square: float, degrees_of_freedom: int) -> float:
+    """Probability that the chi square distribution exceeds a value; NaN without degrees of freedom."""
+    from scipy.special import gammaincc  # slow to load
+
+    return float(gammaincc(0.5 * degrees_of_freedom, 0.5 * chi_square)) if degrees_of_freedom else np.nan
+
+
+def is_likely(chi_square: float, degrees_of_freedom: int) -> bool:
+    """Whether residuals as large come by chance; without degrees of freedom, whether they are small."""
+    probability = probability_of(chi_square, degrees_of_freedom)
+    return chi_square < 1.0 if np.isnan(probability) else probability >= UNLIKELY
+
+
 @dataclass(frozen=True)
 class Estimate:
     """A parameter that was fitted."""
@@ -184,8 +195,8 @@ class Residual:
 class Fit:
     """A runner fitted to measured gaits; `plot` draws the data, the fit and the residuals."""
 
-    measurements: Measurements
-    """Measurements that were fitted."""
+    request: Request = field(repr=False)
+    """What was asked for."""
     runners: tuple[Runner, ...]
     """Runners with the fitted parameters, one for each row."""
     apexes: tuple[NDArray[np.float64], ...]
@@ -202,8 +213,6 @@ class Fit:
     """Measured and fitted values, row by row."""
     priors: tuple[Residual, ...]
     """Priors beside the fitted values, by parameters' names; their rows are 0."""
-    probability: float
-    """Probability of residuals as large as these by chance; NaN where as many are fitted as measured."""
     converged: bool
     """Whether the search ended where the sum of squares is least, and this is not far beyond the data's
     errors."""
@@ -211,9 +220,7 @@ class Fit:
     """Number of steps of the search."""
     starts: int
     """Number of searches of which this is the best."""
-    request: Request = field(repr=False)
-    """Request that this fit answers."""
-    notes: tuple[str, ...] = field(default=())
+    notes: tuple[str, ...]
     """Notes on the search and on how to read the fit, a sentence each."""
 
     def __repr__(self) -> str:
@@ -224,6 +231,16 @@ class Fit:
             f"<Fit {found}{more}: chi square {self.chi_square:.4g}, "
             f"{self.degrees_of_freedom} degrees of freedom>"
         )
+
+    @property
+    def measurements(self) -> Measurements:
+        """Measurements that were fitted."""
+        return self.request.measurements
+
+    @property
+    def probability(self) -> float:
+        """Probability of residuals as large as these by chance; NaN where as many are fitted as measured."""
+        return probability_of(self.chi_square, self.degrees_of_freedom)
 
     @property
     def chi_square(self) -> float:
@@ -247,25 +264,51 @@ class Fit:
         """The estimates by their labels."""
         return {estimate.label: estimate for estimate in self.estimates}
 
-    def without(self, row: int, name: str) -> "Fit":
-        """The fit to all data but one; see `fitted.without`.
+    def without(self, row: int, name: str, *, profile: bool = True) -> "Fit":
+        """The fit to all data but one, from the gaits of this fit.
 
         Parameters
         ----------
         row : int
-            Of the datum that is left out, from 1.
+            Row of the datum that is left out, from 1.
         name : str
-            Of its quantity.
+            Name of the datum's quantity.
+        profile : bool, default True
+            Intervals by the profile likelihood where this fit has them; else all are linear.
         """
-        from .fitted import without  # which needs this class
+        from .conclusion import concluded  # which needs this class
+        from .search import best_from
 
-        return without(self, row, name)
+        measured = self.measurements.rows
+        if not 1 <= row <= len(measured) or name not in measured[row - 1]:
+            raise InputError(f"row {row}, {name}: is not among the data; allowed: what was measured")
+        rows = [
+            {of: value for of, value in given.items() if (number, of) != (row, name)}
+            for number, given in enumerate(measured, 1)
+        ]
+        kept = [number for number, given in enumerate(rows) if given]
+        data = Measurements(
+            tuple(rows[number] for number in kept), f"{self.measurements.where} without {name} of row {row}"
+        )
+        profiled = self.request.profiled if profile else ()
+        fewer = replace(self.request, measurements=data, starts=1, profiled=profiled)
+        if fewer.degrees_of_freedom < fewer.scale_errors or not kept:
+            raise InputError(
+                f"{data.where}: less is left than is fitted; allowed: a datum that can be spared"
+            )
+        problem = Problem(fewer, self.gaits[kept[0]])
+        values = [self.runners[kept[of.row or 0]][of.name] for of in problem.parameters]
+        at = (np.array(values) - problem.begin) / problem.steps
+        problem.restart(at, [self.apexes[number] for number in kept])
+        return concluded(problem, best_from(problem, at))
 
     def without_each(self) -> "tuple[LeftOut, ...]":
-        """The fits without one datum each; see `fitted.without_each`."""
-        from .fitted import without_each  # which needs this class
-
-        return without_each(self)
+        """The fits without one datum each, of all data that can be spared, with linear intervals."""
+        left = []
+        for of in self.residuals:
+            with contextlib.suppress(InputError):
+                left.append(LeftOut(of.row, of.name, self.without(of.row, of.name, profile=False)))
+        return tuple(left)
 
     def as_json(self) -> dict[str, object]:
         """The fit as a plain object; an interval that has no end has infinite ones."""
@@ -334,6 +377,26 @@ class Fit:
             *(reported_of(combination) for combination in self.unidentified),
             *self.notes,
         ]
+
+
+@dataclass(frozen=True, eq=False)
+class LeftOut:
+    """A datum, and the fit without it."""
+
+    row: int
+    """Row of the datum, from 1."""
+    name: str
+    """Name of the datum's quantity."""
+    fit: Fit
+    """Fit of all other data, with linear intervals."""
+
+    def shifts(self, of: Fit) -> Mapping[str, float]:
+        """Changes of shared estimates by label, over their standard errors in the whole fit."""
+        shared = [estimate for estimate in of.estimates if estimate.label == estimate.name]
+        return {
+            one.label: (self.fit.parameters[one.label].value - one.value) / one.standard_error
+            for one in shared
+        }
 
 
 PARAMETER_HEADER = ("parameter", "value", "low", "high")

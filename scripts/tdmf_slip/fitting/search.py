@@ -6,7 +6,7 @@ weights that are not negative, is zero. Else their shortest mean, in the metric 
 leads down along the kink (Lemarechal 1975; Wolfe 1975, Mathematical Programming Study 3, 145-173).
 
 Where a branch of gaits turns back, its gaits have no derivatives by parameters, and a search along them ends.
-A fit across folds searches parameters and apices at once, with strides that need not close. The difference
+A search across folds varies parameters and apices at once, with strides that need not close. The difference
 between the ends of a stride is then a residual, with so large a weight that little is left of it in the end:
 near enough to a gait for the search along the gaits to go on from there.
 """
@@ -25,11 +25,11 @@ from ..library.fixed_point import gait_near
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.strides import plain_stride, varied_stride
-from .measurements import Measurements
-from .problem import FIRST_STEP, Problem
+from .problem import FIRST_STEP, Problem, Request, Vector
+from .result import is_likely
 
 MAX_STEPS = 60
-"""Tries of the search."""
+"""Largest number of tries of a search."""
 CHANGE = 1e-9
 """Change of the sum of squares, of the unknowns, and of the slope at which the search ends."""
 INSIDE = 1e-9
@@ -39,17 +39,14 @@ HUBER = 1.345
 STATIONARY, ROUNDING = 1e-2, 1e-4
 """Distance of a parameter from its best, over its standard error and over the length of all residuals."""
 
-Bounds = tuple[NDArray[np.float64], NDArray[np.float64]]
-"""Least and greatest values of the unknowns."""
-
 
 @dataclass(frozen=True, eq=False)
 class Ended:
     """How a search ended."""
 
-    at: NDArray[np.float64]
+    at: Vector
     """The unknowns."""
-    residuals: NDArray[np.float64]
+    residuals: Vector
     """Residuals at the unknowns."""
     loss: float
     """The sum of squares, or of the loss."""
@@ -63,67 +60,75 @@ class Ended:
     """The loss is least there, but not level: on a kink, where the word of a gait changes."""
 
 
-def searched(
-    problem: Problem,
-    begin: NDArray[np.float64],
-    bounds: Bounds,
-    robust: bool,
-    fixed: int | None = None,
-    change: float = CHANGE,
-) -> Ended:
-    """Result of SciPy's `least_squares`."""
+def best_from(problem: Problem, begin: Vector) -> Ended:
+    """Search from some unknowns; if the data are not met, also across the folds nearby; then along kinks."""
+    found = searched(problem, begin)
+    if (
+        problem.lost
+        and not problem.is_spent
+        and not is_likely(found.loss, problem.request.degrees_of_freedom)
+    ):
+        apexes, beyond = problem.apexes, across_folds(problem, found.at)
+        further = None if beyond is None else searched(problem, beyond)
+        if further is not None and further.loss < found.loss:
+            found, problem.crossed = further, True
+        elif further is not None:
+            problem.restart(found.at, apexes)
+    if not problem.is_spent and np.isfinite(found.loss):
+        found = past_kinks(problem, found)
+    return found
+
+
+def searched(problem: Problem, begin: Vector, fixed: int | None = None, change: float = CHANGE) -> Ended:
+    """Result of SciPy's `least_squares`, with all unknowns free but the one that is fixed."""
     from scipy.optimize import least_squares  # slow to load
 
-    free = np.arange(len(begin)) != (-1 if fixed is None else fixed)
+    low, high = problem.bounds
+    free = np.arange(len(begin)) != fixed
     inside = INSIDE * np.maximum(1.0, np.abs(begin))
-    at = np.where(free, np.clip(begin, bounds[0] + inside, bounds[1] - inside), begin)
-    first = at.copy()
-
-    def all_of(step: NDArray[np.float64]) -> NDArray[np.float64]:
-        at[free] = first[free] + step  # from zero, where SciPy's first step is no longer than one
-        return np.clip(at, *bounds)
-
-    def none(tries: int) -> Ended:
-        residuals = problem.residuals(begin)
-        return Ended(begin, residuals, loss_of(residuals, robust), np.zeros(len(begin), int), tries, True)
-
+    first = np.where(free, np.clip(begin, low + inside, high - inside), begin)
     if not free.any() or not np.isfinite(problem.residuals(first)).all():
-        return none(0)
+        residuals = problem.residuals(begin)
+        return Ended(begin, residuals, loss_of(residuals, problem.robust), np.zeros(len(begin), int), 0, True)
+
+    def at(step: Vector) -> Vector:
+        there = first.copy()
+        there[free] += step  # from zero, where SciPy's first step is no longer than one
+        return np.clip(there, low, high)
+
     found: Any = least_squares(
-        lambda step: problem.residuals(all_of(step)),
+        lambda step: problem.residuals(at(step)),
         np.zeros(int(free.sum())),
-        lambda step: problem.jacobian(all_of(step))[:, free],
-        bounds=(bounds[0][free] - first[free], bounds[1][free] - first[free]),
+        lambda step: problem.jacobian(at(step))[:, free],
+        bounds=(low[free] - first[free], high[free] - first[free]),
         method="trf",
         x_scale=1.0,
         ftol=change,
         xtol=change,
         gtol=change,
         max_nfev=MAX_STEPS,
-        loss="huber" if robust else "linear",
-        f_scale=HUBER if robust else 1.0,
+        loss="huber" if problem.robust else "linear",
+        f_scale=HUBER if problem.robust else 1.0,
     )
     active = np.zeros(len(begin), int)
     active[free] = found.active_mask
-    there = all_of(found.x).copy()
-    return Ended(there, found.fun, 2.0 * found.cost, active, found.nfev, found.status > 0)
+    return Ended(at(found.x), found.fun, 2.0 * found.cost, active, found.nfev, found.status > 0)
 
 
-def loss_of(residuals: NDArray[np.float64], robust: bool) -> float:
+def loss_of(residuals: Vector, robust: bool) -> float:
     """The sum of squares or, robustly, of Huber's loss."""
     size = np.abs(residuals)
     return float(np.sum(np.where(robust & (size > HUBER), 2.0 * HUBER * size - HUBER**2, size**2)))
 
 
-def weights_of(residuals: NDArray[np.float64], robust: bool) -> NDArray[np.float64]:
+def weights_of(residuals: Vector, robust: bool) -> Vector:
     """Weights of residuals and their changes where the loss is taken as squares: 1, or less where far."""
     size = np.abs(residuals)
-    far = robust & (size > HUBER)
-    weights: NDArray[np.float64] = np.sqrt(np.where(far, HUBER / np.where(far, size, 1.0), 1.0))
+    weights: Vector = np.sqrt(HUBER / np.maximum(size, HUBER)) if robust else np.ones_like(size)
     return weights
 
 
-def is_stationary(ended: Ended, jacobian: NDArray[np.float64], robust: bool) -> bool:
+def is_stationary(ended: Ended, jacobian: Vector, robust: bool) -> bool:
     """Whether no parameter within its range could make the loss less, to first order."""
     weights = weights_of(ended.residuals, robust)
     residuals, slopes = weights * ended.residuals, weights[:, None] * jacobian
@@ -135,23 +140,24 @@ def is_stationary(ended: Ended, jacobian: NDArray[np.float64], robust: bool) -> 
     return bool(np.all(outwards | (np.abs(left) <= maximum)))
 
 
-def starts(first: Gait, measurements: Measurements, vary: Sequence[str]) -> Iterator[Gait]:
+def starts(first: Gait, request: Request) -> Iterator[Gait]:
     """Gaits to begin with, the nearest to the data first; none is near a nearer one."""
 
-    def loss(runner: Runner, apex: NDArray[np.float64]) -> float:
+    def loss(runner: Runner, apex: Vector) -> float:
         """Huber's loss of a gait over all rows."""
         losses = []
-        for row in measurements.rows:
+        for row in request.measurements.rows:
             has = plain_stride(runner, apex, tuple(row)).quantities
             off = [(value - of.value) / of.error for value, of in zip(has, row.values(), strict=True)]
             losses.append(loss_of(np.array(off), True))
         return sum(losses)
 
+    vary = (*request.shared, *request.each)
     return settled_gaits(first, vary, partial(around, first.runner)).gaits(loss)
 
 
 ROUNDS, REGIONS = 12, 8
-"""Searches that go on, and gradients at one place, at the most."""
+"""Largest numbers of searches that go on, and of gradients at one place."""
 ASIDE = 1e-4
 """Distance of an unknown at which another region is looked at."""
 SHORTEST = 1e-4
@@ -164,21 +170,20 @@ HEAVY = 1e4
 """Weight of the sum of weights."""
 
 
-def past_kinks(problem: Problem, ended: Ended, bounds: Bounds, robust: bool) -> Ended:
+def past_kinks(problem: Problem, ended: Ended) -> Ended:
     """Go on along kinks, to where the loss is least."""
-    walk = _Walk(problem, bounds, robust)
     for _ in range(ROUNDS):
         try:
-            if is_stationary(ended, problem.jacobian(ended.at), robust):
+            if is_stationary(ended, problem.jacobian(ended.at), problem.robust):
                 return ended
-            step = walk.step(ended)
+            to, is_minimum = _lower_along_kink(problem, ended)
         except (RunError, np.linalg.LinAlgError):
             break
-        if step.is_minimum:
+        if is_minimum:
             return replace(ended, ended=True, on_border=True)
-        if step.to is None:
+        if to is None:
             break
-        further = searched(problem, step.to, bounds, robust)
+        further = searched(problem, to)
         if not further.loss < ended.loss - LEVEL * SUFFICIENT:
             break
         ended = further
@@ -186,80 +191,54 @@ def past_kinks(problem: Problem, ended: Ended, bounds: Bounds, robust: bool) -> 
     return ended
 
 
-@dataclass(frozen=True, eq=False)
-class _Step:
-    """Outcome of a step along a kink: the point at which the search goes on, if any."""
-
-    to: NDArray[np.float64] | None
-    is_minimum: bool
-
-
-class _Walk:
-    """Steps along kinks."""
-
-    def __init__(self, problem: Problem, bounds: Bounds, robust: bool) -> None:
-        self.problem, self.bounds, self.robust = problem, bounds, robust
-
-    def step(self, ended: Ended) -> _Step:
-        """The next step from a place that is not level."""
-        free = ended.at_bound == 0
-        if not free.any():
-            return _Step(None, False)
-        gradient, square = self._slopes(ended.at, free)
-        inverse: NDArray[np.float64] = np.asarray(np.linalg.pinv(square, hermitian=True), dtype=np.float64)
-        gradients = [gradient]
-        for _ in range(REGIONS):
-            mean = _shortest(np.array(gradients), inverse)
-            down, promised = -inverse @ mean, float(mean @ inverse @ mean)
-            if promised <= LEVEL:
-                return _Step(None, len(gradients) > 1)
-            to = self._lower(ended, free, down, promised)
-            if to is not None:
-                return _Step(to, False)
-            aside = ended.at.copy()
-            aside[free] += ASIDE * down / max(1e-300, float(np.max(np.abs(down))))
-            gradients.append(self._slopes(np.clip(aside, *self.bounds), free)[0])
-        return _Step(None, False)
-
-    def _lower(
-        self, ended: Ended, free: NDArray[np.bool_], down: NDArray[np.float64], promised: float
-    ) -> NDArray[np.float64] | None:
+def _lower_along_kink(problem: Problem, ended: Ended) -> tuple[Vector | None, bool]:
+    """A place of less loss, from one that is not level; without one, whether the loss is least there."""
+    free = ended.at_bound == 0
+    if not free.any():
+        return None, False
+    gradient, square = _slopes(problem, ended.at, free)
+    inverse: Vector = np.asarray(np.linalg.pinv(square, hermitian=True), dtype=np.float64)
+    gradients = [gradient]
+    for _ in range(REGIONS):
+        mean = _shortest(np.array(gradients), inverse)
+        down, promised = np.zeros(len(free)), float(mean @ inverse @ mean)
+        down[free] = -inverse @ mean
+        if promised <= LEVEL:
+            return None, len(gradients) > 1
         share = 1.0
         while share >= SHORTEST:
-            to = ended.at.copy()
-            to[free] += share * down
-            to = np.clip(to, *self.bounds)
-            residuals = self.problem.residuals(to)
+            to = np.clip(ended.at + share * down, *problem.bounds)
+            residuals = problem.residuals(to)
             if np.isfinite(residuals).all():
-                loss = loss_of(residuals, self.robust)
+                loss = loss_of(residuals, problem.robust)
                 if loss < ended.loss - SUFFICIENT * share * promised:
-                    return to
+                    return to, False
             share *= 0.3
-        return None
-
-    def _slopes(
-        self, at: NDArray[np.float64], free: NDArray[np.bool_]
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Half the gradient of the loss, and the Gauss-Newton part of its second derivatives."""
-        residuals = self.problem.residuals(at)
-        if not np.isfinite(residuals).all():
-            raise RunError("there are no gaits beside the kink")
-        weights = weights_of(residuals, self.robust)
-        slopes = weights[:, None] * self.problem.jacobian(at)[:, free]
-        return slopes.T @ (weights * residuals), slopes.T @ slopes
+        aside = ended.at + ASIDE * down / max(1e-300, float(np.max(np.abs(down))))
+        gradients.append(_slopes(problem, np.clip(aside, *problem.bounds), free)[0])
+    return None, False
 
 
-def _shortest(gradients: NDArray[np.float64], inverse: NDArray[np.float64]) -> NDArray[np.float64]:
+def _slopes(problem: Problem, at: Vector, free: NDArray[np.bool_]) -> tuple[Vector, Vector]:
+    """Half the gradient of the loss, and the Gauss-Newton part of its second derivatives."""
+    residuals = problem.residuals(at)
+    if not np.isfinite(residuals).all():
+        raise RunError("there are no gaits beside the kink")
+    weights = weights_of(residuals, problem.robust)
+    slopes = weights[:, None] * problem.jacobian(at)[:, free]
+    return slopes.T @ (weights * residuals), slopes.T @ slopes
+
+
+def _shortest(gradients: Vector, inverse: Vector) -> Vector:
     """The mean, with weights that are not negative, of least length in a metric."""
     from scipy.optimize import nnls  # slow to load
 
     values, vectors = np.linalg.eigh(inverse)
-    root = vectors * np.sqrt(np.maximum(values, 0.0))
-    lengths = gradients @ root
+    lengths = gradients @ (vectors * np.sqrt(np.maximum(values, 0.0)))
     size = float(np.max(np.abs(lengths))) or 1.0
     rows = np.vstack([lengths.T / size, HEAVY * np.ones(len(gradients))])
     weights, _ = nnls(rows, np.append(np.zeros(lengths.shape[1]), HEAVY))
-    mean: NDArray[np.float64] = weights / weights.sum() @ gradients
+    mean: Vector = weights / weights.sum() @ gradients
     return mean
 
 
@@ -270,78 +249,64 @@ MAX_STEPS_ACROSS, CHANGE_ACROSS = 100, 1e-6
 
 
 class Across:
-    """Residuals of quantities and of closing, over parameters and apices."""
+    """Residuals of a problem and of closing, over parameters and apices."""
 
-    def __init__(self, problem: Problem, unknowns: NDArray[np.float64]) -> None:
+    def __init__(self, problem: Problem, unknowns: Vector) -> None:
         """Begin at the gaits at which the problem's Jacobian was last computed."""
-        self.problem = problem
-        self._apexes = np.array(problem.apexes())
-        self._steps = FIRST_STEP * problem.runner.scales
-        self._last: NDArray[np.float64] | None = None
-        self.begin = np.append(unknowns, np.zeros(self._apexes.size))
+        self.problem, self._first = problem, np.array(problem.apexes)
+        self._scales = problem.runner.scales
+        self._last: Vector | None = None
+        self.begin = np.append(unknowns, np.zeros(self._first.size))
 
-    def unknowns(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Unknowns of the problem among all unknowns."""
-        return at[: len(self.problem.parameters)]
+    def split(self, at: Vector) -> tuple[Vector, Vector]:
+        """The problem's unknowns, and the apexes of the strides, shape (rows, n)."""
+        unknowns, moved = np.split(at, [len(self.problem.parameters)])
+        return unknowns, self._first + FIRST_STEP * self._scales * moved.reshape(self._first.shape)
 
-    def apexes(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Apexes of the strides, shape (rows, n)."""
-        moved = at[len(self.problem.parameters) :].reshape(self._apexes.shape)
-        apexes: NDArray[np.float64] = self._apexes + self._steps * moved
-        return apexes
+    def _strides(self, at: Vector, stride: Any, *varied: Sequence[str]) -> tuple[list[Any], Vector]:
+        problem, (unknowns, apexes) = self.problem, self.split(at)
+        values, made = problem.values(unknowns), []
+        for number, (row, apex) in enumerate(zip(problem.rows, apexes, strict=True)):
+            problem.count_strides(1)
+            made.append(stride(problem.runner_of(values, number), apex, tuple(row), *varied))
+        return made, values
 
-    def residuals(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Row by row, those of quantities before those of closing; infinite where a stride does not close.
+    def residuals(self, at: Vector) -> Vector:
+        """Those of the problem before those of closing; infinite where a stride does not close.
 
         Where no further stride is to be made, those of before, so that the search ends.
         """
         if self.problem.is_spent and self._last is not None:
             return self._last.copy()
-        found = self._residuals(at)
-        if np.isfinite(found).all():
-            self._last = found
-        return found
+        try:
+            strides, values = self._strides(at, plain_stride)
+        except (InputError, RunError):
+            return np.full(len(self.problem.errors) + self._first.size, np.inf)
+        closing = [WEIGHT * stride.residual / self._scales for stride in strides]
+        self._last = np.concatenate([self.problem.over_errors(strides, values), *closing])
+        return self._last.copy()
 
-    def _residuals(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
-        problem, values = self.problem, self.problem.values(self.unknowns(at))
-        parts = []
-        for number, (row, apex) in enumerate(zip(problem.rows, self.apexes(at), strict=True)):
-            problem.count_strides(1)
-            try:
-                stride = plain_stride(problem.runner_of(values, number), apex, tuple(row))
-            except (InputError, RunError):
-                return np.full(problem.count + self._apexes.size, np.inf)
-            closing = WEIGHT * stride.residual / problem.runner.scales
-            parts += [problem.over_errors(stride.quantities, number), closing]
-        return np.concatenate([*parts, problem.off_priors(values)])
-
-    def jacobian(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
+    def jacobian(self, at: Vector) -> Vector:
         """Jacobian of the residuals."""
-        problem, values = self.problem, self.problem.values(self.unknowns(at))
-        width = self._apexes.shape[1]
-        blocks = []
-        for number, (row, apex) in enumerate(zip(problem.rows, self.apexes(at), strict=True)):
-            problem.count_strides(1)
-            varied = varied_stride(problem.runner_of(values, number), apex, tuple(row), problem.vary)
-            errors = np.array([of.error for of in row.values()])
-            weights = np.append(problem.runner.scales / WEIGHT, errors)
-            weighted = varied.by_all / weights[:, None]
-            block = np.zeros((len(weighted), len(self.begin)))
-            block[:, problem.columns[number]] = weighted[:, width:] * problem.steps[problem.columns[number]]
-            first = len(problem.parameters) + number * width
-            block[:, first : first + width] = weighted[:, :width] * self._steps
-            blocks.append(np.roll(block, -width, axis=0))
-        of_priors = problem.slopes_of_priors()
-        blocks.append(np.hstack([of_priors, np.zeros((len(of_priors), self._apexes.size))]))
-        return np.vstack(blocks)
+        problem, width = self.problem, self._first.shape[1]
+        strides, _ = self._strides(at, varied_stride, problem.vary)
+        count, unknowns = len(problem.errors), len(problem.parameters)
+        slopes = np.zeros((count + self._first.size, len(at)))
+        slopes[:count, :unknowns] = problem.by_unknowns([stride.by_all[width:, width:] for stride in strides])
+        for k, (rows, columns, stride) in enumerate(
+            zip(problem.places, problem.columns, strides, strict=True)
+        ):
+            here, moved = np.arange(k * width, (k + 1) * width), FIRST_STEP * self._scales
+            weights = WEIGHT / self._scales[:, None]
+            slopes[rows, unknowns + here] = stride.by_all[width:, :width] * moved / problem.errors[rows, None]
+            slopes[np.ix_(count + here, unknowns + here)] = weights * stride.by_all[:width, :width] * moved
+            by_values = stride.by_all[:width, width:] * problem.steps[columns]
+            slopes[np.ix_(count + here, columns)] = weights * by_values
+        return slopes
 
 
-def cross(
-    problem: Problem,
-    unknowns: NDArray[np.float64],
-    bounds: tuple[NDArray[np.float64], NDArray[np.float64]],
-) -> NDArray[np.float64] | None:
-    """Go on where a search along the gaits has ended, and hand the gaits that are reached to the problem."""
+def across_folds(problem: Problem, unknowns: Vector) -> Vector | None:
+    """Unknowns beyond a fold at which a search along the gaits has ended; the problem goes on from there."""
     from scipy.optimize import least_squares  # slow to load
 
     across = Across(problem, unknowns)
@@ -351,20 +316,17 @@ def cross(
             across.residuals,
             across.begin,
             across.jacobian,
-            bounds=(np.append(bounds[0], -free), np.append(bounds[1], free)),
+            bounds=(np.append(problem.bounds[0], -free), np.append(problem.bounds[1], free)),
             method="trf",
             ftol=CHANGE_ACROSS,
             xtol=CHANGE_ACROSS,
             gtol=CHANGE_ACROSS,
             max_nfev=MAX_STEPS_ACROSS,
         )
-        reached = across.unknowns(found.x)
+        reached, apexes = across.split(found.x)
         values = problem.values(reached)
-        apexes = [
-            gait_near(problem.runner_of(values, row), apex).apex
-            for row, apex in enumerate(across.apexes(found.x))
-        ]
-        problem.restart(reached, apexes)
+        runners = [problem.runner_of(values, row) for row in range(len(apexes))]
+        problem.restart(reached, [gait_near(*ends).apex for ends in zip(runners, apexes, strict=True)])
     except (InputError, RunError):
         return None
     return reached
