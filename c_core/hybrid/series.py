@@ -129,18 +129,26 @@ class Expansion:
         return text.format(k=k, **given)
 
     def linear(self, node, k):
-        """Text of coefficient k of a sum, whose constant terms contribute to coefficient 0 only."""
+        """Text of coefficient k of a sum, whose constant terms contribute to coefficient 0 only.
+
+        Terms stay grouped as on the page: 1/m + 1/m_f as one factor would lose 1/m beside a light foot's.
+        """
         atoms = self.atoms(node)
-        zeros = dict.fromkeys(atoms, lift(0))
-        moving = lift(0)
-        for atom in atoms:  # the derivative by an atom is its constant factor
-            factor = Variation({other: int(other is atom) for other in atoms}).of(node)
-            moving = moving + factor * symbol(self.coefficient(atom, k))
-        (rest,) = replaced([node], zeros)
+        moving = {atom: symbol(self.coefficient(atom, k)) for atom in atoms}
+        for part in ordered([node], atoms):
+            if part.is_constant:
+                moving[part] = lift(0)
+            elif part not in moving:
+                steady = {"*": 0, "/": 1}.get(part.operation)
+                moving[part] = remade(
+                    part, [o if i == steady else moving[o] for i, o in enumerate(part.operands)]
+                )
+        (rest,) = replaced([node], dict.fromkeys(atoms, lift(0)))
         steady = real_text(rest)
-        if moving.is_number(0):
+        if moving[node].is_number(0):
             return steady if rest.is_number(0) else f"constant_of({k}, {steady})"
-        return c_text(moving) if rest.is_number(0) else f"with_constant({k}, {c_text(moving)}, {steady})"
+        text = c_text(moving[node])
+        return text if rest.is_number(0) else f"with_constant({k}, {text}, {steady})"
 
     def atoms(self, node):
         """The moving terms of a sum that have series of their own."""

@@ -51,6 +51,26 @@ def test_a_guard_that_would_have_risen_has_not_crossed_zero():
     assert run.set(rate=1.0).to(9.4).crossings == 1
 
 
+class TwoMasses(Model):
+    """A pull on a heavy and a very light mass, which an equal drag on the light one cancels."""
+
+    start = "pulled", {}
+    speed, pull, drag = state(0, "m/s"), state(1, "N"), state(-1, "N")
+    heavy, light, growth = parameter(1, "kg"), parameter(1e-17, "kg"), parameter(1, "1/s")
+
+    @mode()
+    def pulled(s):
+        """Both forces grow alike."""
+        rate = s.pull / s.heavy + (s.pull + s.drag) / s.light
+        return {"speed": rate, "pull": s.growth * s.pull, "drag": s.growth * s.drag}
+
+
+def test_a_large_constant_does_not_absorb_a_small_one_that_has_the_same_factor():
+    """Collected into one factor, 1/heavy would be lost beside 1/light."""
+    run = CompiledPage(TwoMasses).start().to(1.0)
+    assert run.speed == pytest.approx(np.expm1(1), rel=1e-12)
+
+
 @pytest.mark.parametrize("push", [0, 0.03])
 def test_a_run_in_many_calls_is_the_run_in_one(push):
     """Also where calls end at an event, or a rounding error before or after it. Two events coincide."""

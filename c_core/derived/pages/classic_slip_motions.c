@@ -102,8 +102,7 @@ static void guard_flight_down_touchdown(const real *constants, const real *serie
     for (int k = 0; k < order; ++k) {
         sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
         g[k] = s->y_[k] - c->free_length * own_cos_of_angle[k]
-            - c->sin_of_slope_over_cos_of_slope * s->x_[k]
-            - c->sin_of_slope_over_cos_of_slope * c->free_length * own_sin_of_angle[k];
+            - c->sin_of_slope_over_cos_of_slope * (s->x_[k] + c->free_length * own_sin_of_angle[k]);
     }
 }
 
@@ -285,8 +284,8 @@ static void vary_stance(const real *constants, const real *series, const real *d
         x_2_times_d_x_2[k] = product(s->x_2, d_x_2, k);
         d_y_2[k] = with_constant(k, t->y_[k], -d->foot_y);
         y_2_times_d_y_2[k] = product(s->y_2, d_y_2, k);
-        d_length[k] = (x_2_times_d_x_2[k] + y_2_times_d_y_2[k] - product_so_far(d_length, s->length,
-            k)) / s->length[0];
+        d_length[k] = (0.5 * (2.0 * x_2_times_d_x_2[k] + 2.0 * y_2_times_d_y_2[k]) - product_so_far(d_length,
+            s->length, k)) / s->length[0];
         push_times_d_length[k] = product(s->push, d_length, k);
         d_push[k] = (with_constant(k, -(d->stiffness_over_mass * s->length[k])
             - c->stiffness_over_mass * d_length[k] - push_times_d_length[k],
@@ -319,11 +318,11 @@ static void d_observed_stance_tilt_ahead(const real *constants, const real *seri
             - product_so_far(own_tilt_ahead, s->length, k)) / s->length[0];
         own_x_2_times_d_x_2[k] = product(s->x_2, own_d_x_2, k);
         own_y_2_times_d_y_2[k] = product(s->y_2, own_d_y_2, k);
-        own_d_length[k] = (own_x_2_times_d_x_2[k] + own_y_2_times_d_y_2[k] - product_so_far(own_d_length,
-            s->length, k)) / s->length[0];
+        own_d_length[k] = (0.5 * (2.0 * own_x_2_times_d_x_2[k] + 2.0 * own_y_2_times_d_y_2[k])
+            - product_so_far(own_d_length, s->length, k)) / s->length[0];
         own_tilt_ahead_times_d_length[k] = product(own_tilt_ahead, own_d_length, k);
-        dg[k] = (d->cos_of_slope * s->x_2[k] + c->cos_of_slope * own_d_x_2[k] + d->sin_of_slope * s->y_2[k]
-            + c->sin_of_slope * own_d_y_2[k] - own_tilt_ahead_times_d_length[k] - product_so_far(dg,
+        dg[k] = (d->cos_of_slope * s->x_2[k] + c->cos_of_slope * own_d_x_2[k] + (d->sin_of_slope * s->y_2[k]
+            + c->sin_of_slope * own_d_y_2[k]) - own_tilt_ahead_times_d_length[k] - product_so_far(dg,
             s->length, k)) / s->length[0];
     }
 }
@@ -344,11 +343,11 @@ static void d_observed_stance_tilt_behind(const real *constants, const real *ser
             - product_so_far(own_tilt_ahead, s->length, k)) / s->length[0];
         own_x_2_times_d_x_2[k] = product(s->x_2, own_d_x_2, k);
         own_y_2_times_d_y_2[k] = product(s->y_2, own_d_y_2, k);
-        own_d_length[k] = (own_x_2_times_d_x_2[k] + own_y_2_times_d_y_2[k] - product_so_far(own_d_length,
-            s->length, k)) / s->length[0];
+        own_d_length[k] = (0.5 * (2.0 * own_x_2_times_d_x_2[k] + 2.0 * own_y_2_times_d_y_2[k])
+            - product_so_far(own_d_length, s->length, k)) / s->length[0];
         own_tilt_ahead_times_d_length[k] = product(own_tilt_ahead, own_d_length, k);
         own_d_tilt_ahead[k] = (d->cos_of_slope * s->x_2[k] + c->cos_of_slope * own_d_x_2[k]
-            + d->sin_of_slope * s->y_2[k] + c->sin_of_slope * own_d_y_2[k]
+            + (d->sin_of_slope * s->y_2[k] + c->sin_of_slope * own_d_y_2[k])
             - own_tilt_ahead_times_d_length[k] - product_so_far(own_d_tilt_ahead, s->length,
             k)) / s->length[0];
         dg[k] = -own_d_tilt_ahead[k];
@@ -369,9 +368,8 @@ static void guard_stance_leaves_cone(const real *constants, const real *series, 
     const stance_constants *c = (const void *)constants;
     const stance_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = c->inverse_by_1_plus_friction * (c->friction * c->cos_of_slope - c->sin_of_slope) * s->y_2[k]
-            + c->inverse_by_1_plus_friction * (-(c->friction * c->sin_of_slope)
-            - c->cos_of_slope) * s->x_2[k];
+        g[k] = c->inverse_by_1_plus_friction * (c->friction * (c->cos_of_slope * s->y_2[k]
+            - c->sin_of_slope * s->x_2[k]) - (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k]));
     }
 }
 
@@ -380,8 +378,8 @@ static void guard_stance_slides_out(const real *constants, const real *series, i
     const stance_constants *c = (const void *)constants;
     const stance_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = c->inverse_by_1_plus_friction * (c->friction * c->cos_of_slope + c->sin_of_slope) * s->y_2[k]
-            + c->inverse_by_1_plus_friction * (c->cos_of_slope - c->friction * c->sin_of_slope) * s->x_2[k];
+        g[k] = c->inverse_by_1_plus_friction * (c->friction * (c->cos_of_slope * s->y_2[k]
+            - c->sin_of_slope * s->x_2[k]) + (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k]));
     }
 }
 

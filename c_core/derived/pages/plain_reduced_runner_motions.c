@@ -289,8 +289,8 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
     s->turning_times_x_[k] = product_of(k, part_of(sum->turning_times_x_, odd), s->turning, s->x_);
     /* friction_force = c->way_times_friction * (axial_times_y_ + turning_times_x_ +
      * c->foot_mass_times_gravity) */
-    s->friction_force[k] = with_constant(k, c->way_times_friction * s->axial_times_y_[k]
-        + c->way_times_friction * s->turning_times_x_[k], c->way_times_friction * c->foot_mass_times_gravity);
+    s->friction_force[k] = with_constant(k, c->way_times_friction * (s->axial_times_y_[k]
+        + s->turning_times_x_[k]), c->way_times_friction * c->foot_mass_times_gravity);
     /* length_rate_times_length_rate = length_rate * length_rate */
     s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
         s->length_rate);
@@ -304,13 +304,13 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
         s->angle_rate, s->square, by->inverse_square);
-    s->vx[k + 1] = series_reciprocal[k + 1] * ((c->inverse_body_mass
-        + c->inverse_foot_mass) * s->axial_times_x_[k] + (-c->inverse_body_mass
-        - c->inverse_foot_mass) * s->turning_times_y_[k] + c->inverse_foot_mass * s->friction_force[k]);
-    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
-        + c->inverse_body_mass * s->turning_times_x_[k], -c->gravity));
-    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_foot_mass * s->turning_times_y_[k]
-        - c->inverse_foot_mass * s->axial_times_x_[k] - c->inverse_foot_mass * s->friction_force[k]);
+    s->vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_body_mass * (s->axial_times_x_[k]
+        - s->turning_times_y_[k]) - c->inverse_foot_mass * (-(s->axial_times_x_[k] - s->turning_times_y_[k])
+        - s->friction_force[k]));
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_y_[k]
+        + s->turning_times_x_[k]), -c->gravity));
+    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_foot_mass * (-(s->axial_times_x_[k]
+        - s->turning_times_y_[k]) - s->friction_force[k]));
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->friction_loss[k + 1] = series_reciprocal[k + 1] * (s->friction_force_times_foot_vx[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (c->stance_torque * s->angle_rate[k]);
@@ -376,7 +376,7 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
         d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
+            - (d->damping * s->length_rate[k] + c->damping * d_length_rate[k]) - axial_times_d_length[k],
             d->stiffness * c->free_length + c->stiffness * d->free_length) - product_so_far(d_axial,
             s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
@@ -390,10 +390,9 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         d_turning_times_x_[k] = product(d_turning, s->x_, k);
         turning_times_x__2[k] = product(s->turning, t->x_, k);
-        d_friction_force[k] = with_constant(k, d->way_times_friction * s->axial_times_y_[k]
-            + d->way_times_friction * s->turning_times_x_[k] + c->way_times_friction * d_axial_times_y_[k]
-            + c->way_times_friction * axial_times_y__2[k] + c->way_times_friction * d_turning_times_x_[k]
-            + c->way_times_friction * turning_times_x__2[k],
+        d_friction_force[k] = with_constant(k, d->way_times_friction * (s->axial_times_y_[k]
+            + s->turning_times_x_[k]) + c->way_times_friction * (d_axial_times_y_[k] + axial_times_y__2[k]
+            + (d_turning_times_x_[k] + turning_times_x__2[k])),
             d->way_times_friction * c->foot_mass_times_gravity
             + c->way_times_friction * d->foot_mass_times_gravity);
         length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
@@ -404,28 +403,24 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - (y__times_vx_2[k] + y__times_vx_3[k])
             - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
-        t->vx[k + 1] = series_reciprocal[k + 1] * ((d->inverse_body_mass
-            + d->inverse_foot_mass) * s->axial_times_x_[k] + (-d->inverse_body_mass
-            - d->inverse_foot_mass) * s->turning_times_y_[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * axial_times_x__2[k] + (-c->inverse_body_mass
-            - c->inverse_foot_mass) * d_turning_times_y_[k] + (-c->inverse_body_mass
-            - c->inverse_foot_mass) * turning_times_y__2[k] + d->inverse_foot_mass * s->friction_force[k]
-            + c->inverse_foot_mass * d_friction_force[k]);
+        t->vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_body_mass * (s->axial_times_x_[k]
+            - s->turning_times_y_[k]) + c->inverse_body_mass * (d_axial_times_x_[k] + axial_times_x__2[k]
+            - (d_turning_times_y_[k] + turning_times_y__2[k]))
+            - (d->inverse_foot_mass * (-(s->axial_times_x_[k] - s->turning_times_y_[k])
+            - s->friction_force[k]) + c->inverse_foot_mass * (-(d_axial_times_x_[k] + axial_times_x__2[k]
+            - (d_turning_times_y_[k] + turning_times_y__2[k])) - d_friction_force[k])));
         t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
-            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
-            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k],
-            -d->gravity));
-        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_foot_mass * s->turning_times_y_[k]
-            - d->inverse_foot_mass * s->axial_times_x_[k] - d->inverse_foot_mass * s->friction_force[k]
-            - c->inverse_foot_mass * d_axial_times_x_[k] - c->inverse_foot_mass * axial_times_x__2[k]
-            + c->inverse_foot_mass * d_turning_times_y_[k] + c->inverse_foot_mass * turning_times_y__2[k]
-            - c->inverse_foot_mass * d_friction_force[k]);
+            d->inverse_body_mass * (s->axial_times_y_[k] + s->turning_times_x_[k])
+            + c->inverse_body_mass * (d_axial_times_y_[k] + axial_times_y__2[k] + (d_turning_times_x_[k]
+            + turning_times_x__2[k])), -d->gravity));
+        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_foot_mass * (-(s->axial_times_x_[k]
+            - s->turning_times_y_[k]) - s->friction_force[k])
+            + c->inverse_foot_mass * (-(d_axial_times_x_[k] + axial_times_x__2[k] - (d_turning_times_y_[k]
+            + turning_times_y__2[k])) - d_friction_force[k]));
         t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+            + c->damping * (2.0 * length_rate_times_d_length_rate[k]));
         t->friction_loss[k + 1] = series_reciprocal[k + 1] * (d_friction_force_times_foot_vx[k]
             + friction_force_times_foot_vx_2[k]);
         t->work[k + 1] = series_reciprocal[k + 1] * (d->stance_torque * s->angle_rate[k]
@@ -469,7 +464,7 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
         own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - (d->damping * s->length_rate[k] + c->damping * own_d_length_rate[k])
             - own_axial_times_d_length[k], d->stiffness * c->free_length + c->stiffness * d->free_length)
             - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
@@ -480,7 +475,7 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
         dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
-            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity);
+            + (own_d_turning_times_x_[k] + own_turning_times_x__2[k]), d->foot_mass_times_gravity);
     }
 }
 
@@ -674,10 +669,10 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
         s->angle_rate, s->square, by->inverse_square);
-    s->vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_body_mass * s->axial_times_x_[k]
-        - c->inverse_body_mass * s->turning_times_y_[k]);
-    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
-        + c->inverse_body_mass * s->turning_times_x_[k], -c->gravity));
+    s->vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_body_mass * (s->axial_times_x_[k]
+        - s->turning_times_y_[k]));
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_y_[k]
+        + s->turning_times_x_[k]), -c->gravity));
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (c->stance_torque * s->angle_rate[k]);
     s->seen_angle[k + 1] = series_reciprocal[k + 1] * (s->angle_rate[k]);
@@ -740,7 +735,7 @@ static void vary_stick(const real *constants, const real *series, const real *d_
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
         d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
+            - (d->damping * s->length_rate[k] + c->damping * d_length_rate[k]) - axial_times_d_length[k],
             d->stiffness * c->free_length + c->stiffness * d->free_length) - product_so_far(d_axial,
             s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
@@ -760,19 +755,17 @@ static void vary_stick(const real *constants, const real *series, const real *d_
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - (y__times_vx_2[k] + y__times_vx_3[k])
             - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
-        t->vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_body_mass * s->axial_times_x_[k]
-            - d->inverse_body_mass * s->turning_times_y_[k] + c->inverse_body_mass * d_axial_times_x_[k]
-            + c->inverse_body_mass * axial_times_x__2[k] - c->inverse_body_mass * d_turning_times_y_[k]
-            - c->inverse_body_mass * turning_times_y__2[k]);
+        t->vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_body_mass * (s->axial_times_x_[k]
+            - s->turning_times_y_[k]) + c->inverse_body_mass * (d_axial_times_x_[k] + axial_times_x__2[k]
+            - (d_turning_times_y_[k] + turning_times_y__2[k])));
         t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
-            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
-            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k],
-            -d->gravity));
+            d->inverse_body_mass * (s->axial_times_y_[k] + s->turning_times_x_[k])
+            + c->inverse_body_mass * (d_axial_times_y_[k] + axial_times_y__2[k] + (d_turning_times_x_[k]
+            + turning_times_x__2[k])), -d->gravity));
         t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+            + c->damping * (2.0 * length_rate_times_d_length_rate[k]));
         t->work[k + 1] = series_reciprocal[k + 1] * (d->stance_torque * s->angle_rate[k]
             + c->stance_torque * d_angle_rate[k]);
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
@@ -815,7 +808,7 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
         own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - (d->damping * s->length_rate[k] + c->damping * own_d_length_rate[k])
             - own_axial_times_d_length[k], d->stiffness * c->free_length + c->stiffness * d->free_length)
             - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
@@ -826,7 +819,7 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
         dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
-            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity);
+            + (own_d_turning_times_x_[k] + own_turning_times_x__2[k]), d->foot_mass_times_gravity);
     }
 }
 
@@ -871,8 +864,8 @@ static void guard_stick_slips_forward(const real *constants, const real *series,
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->friction * s->axial_times_y_[k] + c->friction * s->turning_times_x_[k]
-            + s->axial_times_x_[k] - s->turning_times_y_[k], c->friction * c->foot_mass_times_gravity);
+        g[k] = with_constant(k, c->friction * (s->axial_times_y_[k] + s->turning_times_x_[k])
+            + (s->axial_times_x_[k] - s->turning_times_y_[k]), c->friction * c->foot_mass_times_gravity);
     }
 }
 
@@ -881,8 +874,8 @@ static void guard_stick_slips_backward(const real *constants, const real *series
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->friction * s->axial_times_y_[k] + c->friction * s->turning_times_x_[k]
-            - s->axial_times_x_[k] + s->turning_times_y_[k], c->friction * c->foot_mass_times_gravity);
+        g[k] = with_constant(k, c->friction * (s->axial_times_y_[k] + s->turning_times_x_[k])
+            - (s->axial_times_x_[k] - s->turning_times_y_[k]), c->friction * c->foot_mass_times_gravity);
     }
 }
 

@@ -133,8 +133,8 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
     s->turning_times_x_[k] = product_of(k, part_of(sum->turning_times_x_, odd), s->turning, s->x_);
     /* friction_force = c->way_times_friction * (axial_times_y_ + turning_times_x_ +
      * c->foot_mass_times_gravity) */
-    s->friction_force[k] = with_constant(k, c->way_times_friction * s->axial_times_y_[k]
-        + c->way_times_friction * s->turning_times_x_[k], c->way_times_friction * c->foot_mass_times_gravity);
+    s->friction_force[k] = with_constant(k, c->way_times_friction * (s->axial_times_y_[k]
+        + s->turning_times_x_[k]), c->way_times_friction * c->foot_mass_times_gravity);
     /* length_rate_times_length_rate = length_rate * length_rate */
     s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
         s->length_rate);
@@ -148,13 +148,13 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
         s->angle_rate, s->square, by->inverse_square);
-    s->vx[k + 1] = series_reciprocal[k + 1] * ((c->inverse_body_mass
-        + c->inverse_foot_mass) * s->axial_times_x_[k] + (-c->inverse_body_mass
-        - c->inverse_foot_mass) * s->turning_times_y_[k] + c->inverse_foot_mass * s->friction_force[k]);
-    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
-        + c->inverse_body_mass * s->turning_times_x_[k], -c->gravity));
-    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_foot_mass * s->turning_times_y_[k]
-        - c->inverse_foot_mass * s->axial_times_x_[k] - c->inverse_foot_mass * s->friction_force[k]);
+    s->vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_body_mass * (s->axial_times_x_[k]
+        - s->turning_times_y_[k]) - c->inverse_foot_mass * (-(s->axial_times_x_[k] - s->turning_times_y_[k])
+        - s->friction_force[k]));
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_y_[k]
+        + s->turning_times_x_[k]), -c->gravity));
+    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_foot_mass * (-(s->axial_times_x_[k]
+        - s->turning_times_y_[k]) - s->friction_force[k]));
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->friction_loss[k + 1] = series_reciprocal[k + 1] * (s->friction_force_times_foot_vx[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (c->stance_torque * s->angle_rate[k]);
@@ -220,7 +220,7 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
         d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
+            - (d->damping * s->length_rate[k] + c->damping * d_length_rate[k]) - axial_times_d_length[k],
             d->stiffness * c->free_length + c->stiffness * d->free_length) - product_so_far(d_axial,
             s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
@@ -234,10 +234,9 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         d_turning_times_x_[k] = product(d_turning, s->x_, k);
         turning_times_x__2[k] = product(s->turning, t->x_, k);
-        d_friction_force[k] = with_constant(k, d->way_times_friction * s->axial_times_y_[k]
-            + d->way_times_friction * s->turning_times_x_[k] + c->way_times_friction * d_axial_times_y_[k]
-            + c->way_times_friction * axial_times_y__2[k] + c->way_times_friction * d_turning_times_x_[k]
-            + c->way_times_friction * turning_times_x__2[k],
+        d_friction_force[k] = with_constant(k, d->way_times_friction * (s->axial_times_y_[k]
+            + s->turning_times_x_[k]) + c->way_times_friction * (d_axial_times_y_[k] + axial_times_y__2[k]
+            + (d_turning_times_x_[k] + turning_times_x__2[k])),
             d->way_times_friction * c->foot_mass_times_gravity
             + c->way_times_friction * d->foot_mass_times_gravity);
         length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
@@ -248,28 +247,24 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - (y__times_vx_2[k] + y__times_vx_3[k])
             - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
-        t->vx[k + 1] = series_reciprocal[k + 1] * ((d->inverse_body_mass
-            + d->inverse_foot_mass) * s->axial_times_x_[k] + (-d->inverse_body_mass
-            - d->inverse_foot_mass) * s->turning_times_y_[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * axial_times_x__2[k] + (-c->inverse_body_mass
-            - c->inverse_foot_mass) * d_turning_times_y_[k] + (-c->inverse_body_mass
-            - c->inverse_foot_mass) * turning_times_y__2[k] + d->inverse_foot_mass * s->friction_force[k]
-            + c->inverse_foot_mass * d_friction_force[k]);
+        t->vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_body_mass * (s->axial_times_x_[k]
+            - s->turning_times_y_[k]) + c->inverse_body_mass * (d_axial_times_x_[k] + axial_times_x__2[k]
+            - (d_turning_times_y_[k] + turning_times_y__2[k]))
+            - (d->inverse_foot_mass * (-(s->axial_times_x_[k] - s->turning_times_y_[k])
+            - s->friction_force[k]) + c->inverse_foot_mass * (-(d_axial_times_x_[k] + axial_times_x__2[k]
+            - (d_turning_times_y_[k] + turning_times_y__2[k])) - d_friction_force[k])));
         t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
-            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
-            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k],
-            -d->gravity));
-        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_foot_mass * s->turning_times_y_[k]
-            - d->inverse_foot_mass * s->axial_times_x_[k] - d->inverse_foot_mass * s->friction_force[k]
-            - c->inverse_foot_mass * d_axial_times_x_[k] - c->inverse_foot_mass * axial_times_x__2[k]
-            + c->inverse_foot_mass * d_turning_times_y_[k] + c->inverse_foot_mass * turning_times_y__2[k]
-            - c->inverse_foot_mass * d_friction_force[k]);
+            d->inverse_body_mass * (s->axial_times_y_[k] + s->turning_times_x_[k])
+            + c->inverse_body_mass * (d_axial_times_y_[k] + axial_times_y__2[k] + (d_turning_times_x_[k]
+            + turning_times_x__2[k])), -d->gravity));
+        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_foot_mass * (-(s->axial_times_x_[k]
+            - s->turning_times_y_[k]) - s->friction_force[k])
+            + c->inverse_foot_mass * (-(d_axial_times_x_[k] + axial_times_x__2[k] - (d_turning_times_y_[k]
+            + turning_times_y__2[k])) - d_friction_force[k]));
         t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+            + c->damping * (2.0 * length_rate_times_d_length_rate[k]));
         t->friction_loss[k + 1] = series_reciprocal[k + 1] * (d_friction_force_times_foot_vx[k]
             + friction_force_times_foot_vx_2[k]);
         t->work[k + 1] = series_reciprocal[k + 1] * (d->stance_torque * s->angle_rate[k]
@@ -313,7 +308,7 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
         own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - (d->damping * s->length_rate[k] + c->damping * own_d_length_rate[k])
             - own_axial_times_d_length[k], d->stiffness * c->free_length + c->stiffness * d->free_length)
             - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
@@ -324,7 +319,7 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
         dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
-            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity);
+            + (own_d_turning_times_x_[k] + own_turning_times_x__2[k]), d->foot_mass_times_gravity);
     }
 }
 
@@ -584,10 +579,10 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
         s->angle_rate, s->square, by->inverse_square);
-    s->vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_body_mass * s->axial_times_x_[k]
-        - c->inverse_body_mass * s->turning_times_y_[k]);
-    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
-        + c->inverse_body_mass * s->turning_times_x_[k], -c->gravity));
+    s->vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_body_mass * (s->axial_times_x_[k]
+        - s->turning_times_y_[k]));
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_y_[k]
+        + s->turning_times_x_[k]), -c->gravity));
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (c->stance_torque * s->angle_rate[k]);
     s->seen_angle[k + 1] = series_reciprocal[k + 1] * (s->angle_rate[k]);
@@ -650,7 +645,7 @@ static void vary_stick(const real *constants, const real *series, const real *d_
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
         d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
+            - (d->damping * s->length_rate[k] + c->damping * d_length_rate[k]) - axial_times_d_length[k],
             d->stiffness * c->free_length + c->stiffness * d->free_length) - product_so_far(d_axial,
             s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
@@ -670,19 +665,17 @@ static void vary_stick(const real *constants, const real *series, const real *d_
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - (y__times_vx_2[k] + y__times_vx_3[k])
             - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
-        t->vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_body_mass * s->axial_times_x_[k]
-            - d->inverse_body_mass * s->turning_times_y_[k] + c->inverse_body_mass * d_axial_times_x_[k]
-            + c->inverse_body_mass * axial_times_x__2[k] - c->inverse_body_mass * d_turning_times_y_[k]
-            - c->inverse_body_mass * turning_times_y__2[k]);
+        t->vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_body_mass * (s->axial_times_x_[k]
+            - s->turning_times_y_[k]) + c->inverse_body_mass * (d_axial_times_x_[k] + axial_times_x__2[k]
+            - (d_turning_times_y_[k] + turning_times_y__2[k])));
         t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
-            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
-            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k],
-            -d->gravity));
+            d->inverse_body_mass * (s->axial_times_y_[k] + s->turning_times_x_[k])
+            + c->inverse_body_mass * (d_axial_times_y_[k] + axial_times_y__2[k] + (d_turning_times_x_[k]
+            + turning_times_x__2[k])), -d->gravity));
         t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+            + c->damping * (2.0 * length_rate_times_d_length_rate[k]));
         t->work[k + 1] = series_reciprocal[k + 1] * (d->stance_torque * s->angle_rate[k]
             + c->stance_torque * d_angle_rate[k]);
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
@@ -725,7 +718,7 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
         own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - (d->damping * s->length_rate[k] + c->damping * own_d_length_rate[k])
             - own_axial_times_d_length[k], d->stiffness * c->free_length + c->stiffness * d->free_length)
             - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
@@ -736,7 +729,7 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
         dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
-            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity);
+            + (own_d_turning_times_x_[k] + own_turning_times_x__2[k]), d->foot_mass_times_gravity);
     }
 }
 
@@ -803,8 +796,8 @@ static void guard_stick_slips_forward(const real *constants, const real *series,
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->friction * s->axial_times_y_[k] + c->friction * s->turning_times_x_[k]
-            + s->axial_times_x_[k] - s->turning_times_y_[k], c->friction * c->foot_mass_times_gravity);
+        g[k] = with_constant(k, c->friction * (s->axial_times_y_[k] + s->turning_times_x_[k])
+            + (s->axial_times_x_[k] - s->turning_times_y_[k]), c->friction * c->foot_mass_times_gravity);
     }
 }
 
@@ -813,8 +806,8 @@ static void guard_stick_slips_backward(const real *constants, const real *series
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->friction * s->axial_times_y_[k] + c->friction * s->turning_times_x_[k]
-            - s->axial_times_x_[k] + s->turning_times_y_[k], c->friction * c->foot_mass_times_gravity);
+        g[k] = with_constant(k, c->friction * (s->axial_times_y_[k] + s->turning_times_x_[k])
+            - (s->axial_times_x_[k] - s->turning_times_y_[k]), c->friction * c->foot_mass_times_gravity);
     }
 }
 
@@ -956,7 +949,7 @@ KERNEL void step_flight_calm(const flight_calm_constants *c, const flight_calm_f
     s->power_of_hip[k] = product_of(k, part_of(sum->power_of_hip, odd), s->swing_torque, s->rate);
     s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
     s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
-        - c->mobility * c->stiffness * s->length[k] - c->mobility * c->damping * s->length_rate[k],
+        + c->mobility * (-(c->stiffness * s->length[k]) - c->damping * s->length_rate[k]),
         c->mobility * (c->stiffness * c->free_length)));
     s->momentum[k + 1] = series_reciprocal[k + 1] * (c->mobility * s->swing_torque[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
@@ -1013,9 +1006,9 @@ static void vary_flight_calm(const real *constants, const real *series, const re
         rate_times_d_rate[k] = product(s->rate, d_rate, k);
         d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
         length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
-        d_swing_torque[k] = with_constant(k, -(d->share_times_kp * s->angle[k])
-            - c->share_times_kp * t->angle[k] - d->share_times_kd * s->rate[k]
-            - c->share_times_kd * d_rate[k], d->external_torque - (-(d->share_times_kp * c->first)
+        d_swing_torque[k] = with_constant(k, -(d->share_times_kp * s->angle[k]
+            + c->share_times_kp * t->angle[k]) - (d->share_times_kd * s->rate[k]
+            + c->share_times_kd * d_rate[k]), d->external_torque - (-(d->share_times_kp * c->first)
             - c->share_times_kp * d->first));
         length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
         d_swing_torque_times_rate[k] = product(d_swing_torque, s->rate, k);
@@ -1023,15 +1016,15 @@ static void vary_flight_calm(const real *constants, const real *series, const re
         t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
         t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
             length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
-            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
-            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
-            - c->mobility * c->stiffness * t->length[k] - c->mobility * c->damping * t->length_rate[k],
+            + (d->mobility * (-(c->stiffness * s->length[k]) - c->damping * s->length_rate[k])
+            + c->mobility * (-(d->stiffness * s->length[k]) - c->stiffness * t->length[k]
+            - (d->damping * s->length_rate[k] + c->damping * t->length_rate[k]))),
             d->mobility * (c->stiffness * c->free_length) + c->mobility * (d->stiffness * c->free_length
             + c->stiffness * d->free_length)));
         t->momentum[k + 1] = series_reciprocal[k + 1] * (d->mobility * s->swing_torque[k]
             + c->mobility * d_swing_torque[k]);
         t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
+            + c->damping * (2.0 * length_rate_times_length_rate_2[k]));
         t->work[k + 1] = series_reciprocal[k + 1] * (d_swing_torque_times_rate[k]
             + swing_torque_times_d_rate[k]);
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
@@ -1071,8 +1064,8 @@ static void d_observed_flight_calm_height_of_foot(const real *constants, const r
         own_sin_of_angle_times_angle[k] = product(own_sin_of_angle, t->angle, k);
         own_product_times_sin_of_angle_times_angle[k] = product(own_product_2, own_sin_of_angle_times_angle,
             k);
-        dg[k] = t->com_y[k] - own_product_plus_product_times_cos_of_angle[k]
-            + own_product_times_sin_of_angle_times_angle[k];
+        dg[k] = t->com_y[k] - (own_product_plus_product_times_cos_of_angle[k]
+            - own_product_times_sin_of_angle_times_angle[k]);
     }
 }
 
@@ -1091,9 +1084,9 @@ static void d_observed_flight_calm_square_of_torque(const real *constants, const
         own_rate_times_d_square[k] = product(s->rate, own_d_square, k);
         own_d_rate[k] = (t->momentum[k] - own_rate_times_d_square[k] - product_so_far(own_d_rate, s->square,
             k)) / s->square[0];
-        own_d_swing_torque[k] = with_constant(k, -(d->share_times_kp * s->angle[k])
-            - c->share_times_kp * t->angle[k] - d->share_times_kd * s->rate[k]
-            - c->share_times_kd * own_d_rate[k], d->external_torque - (-(d->share_times_kp * c->first)
+        own_d_swing_torque[k] = with_constant(k, -(d->share_times_kp * s->angle[k]
+            + c->share_times_kp * t->angle[k]) - (d->share_times_kd * s->rate[k]
+            + c->share_times_kd * own_d_rate[k]), d->external_torque - (-(d->share_times_kp * c->first)
             - c->share_times_kp * d->first));
         own_swing_torque_times_d_swing_torque[k] = product(s->swing_torque, own_d_swing_torque, k);
         dg[k] = 2.0 * own_swing_torque_times_d_swing_torque[k];
@@ -1161,7 +1154,7 @@ static void guard_flight_calm_release(const real *constants, const real *series,
     const flight_calm_constants *c = (const void *)constants;
     const flight_calm_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->kp * s->angle[k] + c->kd * s->rate[k],
+        g[k] = with_constant(k, -(-(c->kp * s->angle[k]) - c->kd * s->rate[k]),
             -(c->kp * c->liftoff_factor_times_liftoff_angle));
     }
 }
@@ -1384,11 +1377,10 @@ KERNEL void step_graze(const graze_constants *c, const graze_factors *by, int k,
     /* product_3_times_angle_rate = product_3 * angle_rate */
     s->product_3_times_angle_rate[k] = product_of(k, part_of(sum->product_3_times_angle_rate, odd),
         s->product_3, s->angle_rate);
-    s->vx[k + 1] = series_reciprocal[k + 1] * ((c->inverse_body_mass
-        + c->inverse_foot_mass) * s->axial_times_x_[k] + (c->inverse_body_mass
-        + c->inverse_foot_mass) * s->product_2[k]);
-    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (-(c->inverse_foot_mass * s->axial_times_x_[k])
-        - c->inverse_foot_mass * s->product_2[k]);
+    s->vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_body_mass * (s->axial_times_x_[k]
+        + s->product_2[k]) + c->inverse_foot_mass * (s->axial_times_x_[k] + s->product_2[k]));
+    s->foot_vx[k + 1] = series_reciprocal[k + 1] * (-(c->inverse_foot_mass * (s->axial_times_x_[k]
+        + s->product_2[k])));
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (-s->product_3_times_angle_rate[k]);
     s->seen_angle[k + 1] = series_reciprocal[k + 1] * (s->angle_rate[k]);
@@ -1454,7 +1446,7 @@ static void vary_graze(const real *constants, const real *series, const real *d_
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
         d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
+            - (d->damping * s->length_rate[k] + c->damping * d_length_rate[k]) - axial_times_d_length[k],
             d->stiffness * c->free_length + c->stiffness * d->free_length) - product_so_far(d_axial,
             s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
@@ -1476,24 +1468,21 @@ static void vary_graze(const real *constants, const real *series, const real *d_
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - (y__times_vx_2[k] + y__times_vx_3[k])
             - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
         product_3_times_d_angle_rate[k] = product(s->product_3, d_angle_rate, k);
-        t->vx[k + 1] = series_reciprocal[k + 1] * ((d->inverse_body_mass
-            + d->inverse_foot_mass) * s->axial_times_x_[k] + (d->inverse_body_mass
-            + d->inverse_foot_mass) * s->product_2[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * axial_times_x__2[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * product_5[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * product_6[k]);
-        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (-(d->inverse_foot_mass * s->axial_times_x_[k])
-            - d->inverse_foot_mass * s->product_2[k] - c->inverse_foot_mass * d_axial_times_x_[k]
-            - c->inverse_foot_mass * axial_times_x__2[k] - c->inverse_foot_mass * product_5[k]
-            - c->inverse_foot_mass * product_6[k]);
+        t->vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_body_mass * (s->axial_times_x_[k]
+            + s->product_2[k]) + c->inverse_body_mass * (d_axial_times_x_[k] + axial_times_x__2[k]
+            + (product_5[k] + product_6[k])) + (d->inverse_foot_mass * (s->axial_times_x_[k]
+            + s->product_2[k]) + c->inverse_foot_mass * (d_axial_times_x_[k] + axial_times_x__2[k]
+            + (product_5[k] + product_6[k]))));
+        t->foot_vx[k + 1] = series_reciprocal[k + 1] * (-(d->inverse_foot_mass * (s->axial_times_x_[k]
+            + s->product_2[k]) + c->inverse_foot_mass * (d_axial_times_x_[k] + axial_times_x__2[k]
+            + (product_5[k] + product_6[k]))));
         t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k]
-            - product_3_times_d_angle_rate[k]);
+            + c->damping * (2.0 * length_rate_times_d_length_rate[k]));
+        t->work[k + 1] = series_reciprocal[k + 1] * (-(d_product_3_times_angle_rate[k]
+            + product_3_times_d_angle_rate[k]));
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_off_over_body_mass_minus_gravity));
         t->placing[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->is_placing));
@@ -1536,7 +1525,7 @@ static void d_observed_graze_square_of_torque(const real *constants, const real 
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
         own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - (d->damping * s->length_rate[k] + c->damping * own_d_length_rate[k])
             - own_axial_times_d_length[k], d->stiffness * c->free_length + c->stiffness * d->free_length)
             - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
@@ -1595,8 +1584,8 @@ static void guard_graze_release(const real *constants, const real *series, int o
     const graze_constants *c = (const void *)constants;
     const graze_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->kp * s->seen_angle[k] + c->kd * s->angle_rate[k], c->kp * (c->winding
-            - c->liftoff_factor_times_liftoff_angle));
+        g[k] = with_constant(k, -(-(c->kp * s->seen_angle[k]) - c->kd * s->angle_rate[k]),
+            c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle));
     }
 }
 
@@ -1618,7 +1607,7 @@ static void guard_graze_graze_to_contact(const real *constants, const real *seri
         own_turning[k] = (constant_of(k, c->stance_torque) - product_so_far(own_turning, s->square,
             k)) / s->square[0];
         own_turning_times_x_[k] = product(own_turning, s->x_, k);
-        g[k] = with_constant(k, -s->axial_times_y_[k] - own_turning_times_x_[k], -c->off);
+        g[k] = with_constant(k, -(s->axial_times_y_[k] + own_turning_times_x_[k]), -c->off);
     }
 }
 

@@ -95,7 +95,8 @@ static void vary_flight(const real *constants, const real *series, const real *d
         t->com_x[k + 1] = t->com_vx[k] * series_reciprocal[k + 1];
         t->com_y[k + 1] = t->com_vy[k] * series_reciprocal[k + 1];
         t->external_work[k + 1] = series_reciprocal[k + 1] * (d->external_fx * s->com_vx[k]
-            + c->external_fx * t->com_vx[k] + d->external_fy * s->com_vy[k] + c->external_fy * t->com_vy[k]);
+            + c->external_fx * t->com_vx[k] + (d->external_fy * s->com_vy[k]
+            + c->external_fy * t->com_vy[k]));
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->com_vx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_over_total));
         t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k,
@@ -321,9 +322,8 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
     s->turning_times_x_[k] = product_of(k, part_of(sum->turning_times_x_, odd), s->turning, s->x_);
     /* friction_force = c->way_times_friction * (axial_times_y_ + turning_times_x_ +
      * c->foot_mass_times_gravity_times_cosine) */
-    s->friction_force[k] = with_constant(k, c->way_times_friction * s->axial_times_y_[k]
-        + c->way_times_friction * s->turning_times_x_[k],
-        c->way_times_friction * c->foot_mass_times_gravity_times_cosine);
+    s->friction_force[k] = with_constant(k, c->way_times_friction * (s->axial_times_y_[k]
+        + s->turning_times_x_[k]), c->way_times_friction * c->foot_mass_times_gravity_times_cosine);
     /* length_rate_times_length_rate = length_rate * length_rate */
     s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
         s->length_rate);
@@ -337,19 +337,16 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
         s->angle_rate, s->square, by->inverse_square);
-    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (c->inverse_body_mass
-        + c->inverse_foot_mass) * s->axial_times_x_[k] + (-c->inverse_body_mass
-        - c->inverse_foot_mass) * s->turning_times_y_[k] + c->inverse_foot_mass * s->friction_force[k],
-        c->inverse_body_mass * c->sum_2 - c->gravity_times_sine
+    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_x_[k]
+        - s->turning_times_y_[k]) - c->inverse_foot_mass * (-(s->axial_times_x_[k] - s->turning_times_y_[k])
+        - s->friction_force[k]), c->inverse_body_mass * c->sum_2 - c->gravity_times_sine
         + c->inverse_foot_mass * c->foot_mass_times_gravity_times_sine));
-    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
-        + c->inverse_body_mass * s->turning_times_x_[k], c->inverse_body_mass * c->sum_3
-        - c->gravity_times_cosine));
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_y_[k]
+        + s->turning_times_x_[k]), c->inverse_body_mass * c->sum_3 - c->gravity_times_cosine));
     s->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->inverse_foot_mass * s->turning_times_y_[k] - c->inverse_foot_mass * s->axial_times_x_[k]
-        - c->inverse_foot_mass * s->friction_force[k],
+        c->inverse_foot_mass * (-(s->axial_times_x_[k] - s->turning_times_y_[k]) - s->friction_force[k]),
         -(c->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)));
-    s->external_work[k + 1] = series_reciprocal[k + 1] * (c->sum_2 * s->foot_vx[k] + c->sum_2 * s->vx[k]
+    s->external_work[k + 1] = series_reciprocal[k + 1] * (c->sum_2 * (s->foot_vx[k] + s->vx[k])
         + c->sum_3 * s->vy[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->friction_loss[k + 1] = series_reciprocal[k + 1] * (s->friction_force_times_foot_vx[k]);
@@ -416,7 +413,7 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
         d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
+            - (d->damping * s->length_rate[k] + c->damping * d_length_rate[k]) - axial_times_d_length[k],
             d->stiffness * c->rest_length + c->stiffness * d->rest_length) - product_so_far(d_axial,
             s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
@@ -430,10 +427,9 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         d_turning_times_x_[k] = product(d_turning, s->x_, k);
         turning_times_x__2[k] = product(s->turning, t->x_, k);
-        d_friction_force[k] = with_constant(k, d->way_times_friction * s->axial_times_y_[k]
-            + d->way_times_friction * s->turning_times_x_[k] + c->way_times_friction * d_axial_times_y_[k]
-            + c->way_times_friction * axial_times_y__2[k] + c->way_times_friction * d_turning_times_x_[k]
-            + c->way_times_friction * turning_times_x__2[k],
+        d_friction_force[k] = with_constant(k, d->way_times_friction * (s->axial_times_y_[k]
+            + s->turning_times_x_[k]) + c->way_times_friction * (d_axial_times_y_[k] + axial_times_y__2[k]
+            + (d_turning_times_x_[k] + turning_times_x__2[k])),
             d->way_times_friction * c->foot_mass_times_gravity_times_cosine
             + c->way_times_friction * d->foot_mass_times_gravity_times_cosine);
         length_rate_times_d_length_rate[k] = product(s->length_rate, d_length_rate, k);
@@ -444,35 +440,33 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - (y__times_vx_2[k] + y__times_vx_3[k])
             - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
-        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (d->inverse_body_mass
-            + d->inverse_foot_mass) * s->axial_times_x_[k] + (-d->inverse_body_mass
-            - d->inverse_foot_mass) * s->turning_times_y_[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * axial_times_x__2[k] + (-c->inverse_body_mass
-            - c->inverse_foot_mass) * d_turning_times_y_[k] + (-c->inverse_body_mass
-            - c->inverse_foot_mass) * turning_times_y__2[k] + d->inverse_foot_mass * s->friction_force[k]
-            + c->inverse_foot_mass * d_friction_force[k], d->inverse_body_mass * c->sum_2
+        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_body_mass * (s->axial_times_x_[k] - s->turning_times_y_[k])
+            + c->inverse_body_mass * (d_axial_times_x_[k] + axial_times_x__2[k] - (d_turning_times_y_[k]
+            + turning_times_y__2[k])) - (d->inverse_foot_mass * (-(s->axial_times_x_[k]
+            - s->turning_times_y_[k]) - s->friction_force[k])
+            + c->inverse_foot_mass * (-(d_axial_times_x_[k] + axial_times_x__2[k] - (d_turning_times_y_[k]
+            + turning_times_y__2[k])) - d_friction_force[k])), d->inverse_body_mass * c->sum_2
             + c->inverse_body_mass * d->sum_2 - d->gravity_times_sine
             - (-(d->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)
             - c->inverse_foot_mass * d->foot_mass_times_gravity_times_sine)));
         t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
-            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
-            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k],
-            d->inverse_body_mass * c->sum_3 + c->inverse_body_mass * d->sum_3 - d->gravity_times_cosine));
+            d->inverse_body_mass * (s->axial_times_y_[k] + s->turning_times_x_[k])
+            + c->inverse_body_mass * (d_axial_times_y_[k] + axial_times_y__2[k] + (d_turning_times_x_[k]
+            + turning_times_x__2[k])), d->inverse_body_mass * c->sum_3 + c->inverse_body_mass * d->sum_3
+            - d->gravity_times_cosine));
         t->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_foot_mass * s->turning_times_y_[k] - d->inverse_foot_mass * s->axial_times_x_[k]
-            - d->inverse_foot_mass * s->friction_force[k] - c->inverse_foot_mass * d_axial_times_x_[k]
-            - c->inverse_foot_mass * axial_times_x__2[k] + c->inverse_foot_mass * d_turning_times_y_[k]
-            + c->inverse_foot_mass * turning_times_y__2[k] - c->inverse_foot_mass * d_friction_force[k],
+            d->inverse_foot_mass * (-(s->axial_times_x_[k] - s->turning_times_y_[k]) - s->friction_force[k])
+            + c->inverse_foot_mass * (-(d_axial_times_x_[k] + axial_times_x__2[k] - (d_turning_times_y_[k]
+            + turning_times_y__2[k])) - d_friction_force[k]),
             -(d->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)
             - c->inverse_foot_mass * d->foot_mass_times_gravity_times_sine));
-        t->external_work[k + 1] = series_reciprocal[k + 1] * (d->sum_2 * s->foot_vx[k] + d->sum_2 * s->vx[k]
-            + c->sum_2 * t->foot_vx[k] + c->sum_2 * t->vx[k] + d->sum_3 * s->vy[k] + c->sum_3 * t->vy[k]);
+        t->external_work[k + 1] = series_reciprocal[k + 1] * (d->sum_2 * (s->foot_vx[k] + s->vx[k])
+            + c->sum_2 * (t->foot_vx[k] + t->vx[k]) + (d->sum_3 * s->vy[k] + c->sum_3 * t->vy[k]));
         t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+            + c->damping * (2.0 * length_rate_times_d_length_rate[k]));
         t->friction_loss[k + 1] = series_reciprocal[k + 1] * (d_friction_force_times_foot_vx[k]
             + friction_force_times_foot_vx_2[k]);
         t->work[k + 1] = series_reciprocal[k + 1] * (d->stance_torque * s->angle_rate[k]
@@ -516,7 +510,7 @@ static void d_observed_slip_constant_vertical_force_on_foot(const real *constant
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
         own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - (d->damping * s->length_rate[k] + c->damping * own_d_length_rate[k])
             - own_axial_times_d_length[k], d->stiffness * c->rest_length + c->stiffness * d->rest_length)
             - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
@@ -526,12 +520,12 @@ static void d_observed_slip_constant_vertical_force_on_foot(const real *constant
             - product_so_far(own_d_turning, s->square, k)) / s->square[0];
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
-        dg[k] = with_constant(k, (d->cosine - c->sine * d->way_times_friction) * s->axial_times_y_[k]
-            + (d->cosine - c->sine * d->way_times_friction) * s->turning_times_x_[k] + (c->cosine
-            - c->sine * c->way_times_friction) * own_d_axial_times_y_[k] + (c->cosine
-            - c->sine * c->way_times_friction) * own_axial_times_y__2[k] + (c->cosine
-            - c->sine * c->way_times_friction) * own_d_turning_times_x_[k] + (c->cosine
-            - c->sine * c->way_times_friction) * own_turning_times_x__2[k] - d->sine * s->friction_force[k],
+        dg[k] = with_constant(k, d->cosine * (s->axial_times_y_[k] + s->turning_times_x_[k])
+            + c->cosine * (own_d_axial_times_y_[k] + own_axial_times_y__2[k] + (own_d_turning_times_x_[k]
+            + own_turning_times_x__2[k])) - (d->sine * s->friction_force[k]
+            + c->sine * (d->way_times_friction * (s->axial_times_y_[k] + s->turning_times_x_[k])
+            + c->way_times_friction * (own_d_axial_times_y_[k] + own_axial_times_y__2[k]
+            + (own_d_turning_times_x_[k] + own_turning_times_x__2[k])))),
             d->cosine * c->foot_mass_times_gravity_times_cosine
             + c->cosine * d->foot_mass_times_gravity_times_cosine
             - c->sine * (d->way_times_friction * c->foot_mass_times_gravity_times_cosine
@@ -563,7 +557,7 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
         own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - (d->damping * s->length_rate[k] + c->damping * own_d_length_rate[k])
             - own_axial_times_d_length[k], d->stiffness * c->rest_length + c->stiffness * d->rest_length)
             - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
@@ -574,7 +568,8 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
         dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
-            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
+            + (own_d_turning_times_x_[k] + own_turning_times_x__2[k]),
+            d->foot_mass_times_gravity_times_cosine);
     }
 }
 
@@ -630,7 +625,7 @@ static void guard_slip_constant_enters_layer(const real *constants, const real *
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->inverse_stribeck_velocity_or_by_1 * c->way * s->foot_vx[k],
+        g[k] = with_constant(k, c->inverse_stribeck_velocity_or_by_1 * (c->way * s->foot_vx[k]),
             broadcast(-60.0));
     }
 }
@@ -659,7 +654,7 @@ static void guard_slip_constant_vertical_force_on_foot(const real *constants, co
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->cosine * s->axial_times_y_[k] + c->cosine * s->turning_times_x_[k]
+        g[k] = with_constant(k, c->cosine * (s->axial_times_y_[k] + s->turning_times_x_[k])
             - c->sine * s->friction_force[k], c->cosine * c->foot_mass_times_gravity_times_cosine);
     }
 }
@@ -824,12 +819,10 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
         s->angle_rate, s->square, by->inverse_square);
-    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_x_[k]
-        - c->inverse_body_mass * s->turning_times_y_[k], c->inverse_body_mass * c->sum_2
-        - c->gravity_times_sine));
-    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
-        + c->inverse_body_mass * s->turning_times_x_[k], c->inverse_body_mass * c->sum_3
-        - c->gravity_times_cosine));
+    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_x_[k]
+        - s->turning_times_y_[k]), c->inverse_body_mass * c->sum_2 - c->gravity_times_sine));
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_y_[k]
+        + s->turning_times_x_[k]), c->inverse_body_mass * c->sum_3 - c->gravity_times_cosine));
     s->external_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->sum_2 * s->vx[k]
         + c->sum_3 * s->vy[k], c->sum_2 * c->foot_vx));
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
@@ -894,7 +887,7 @@ static void vary_stick(const real *constants, const real *series, const real *d_
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
         d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
+            - (d->damping * s->length_rate[k] + c->damping * d_length_rate[k]) - axial_times_d_length[k],
             d->stiffness * c->rest_length + c->stiffness * d->rest_length) - product_so_far(d_axial,
             s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
@@ -914,23 +907,23 @@ static void vary_stick(const real *constants, const real *series, const real *d_
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - (y__times_vx_2[k] + y__times_vx_3[k])
             - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
         t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_body_mass * s->axial_times_x_[k] - d->inverse_body_mass * s->turning_times_y_[k]
-            + c->inverse_body_mass * d_axial_times_x_[k] + c->inverse_body_mass * axial_times_x__2[k]
-            - c->inverse_body_mass * d_turning_times_y_[k] - c->inverse_body_mass * turning_times_y__2[k],
-            d->inverse_body_mass * c->sum_2 + c->inverse_body_mass * d->sum_2 - d->gravity_times_sine));
+            d->inverse_body_mass * (s->axial_times_x_[k] - s->turning_times_y_[k])
+            + c->inverse_body_mass * (d_axial_times_x_[k] + axial_times_x__2[k] - (d_turning_times_y_[k]
+            + turning_times_y__2[k])), d->inverse_body_mass * c->sum_2 + c->inverse_body_mass * d->sum_2
+            - d->gravity_times_sine));
         t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
-            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
-            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k],
-            d->inverse_body_mass * c->sum_3 + c->inverse_body_mass * d->sum_3 - d->gravity_times_cosine));
+            d->inverse_body_mass * (s->axial_times_y_[k] + s->turning_times_x_[k])
+            + c->inverse_body_mass * (d_axial_times_y_[k] + axial_times_y__2[k] + (d_turning_times_x_[k]
+            + turning_times_x__2[k])), d->inverse_body_mass * c->sum_3 + c->inverse_body_mass * d->sum_3
+            - d->gravity_times_cosine));
         t->external_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k, d->sum_2 * s->vx[k]
-            + c->sum_2 * t->vx[k] + d->sum_3 * s->vy[k] + c->sum_3 * t->vy[k], d->sum_2 * c->foot_vx
+            + c->sum_2 * t->vx[k] + (d->sum_3 * s->vy[k] + c->sum_3 * t->vy[k]), d->sum_2 * c->foot_vx
             + c->sum_2 * d->foot_vx));
         t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+            + c->damping * (2.0 * length_rate_times_d_length_rate[k]));
         t->work[k + 1] = series_reciprocal[k + 1] * (d->stance_torque * s->angle_rate[k]
             + c->stance_torque * d_angle_rate[k]);
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
@@ -975,7 +968,7 @@ static void d_observed_stick_vertical_force_on_foot(const real *constants, const
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
         own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - (d->damping * s->length_rate[k] + c->damping * own_d_length_rate[k])
             - own_axial_times_d_length[k], d->stiffness * c->rest_length + c->stiffness * d->rest_length)
             - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_x_[k] = product(own_d_axial, s->x_, k);
@@ -989,13 +982,11 @@ static void d_observed_stick_vertical_force_on_foot(const real *constants, const
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
-        dg[k] = with_constant(k, d->sine * s->axial_times_x_[k] - d->sine * s->turning_times_y_[k]
-            + c->sine * own_d_axial_times_x_[k] + c->sine * own_axial_times_x__2[k]
-            - c->sine * own_d_turning_times_y_[k] - c->sine * own_turning_times_y__2[k]
-            + d->cosine * s->axial_times_y_[k] + d->cosine * s->turning_times_x_[k]
-            + c->cosine * own_d_axial_times_y_[k] + c->cosine * own_axial_times_y__2[k]
-            + c->cosine * own_d_turning_times_x_[k] + c->cosine * own_turning_times_x__2[k],
-            d->sine * c->foot_mass_times_gravity_times_sine
+        dg[k] = with_constant(k, d->sine * (s->axial_times_x_[k] - s->turning_times_y_[k])
+            + c->sine * (own_d_axial_times_x_[k] + own_axial_times_x__2[k] - (own_d_turning_times_y_[k]
+            + own_turning_times_y__2[k])) + (d->cosine * (s->axial_times_y_[k] + s->turning_times_x_[k])
+            + c->cosine * (own_d_axial_times_y_[k] + own_axial_times_y__2[k] + (own_d_turning_times_x_[k]
+            + own_turning_times_x__2[k]))), d->sine * c->foot_mass_times_gravity_times_sine
             + c->sine * d->foot_mass_times_gravity_times_sine
             + (d->cosine * c->foot_mass_times_gravity_times_cosine
             + c->cosine * d->foot_mass_times_gravity_times_cosine));
@@ -1026,7 +1017,7 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
         own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - (d->damping * s->length_rate[k] + c->damping * own_d_length_rate[k])
             - own_axial_times_d_length[k], d->stiffness * c->rest_length + c->stiffness * d->rest_length)
             - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
@@ -1037,7 +1028,8 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
         dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
-            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
+            + (own_d_turning_times_x_[k] + own_turning_times_x__2[k]),
+            d->foot_mass_times_gravity_times_cosine);
     }
 }
 
@@ -1092,9 +1084,8 @@ static void guard_stick_slips_forward(const real *constants, const real *series,
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->static_ratio_times_friction * s->axial_times_y_[k]
-            + c->static_ratio_times_friction * s->turning_times_x_[k] + s->axial_times_x_[k]
-            - s->turning_times_y_[k],
+        g[k] = with_constant(k, c->static_ratio_times_friction * (s->axial_times_y_[k]
+            + s->turning_times_x_[k]) + (s->axial_times_x_[k] - s->turning_times_y_[k]),
             c->static_ratio_times_friction * c->foot_mass_times_gravity_times_cosine
             + c->foot_mass_times_gravity_times_sine);
     }
@@ -1105,9 +1096,8 @@ static void guard_stick_slips_backward(const real *constants, const real *series
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->static_ratio_times_friction * s->axial_times_y_[k]
-            + c->static_ratio_times_friction * s->turning_times_x_[k] - s->axial_times_x_[k]
-            + s->turning_times_y_[k],
+        g[k] = with_constant(k, c->static_ratio_times_friction * (s->axial_times_y_[k]
+            + s->turning_times_x_[k]) - (s->axial_times_x_[k] - s->turning_times_y_[k]),
             c->static_ratio_times_friction * c->foot_mass_times_gravity_times_cosine
             - c->foot_mass_times_gravity_times_sine);
     }
@@ -1128,8 +1118,8 @@ static void guard_stick_vertical_force_on_foot(const real *constants, const real
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->sine * s->axial_times_x_[k] - c->sine * s->turning_times_y_[k]
-            + c->cosine * s->axial_times_y_[k] + c->cosine * s->turning_times_x_[k],
+        g[k] = with_constant(k, c->sine * (s->axial_times_x_[k] - s->turning_times_y_[k])
+            + c->cosine * (s->axial_times_y_[k] + s->turning_times_x_[k]),
             c->sine * c->foot_mass_times_gravity_times_sine
             + c->cosine * c->foot_mass_times_gravity_times_cosine);
     }
@@ -1325,12 +1315,12 @@ KERNEL void step_slip_falling(const slip_falling_constants *c, const slip_fallin
     /* turning_times_y_ = turning * y_ */
     s->turning_times_y_[k] = product_of(k, part_of(sum->turning_times_y_, odd), s->turning, s->y_);
     /* minus_product = -(c->inverse_stribeck_velocity * (c->way * foot_vx)) */
-    s->minus_product[k] = -(c->inverse_stribeck_velocity * c->way * s->foot_vx[k]);
+    s->minus_product[k] = -(c->inverse_stribeck_velocity * (c->way * s->foot_vx[k]));
     /* fading = real_exp(minus_product) */
     s->fading[k] = exp_of(k, s->minus_product, s->fading);
     /* way_times_slip_friction = c->way * (c->friction * (1.0 + c->static_ratio_minus_by_1 * fading)) */
     s->way_times_slip_friction[k] = with_constant(k,
-        c->way * (c->friction * c->static_ratio_minus_by_1) * s->fading[k], c->way * c->friction);
+        c->way * (c->friction * (c->static_ratio_minus_by_1 * s->fading[k])), c->way * c->friction);
     /* axial_times_y_ = axial * y_ */
     s->axial_times_y_[k] = product_of(k, part_of(sum->axial_times_y_, odd), s->axial, s->y_);
     /* turning_times_x_ = turning * x_ */
@@ -1354,19 +1344,16 @@ KERNEL void step_slip_falling(const slip_falling_constants *c, const slip_fallin
     /* angle_rate = (x__times_vy - y__times_vx) / square */
     s->angle_rate[k] = quotient_of(k, part_of(sum->angle_rate, odd), s->x__times_vy[k] - s->y__times_vx[k],
         s->angle_rate, s->square, by->inverse_square);
-    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (c->inverse_body_mass
-        + c->inverse_foot_mass) * s->axial_times_x_[k] + (-c->inverse_body_mass
-        - c->inverse_foot_mass) * s->turning_times_y_[k] + c->inverse_foot_mass * s->friction_force[k],
-        c->inverse_body_mass * c->sum_2 - c->gravity_times_sine
+    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_x_[k]
+        - s->turning_times_y_[k]) - c->inverse_foot_mass * (-(s->axial_times_x_[k] - s->turning_times_y_[k])
+        - s->friction_force[k]), c->inverse_body_mass * c->sum_2 - c->gravity_times_sine
         + c->inverse_foot_mass * c->foot_mass_times_gravity_times_sine));
-    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
-        + c->inverse_body_mass * s->turning_times_x_[k], c->inverse_body_mass * c->sum_3
-        - c->gravity_times_cosine));
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_y_[k]
+        + s->turning_times_x_[k]), c->inverse_body_mass * c->sum_3 - c->gravity_times_cosine));
     s->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->inverse_foot_mass * s->turning_times_y_[k] - c->inverse_foot_mass * s->axial_times_x_[k]
-        - c->inverse_foot_mass * s->friction_force[k],
+        c->inverse_foot_mass * (-(s->axial_times_x_[k] - s->turning_times_y_[k]) - s->friction_force[k]),
         -(c->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)));
-    s->external_work[k + 1] = series_reciprocal[k + 1] * (c->sum_2 * s->foot_vx[k] + c->sum_2 * s->vx[k]
+    s->external_work[k + 1] = series_reciprocal[k + 1] * (c->sum_2 * (s->foot_vx[k] + s->vx[k])
         + c->sum_3 * s->vy[k]);
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->friction_loss[k + 1] = series_reciprocal[k + 1] * (s->friction_force_times_foot_vx[k]);
@@ -1434,7 +1421,7 @@ static void vary_slip_falling(const real *constants, const real *series, const r
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
         d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * d_length_rate[k] - axial_times_d_length[k],
+            - (d->damping * s->length_rate[k] + c->damping * d_length_rate[k]) - axial_times_d_length[k],
             d->stiffness * c->rest_length + c->stiffness * d->rest_length) - product_so_far(d_axial,
             s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
@@ -1444,22 +1431,22 @@ static void vary_slip_falling(const real *constants, const real *series, const r
             - product_so_far(d_turning, s->square, k)) / s->square[0];
         d_turning_times_y_[k] = product(d_turning, s->y_, k);
         turning_times_y__2[k] = product(s->turning, t->y_, k);
-        sum_2[k] = (d->inverse_stribeck_velocity * c->way
-            + c->inverse_stribeck_velocity * d->way) * s->foot_vx[k]
-            + c->inverse_stribeck_velocity * c->way * t->foot_vx[k];
+        sum_2[k] = d->inverse_stribeck_velocity * (c->way * s->foot_vx[k])
+            + c->inverse_stribeck_velocity * (d->way * s->foot_vx[k] + c->way * t->foot_vx[k]);
         fading_times_sum[k] = product(s->fading, sum_2, k);
-        d_way_times_slip_friction[k] = with_constant(k, (d->way * (c->friction * c->static_ratio_minus_by_1)
-            + c->way * (d->friction * c->static_ratio_minus_by_1
-            + c->friction * d->static_ratio_minus_by_1)) * s->fading[k]
-            - c->way * (c->friction * c->static_ratio_minus_by_1) * fading_times_sum[k],
-            d->way * c->friction + c->way * d->friction);
+        d_way_times_slip_friction[k] = with_constant(k,
+            d->way * (c->friction * (c->static_ratio_minus_by_1 * s->fading[k]))
+            + c->way * (d->friction * (c->static_ratio_minus_by_1 * s->fading[k])
+            + c->friction * (d->static_ratio_minus_by_1 * s->fading[k]
+            - c->static_ratio_minus_by_1 * fading_times_sum[k])), d->way * c->friction
+            + c->way * d->friction);
         d_way_times_slip_friction_times_normal[k] = product(d_way_times_slip_friction, s->normal, k);
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         d_turning_times_x_[k] = product(d_turning, s->x_, k);
         turning_times_x__2[k] = product(s->turning, t->x_, k);
-        d_normal[k] = with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k] + d_turning_times_x_[k]
-            + turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
+        d_normal[k] = with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k] + (d_turning_times_x_[k]
+            + turning_times_x__2[k]), d->foot_mass_times_gravity_times_cosine);
         way_times_slip_friction_times_d_normal[k] = product(s->way_times_slip_friction, d_normal, k);
         d_friction_force[k] = d_way_times_slip_friction_times_normal[k]
             + way_times_slip_friction_times_d_normal[k];
@@ -1471,35 +1458,33 @@ static void vary_slip_falling(const real *constants, const real *series, const r
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - (y__times_vx_2[k] + y__times_vx_3[k])
             - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
-        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (d->inverse_body_mass
-            + d->inverse_foot_mass) * s->axial_times_x_[k] + (-d->inverse_body_mass
-            - d->inverse_foot_mass) * s->turning_times_y_[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * axial_times_x__2[k] + (-c->inverse_body_mass
-            - c->inverse_foot_mass) * d_turning_times_y_[k] + (-c->inverse_body_mass
-            - c->inverse_foot_mass) * turning_times_y__2[k] + d->inverse_foot_mass * s->friction_force[k]
-            + c->inverse_foot_mass * d_friction_force[k], d->inverse_body_mass * c->sum_2
+        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_body_mass * (s->axial_times_x_[k] - s->turning_times_y_[k])
+            + c->inverse_body_mass * (d_axial_times_x_[k] + axial_times_x__2[k] - (d_turning_times_y_[k]
+            + turning_times_y__2[k])) - (d->inverse_foot_mass * (-(s->axial_times_x_[k]
+            - s->turning_times_y_[k]) - s->friction_force[k])
+            + c->inverse_foot_mass * (-(d_axial_times_x_[k] + axial_times_x__2[k] - (d_turning_times_y_[k]
+            + turning_times_y__2[k])) - d_friction_force[k])), d->inverse_body_mass * c->sum_2
             + c->inverse_body_mass * d->sum_2 - d->gravity_times_sine
             - (-(d->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)
             - c->inverse_foot_mass * d->foot_mass_times_gravity_times_sine)));
         t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
-            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
-            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k],
-            d->inverse_body_mass * c->sum_3 + c->inverse_body_mass * d->sum_3 - d->gravity_times_cosine));
+            d->inverse_body_mass * (s->axial_times_y_[k] + s->turning_times_x_[k])
+            + c->inverse_body_mass * (d_axial_times_y_[k] + axial_times_y__2[k] + (d_turning_times_x_[k]
+            + turning_times_x__2[k])), d->inverse_body_mass * c->sum_3 + c->inverse_body_mass * d->sum_3
+            - d->gravity_times_cosine));
         t->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_foot_mass * s->turning_times_y_[k] - d->inverse_foot_mass * s->axial_times_x_[k]
-            - d->inverse_foot_mass * s->friction_force[k] - c->inverse_foot_mass * d_axial_times_x_[k]
-            - c->inverse_foot_mass * axial_times_x__2[k] + c->inverse_foot_mass * d_turning_times_y_[k]
-            + c->inverse_foot_mass * turning_times_y__2[k] - c->inverse_foot_mass * d_friction_force[k],
+            d->inverse_foot_mass * (-(s->axial_times_x_[k] - s->turning_times_y_[k]) - s->friction_force[k])
+            + c->inverse_foot_mass * (-(d_axial_times_x_[k] + axial_times_x__2[k] - (d_turning_times_y_[k]
+            + turning_times_y__2[k])) - d_friction_force[k]),
             -(d->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)
             - c->inverse_foot_mass * d->foot_mass_times_gravity_times_sine));
-        t->external_work[k + 1] = series_reciprocal[k + 1] * (d->sum_2 * s->foot_vx[k] + d->sum_2 * s->vx[k]
-            + c->sum_2 * t->foot_vx[k] + c->sum_2 * t->vx[k] + d->sum_3 * s->vy[k] + c->sum_3 * t->vy[k]);
+        t->external_work[k + 1] = series_reciprocal[k + 1] * (d->sum_2 * (s->foot_vx[k] + s->vx[k])
+            + c->sum_2 * (t->foot_vx[k] + t->vx[k]) + (d->sum_3 * s->vy[k] + c->sum_3 * t->vy[k]));
         t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+            + c->damping * (2.0 * length_rate_times_d_length_rate[k]));
         t->friction_loss[k + 1] = series_reciprocal[k + 1] * (d_friction_force_times_foot_vx[k]
             + friction_force_times_foot_vx_2[k]);
         t->work[k + 1] = series_reciprocal[k + 1] * (d->stance_torque * s->angle_rate[k]
@@ -1545,7 +1530,7 @@ static void d_observed_slip_falling_vertical_force_on_foot(const real *constants
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
         own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - (d->damping * s->length_rate[k] + c->damping * own_d_length_rate[k])
             - own_axial_times_d_length[k], d->stiffness * c->rest_length + c->stiffness * d->rest_length)
             - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
@@ -1556,22 +1541,22 @@ static void d_observed_slip_falling_vertical_force_on_foot(const real *constants
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
         own_d_normal[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
-            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
-        own_sum_2[k] = (d->inverse_stribeck_velocity * c->way
-            + c->inverse_stribeck_velocity * d->way) * s->foot_vx[k]
-            + c->inverse_stribeck_velocity * c->way * t->foot_vx[k];
+            + (own_d_turning_times_x_[k] + own_turning_times_x__2[k]),
+            d->foot_mass_times_gravity_times_cosine);
+        own_sum_2[k] = d->inverse_stribeck_velocity * (c->way * s->foot_vx[k])
+            + c->inverse_stribeck_velocity * (d->way * s->foot_vx[k] + c->way * t->foot_vx[k]);
         own_fading_times_sum[k] = product(s->fading, own_sum_2, k);
         own_d_way_times_slip_friction[k] = with_constant(k,
-            (d->way * (c->friction * c->static_ratio_minus_by_1)
-            + c->way * (d->friction * c->static_ratio_minus_by_1
-            + c->friction * d->static_ratio_minus_by_1)) * s->fading[k]
-            - c->way * (c->friction * c->static_ratio_minus_by_1) * own_fading_times_sum[k],
-            d->way * c->friction + c->way * d->friction);
+            d->way * (c->friction * (c->static_ratio_minus_by_1 * s->fading[k]))
+            + c->way * (d->friction * (c->static_ratio_minus_by_1 * s->fading[k])
+            + c->friction * (d->static_ratio_minus_by_1 * s->fading[k]
+            - c->static_ratio_minus_by_1 * own_fading_times_sum[k])), d->way * c->friction
+            + c->way * d->friction);
         own_d_way_times_slip_friction_times_normal[k] = product(own_d_way_times_slip_friction, s->normal, k);
         own_way_times_slip_friction_times_d_normal[k] = product(s->way_times_slip_friction, own_d_normal, k);
-        dg[k] = d->cosine * s->normal[k] + c->cosine * own_d_normal[k] - d->sine * s->friction_force[k]
-            - c->sine * own_d_way_times_slip_friction_times_normal[k]
-            - c->sine * own_way_times_slip_friction_times_d_normal[k];
+        dg[k] = d->cosine * s->normal[k] + c->cosine * own_d_normal[k] - (d->sine * s->friction_force[k]
+            + c->sine * (own_d_way_times_slip_friction_times_normal[k]
+            + own_way_times_slip_friction_times_d_normal[k]));
     }
 }
 
@@ -1599,7 +1584,7 @@ static void d_observed_slip_falling_force_on_foot(const real *constants, const r
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
         own_d_axial[k] = (with_constant(k, -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
+            - (d->damping * s->length_rate[k] + c->damping * own_d_length_rate[k])
             - own_axial_times_d_length[k], d->stiffness * c->rest_length + c->stiffness * d->rest_length)
             - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
@@ -1610,7 +1595,8 @@ static void d_observed_slip_falling_force_on_foot(const real *constants, const r
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
         dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
-            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
+            + (own_d_turning_times_x_[k] + own_turning_times_x__2[k]),
+            d->foot_mass_times_gravity_times_cosine);
     }
 }
 
@@ -1665,7 +1651,7 @@ static void guard_slip_falling_leaves_layer(const real *constants, const real *s
     const slip_falling_constants *c = (const void *)constants;
     const slip_falling_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, -(c->inverse_stribeck_velocity_or_by_1 * c->way * s->foot_vx[k]),
+        g[k] = with_constant(k, -(c->inverse_stribeck_velocity_or_by_1 * (c->way * s->foot_vx[k])),
             broadcast(61.0));
     }
 }

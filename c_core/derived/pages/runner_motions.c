@@ -157,8 +157,8 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length + extension + c->thrusting_times_longer_or_by_0 - length) -
      * c->damping * length_rate) / length */
-    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, c->stiffness * s->extension[k]
-        - c->stiffness * s->length[k] - c->damping * s->length_rate[k], c->stiffness * (c->free_length
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, c->stiffness * (s->extension[k]
+        - s->length[k]) - c->damping * s->length_rate[k], c->stiffness * (c->free_length
         + c->thrusting_times_longer_or_by_0)), s->axial, s->length, by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
@@ -175,8 +175,8 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
     s->normal[k] = with_constant(k, s->axial_times_y_[k] + s->turning_times_x_[k],
         c->foot_mass_times_gravity_times_cosine);
     /* friction_force = c->way * (c->is_own_times_own + c->by_1_minus_is_own * friction) * normal */
-    s->friction_force[k] = drift_times(k, with_constant(0, c->way * c->by_1_minus_is_own * s->friction[0],
-        c->way * c->is_own_times_own), with_constant(1, c->way * c->by_1_minus_is_own * s->friction[1],
+    s->friction_force[k] = drift_times(k, with_constant(0, c->way * (c->by_1_minus_is_own * s->friction[0]),
+        c->way * c->is_own_times_own), with_constant(1, c->way * (c->by_1_minus_is_own * s->friction[1]),
         c->way * c->is_own_times_own), s->normal);
     /* foot_vx_plus_vx = foot_vx + vx */
     s->foot_vx_plus_vx[k] = s->foot_vx[k] + s->vx[k];
@@ -203,23 +203,18 @@ KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_cons
     /* power_of_hip = (external_torque - c->product_2) * angle_rate */
     s->power_of_hip[k] = drift_times(k, with_constant(0, s->external_torque[0], -c->product_2),
         with_constant(1, s->external_torque[1], -c->product_2), s->angle_rate);
-    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (c->inverse_body_mass
-        + c->inverse_foot_mass) * s->axial_times_x_[k] + (-c->inverse_body_mass
-        - c->inverse_foot_mass) * s->turning_times_y_[k]
-        + c->inverse_body_mass * c->cosine * s->external_fx[k]
-        + c->inverse_body_mass * c->sine * s->external_fy[k] + c->inverse_foot_mass * s->friction_force[k],
+    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_x_[k]
+        - s->turning_times_y_[k] + (c->cosine * s->external_fx[k] + c->sine * s->external_fy[k]))
+        - c->inverse_foot_mass * (-(s->axial_times_x_[k] - s->turning_times_y_[k]) - s->friction_force[k]),
         c->inverse_foot_mass * c->foot_mass_times_gravity_times_sine - c->gravity_times_sine));
-    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
-        + c->inverse_body_mass * s->turning_times_x_[k]
-        + c->inverse_body_mass * c->cosine * s->external_fy[k]
-        - c->inverse_body_mass * c->sine * s->external_fx[k], -c->gravity_times_cosine));
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_y_[k]
+        + s->turning_times_x_[k] + (c->cosine * s->external_fy[k] - c->sine * s->external_fx[k])),
+        -c->gravity_times_cosine));
     s->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->inverse_foot_mass * s->turning_times_y_[k] - c->inverse_foot_mass * s->axial_times_x_[k]
-        - c->inverse_foot_mass * s->friction_force[k],
+        c->inverse_foot_mass * (-(s->axial_times_x_[k] - s->turning_times_y_[k]) - s->friction_force[k]),
         -(c->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)));
     s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->stiffness_times_extension_rate * s->extension[k]
-        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (s->extension[k] - s->length[k]),
         c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
     s->external_work[k + 1] = series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k]
         + s->sum_times_vy[k]);
@@ -297,9 +292,9 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
-            + c->stiffness * t->extension[k] - c->stiffness * d_length[k] - d->damping * s->length_rate[k]
-            - c->damping * d_length_rate[k] - axial_times_d_length[k], d->stiffness * (c->free_length
+        d_axial[k] = (with_constant(k, d->stiffness * (s->extension[k] - s->length[k])
+            + c->stiffness * (t->extension[k] - d_length[k]) - (d->damping * s->length_rate[k]
+            + c->damping * d_length_rate[k]) - axial_times_d_length[k], d->stiffness * (c->free_length
             + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
             + d->thrusting_times_longer_or_by_0)) - product_so_far(d_axial, s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
@@ -311,24 +306,23 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         d_turning_times_y_[k] = product(d_turning, s->y_, k);
         turning_times_y__2[k] = product(s->turning, t->y_, k);
         sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k]
-            + d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
-        sum_2[k] = with_constant(k, (d->way * c->by_1_minus_is_own
-            + c->way * d->by_1_minus_is_own) * s->friction[k]
-            + c->way * c->by_1_minus_is_own * t->friction[k], d->way * c->is_own_times_own
-            + c->way * d->is_own_times_own);
+            + (d->sine * s->external_fy[k] + c->sine * t->external_fy[k]);
+        sum_2[k] = with_constant(k, d->way * (c->by_1_minus_is_own * s->friction[k])
+            + c->way * (d->by_1_minus_is_own * s->friction[k] + c->by_1_minus_is_own * t->friction[k]),
+            d->way * c->is_own_times_own + c->way * d->is_own_times_own);
         sum_times_normal[k] = product(sum_2, s->normal, k);
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         d_turning_times_x_[k] = product(d_turning, s->x_, k);
         turning_times_x__2[k] = product(s->turning, t->x_, k);
-        d_normal[k] = with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k] + d_turning_times_x_[k]
-            + turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
+        d_normal[k] = with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k] + (d_turning_times_x_[k]
+            + turning_times_x__2[k]), d->foot_mass_times_gravity_times_cosine);
         way_times_friction_along_times_d_normal[k] = drift_times(k, with_constant(0,
-            c->way * c->by_1_minus_is_own * s->friction[0], c->way * c->is_own_times_own), with_constant(1,
-            c->way * c->by_1_minus_is_own * s->friction[1], c->way * c->is_own_times_own), d_normal);
+            c->way * (c->by_1_minus_is_own * s->friction[0]), c->way * c->is_own_times_own), with_constant(1,
+            c->way * (c->by_1_minus_is_own * s->friction[1]), c->way * c->is_own_times_own), d_normal);
         d_friction_force[k] = sum_times_normal[k] + way_times_friction_along_times_d_normal[k];
         sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k]
-            - d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
+            - (d->sine * s->external_fx[k] + c->sine * t->external_fx[k]);
         sum_plus_sum_times_foot_vx_plus_vx[k] = product(sum_plus_sum, s->foot_vx_plus_vx, k);
         d_foot_vx_plus_vx[k] = t->foot_vx[k] + t->vx[k];
         sum_times_d_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
@@ -346,47 +340,40 @@ static void vary_slip_constant(const real *constants, const real *series, const 
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - (y__times_vx_2[k] + y__times_vx_3[k])
             - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
         stance_torque_times_d_angle_rate[k] = drift_times(k, with_constant(0, s->external_torque[0],
             -c->product_2), with_constant(1, s->external_torque[1], -c->product_2), d_angle_rate);
-        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (d->inverse_body_mass
-            + d->inverse_foot_mass) * s->axial_times_x_[k] + (-d->inverse_body_mass
-            - d->inverse_foot_mass) * s->turning_times_y_[k]
-            + d->inverse_body_mass * c->cosine * s->external_fx[k]
-            + d->inverse_body_mass * c->sine * s->external_fy[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * axial_times_x__2[k] + (-c->inverse_body_mass
-            - c->inverse_foot_mass) * d_turning_times_y_[k] + (-c->inverse_body_mass
-            - c->inverse_foot_mass) * turning_times_y__2[k] + c->inverse_body_mass * sum_plus_sum[k]
-            + d->inverse_foot_mass * s->friction_force[k] + c->inverse_foot_mass * d_friction_force[k],
-            -d->gravity_times_sine - (-(d->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)
+        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_body_mass * (s->axial_times_x_[k] - s->turning_times_y_[k]
+            + (c->cosine * s->external_fx[k] + c->sine * s->external_fy[k]))
+            + c->inverse_body_mass * (d_axial_times_x_[k] + axial_times_x__2[k] - (d_turning_times_y_[k]
+            + turning_times_y__2[k]) + sum_plus_sum[k]) - (d->inverse_foot_mass * (-(s->axial_times_x_[k]
+            - s->turning_times_y_[k]) - s->friction_force[k])
+            + c->inverse_foot_mass * (-(d_axial_times_x_[k] + axial_times_x__2[k] - (d_turning_times_y_[k]
+            + turning_times_y__2[k])) - d_friction_force[k])), -d->gravity_times_sine
+            - (-(d->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)
             - c->inverse_foot_mass * d->foot_mass_times_gravity_times_sine)));
         t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
-            + d->inverse_body_mass * c->cosine * s->external_fy[k]
-            - d->inverse_body_mass * c->sine * s->external_fx[k]
-            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
-            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k]
-            + c->inverse_body_mass * sum_minus_sum[k], -d->gravity_times_cosine));
+            d->inverse_body_mass * (s->axial_times_y_[k] + s->turning_times_x_[k]
+            + (c->cosine * s->external_fy[k] - c->sine * s->external_fx[k]))
+            + c->inverse_body_mass * (d_axial_times_y_[k] + axial_times_y__2[k] + (d_turning_times_x_[k]
+            + turning_times_x__2[k]) + sum_minus_sum[k]), -d->gravity_times_cosine));
         t->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_foot_mass * s->turning_times_y_[k] - d->inverse_foot_mass * s->axial_times_x_[k]
-            - d->inverse_foot_mass * s->friction_force[k] - c->inverse_foot_mass * d_axial_times_x_[k]
-            - c->inverse_foot_mass * axial_times_x__2[k] + c->inverse_foot_mass * d_turning_times_y_[k]
-            + c->inverse_foot_mass * turning_times_y__2[k] - c->inverse_foot_mass * d_friction_force[k],
+            d->inverse_foot_mass * (-(s->axial_times_x_[k] - s->turning_times_y_[k]) - s->friction_force[k])
+            + c->inverse_foot_mass * (-(d_axial_times_x_[k] + axial_times_x__2[k] - (d_turning_times_y_[k]
+            + turning_times_y__2[k])) - d_friction_force[k]),
             -(d->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)
             - c->inverse_foot_mass * d->foot_mass_times_gravity_times_sine));
         t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->stiffness_times_extension_rate * s->extension[k]
-            - d->stiffness_times_extension_rate * s->length[k]
-            + c->stiffness_times_extension_rate * t->extension[k]
-            - c->stiffness_times_extension_rate * d_length[k],
+            d->stiffness_times_extension_rate * (s->extension[k] - s->length[k])
+            + c->stiffness_times_extension_rate * (t->extension[k] - d_length[k]),
             d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
             + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
         t->external_work[k + 1] = series_reciprocal[k + 1] * (sum_plus_sum_times_foot_vx_plus_vx[k]
-            + sum_times_d_foot_vx_plus_vx[k] + sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
+            + sum_times_d_foot_vx_plus_vx[k] + (sum_minus_sum_times_vy[k] + sum_times_vy_2[k]));
         t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+            + c->damping * (2.0 * length_rate_times_d_length_rate[k]));
         t->friction_loss[k + 1] = series_reciprocal[k + 1] * (d_friction_force_times_foot_vx[k]
             + friction_force_times_foot_vx_2[k]);
         t->work[k + 1] = series_reciprocal[k + 1] * (d_stance_torque_times_angle_rate[k]
@@ -436,12 +423,12 @@ static void d_observed_slip_constant_vertical_force_on_foot(const real *constant
             + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
-            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
-            - own_axial_times_d_length[k], d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
+        own_d_axial[k] = (with_constant(k, d->stiffness * (s->extension[k] - s->length[k])
+            + c->stiffness * (t->extension[k] - own_d_length[k]) - (d->damping * s->length_rate[k]
+            + c->damping * own_d_length_rate[k]) - own_axial_times_d_length[k],
+            d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0))
+            - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
@@ -450,17 +437,17 @@ static void d_observed_slip_constant_vertical_force_on_foot(const real *constant
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
         own_d_normal[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
-            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
-        own_sum_2[k] = with_constant(k, (d->way * c->by_1_minus_is_own
-            + c->way * d->by_1_minus_is_own) * s->friction[k]
-            + c->way * c->by_1_minus_is_own * t->friction[k], d->way * c->is_own_times_own
-            + c->way * d->is_own_times_own);
+            + (own_d_turning_times_x_[k] + own_turning_times_x__2[k]),
+            d->foot_mass_times_gravity_times_cosine);
+        own_sum_2[k] = with_constant(k, d->way * (c->by_1_minus_is_own * s->friction[k])
+            + c->way * (d->by_1_minus_is_own * s->friction[k] + c->by_1_minus_is_own * t->friction[k]),
+            d->way * c->is_own_times_own + c->way * d->is_own_times_own);
         own_sum_times_normal[k] = product(own_sum_2, s->normal, k);
         own_way_times_friction_along_times_d_normal[k] = drift_times(k, with_constant(0,
-            c->way * c->by_1_minus_is_own * s->friction[0], c->way * c->is_own_times_own), with_constant(1,
-            c->way * c->by_1_minus_is_own * s->friction[1], c->way * c->is_own_times_own), own_d_normal);
-        dg[k] = d->cosine * s->normal[k] + c->cosine * own_d_normal[k] - d->sine * s->friction_force[k]
-            - c->sine * own_sum_times_normal[k] - c->sine * own_way_times_friction_along_times_d_normal[k];
+            c->way * (c->by_1_minus_is_own * s->friction[0]), c->way * c->is_own_times_own), with_constant(1,
+            c->way * (c->by_1_minus_is_own * s->friction[1]), c->way * c->is_own_times_own), own_d_normal);
+        dg[k] = d->cosine * s->normal[k] + c->cosine * own_d_normal[k] - (d->sine * s->friction_force[k]
+            + c->sine * (own_sum_times_normal[k] + own_way_times_friction_along_times_d_normal[k]));
     }
 }
 
@@ -487,12 +474,12 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
             + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
-            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
-            - own_axial_times_d_length[k], d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
+        own_d_axial[k] = (with_constant(k, d->stiffness * (s->extension[k] - s->length[k])
+            + c->stiffness * (t->extension[k] - own_d_length[k]) - (d->damping * s->length_rate[k]
+            + c->damping * own_d_length_rate[k]) - own_axial_times_d_length[k],
+            d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0))
+            - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
@@ -501,7 +488,8 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
         dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
-            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
+            + (own_d_turning_times_x_[k] + own_turning_times_x__2[k]),
+            d->foot_mass_times_gravity_times_cosine);
     }
 }
 
@@ -596,7 +584,7 @@ static void guard_slip_constant_enters_layer(const real *constants, const real *
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->inverse_stribeck_velocity_or_by_1 * c->way * s->foot_vx[k],
+        g[k] = with_constant(k, c->inverse_stribeck_velocity_or_by_1 * (c->way * s->foot_vx[k]),
             broadcast(-60.0));
     }
 }
@@ -616,7 +604,7 @@ static void guard_slip_constant_crosses_border(const real *constants, const real
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, -(c->way * c->cosine * s->foot_x[k]),
+        g[k] = with_constant(k, -(c->way * (c->cosine * s->foot_x[k])),
             c->way * c->segment_end_or_segment_begin);
     }
 }
@@ -818,8 +806,8 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length + extension + c->thrusting_times_longer_or_by_0 - length) -
      * c->damping * length_rate) / length */
-    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, c->stiffness * s->extension[k]
-        - c->stiffness * s->length[k] - c->damping * s->length_rate[k], c->stiffness * (c->free_length
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, c->stiffness * (s->extension[k]
+        - s->length[k]) - c->damping * s->length_rate[k], c->stiffness * (c->free_length
         + c->thrusting_times_longer_or_by_0)), s->axial, s->length, by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
@@ -854,17 +842,14 @@ KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k,
     /* power_of_hip = (external_torque - c->product_2) * angle_rate */
     s->power_of_hip[k] = drift_times(k, with_constant(0, s->external_torque[0], -c->product_2),
         with_constant(1, s->external_torque[1], -c->product_2), s->angle_rate);
-    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_x_[k]
-        - c->inverse_body_mass * s->turning_times_y_[k]
-        + c->inverse_body_mass * c->cosine * s->external_fx[k]
-        + c->inverse_body_mass * c->sine * s->external_fy[k], -c->gravity_times_sine));
-    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
-        + c->inverse_body_mass * s->turning_times_x_[k]
-        + c->inverse_body_mass * c->cosine * s->external_fy[k]
-        - c->inverse_body_mass * c->sine * s->external_fx[k], -c->gravity_times_cosine));
+    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_x_[k]
+        - s->turning_times_y_[k] + (c->cosine * s->external_fx[k] + c->sine * s->external_fy[k])),
+        -c->gravity_times_sine));
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_y_[k]
+        + s->turning_times_x_[k] + (c->cosine * s->external_fy[k] - c->sine * s->external_fx[k])),
+        -c->gravity_times_cosine));
     s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->stiffness_times_extension_rate * s->extension[k]
-        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (s->extension[k] - s->length[k]),
         c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
     s->external_work[k + 1] = series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k]
         + s->sum_times_vy[k]);
@@ -937,9 +922,9 @@ static void vary_stick(const real *constants, const real *series, const real *d_
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
-            + c->stiffness * t->extension[k] - c->stiffness * d_length[k] - d->damping * s->length_rate[k]
-            - c->damping * d_length_rate[k] - axial_times_d_length[k], d->stiffness * (c->free_length
+        d_axial[k] = (with_constant(k, d->stiffness * (s->extension[k] - s->length[k])
+            + c->stiffness * (t->extension[k] - d_length[k]) - (d->damping * s->length_rate[k]
+            + c->damping * d_length_rate[k]) - axial_times_d_length[k], d->stiffness * (c->free_length
             + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
             + d->thrusting_times_longer_or_by_0)) - product_so_far(d_axial, s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
@@ -951,13 +936,13 @@ static void vary_stick(const real *constants, const real *series, const real *d_
         d_turning_times_y_[k] = product(d_turning, s->y_, k);
         turning_times_y__2[k] = product(s->turning, t->y_, k);
         sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k]
-            + d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
+            + (d->sine * s->external_fy[k] + c->sine * t->external_fy[k]);
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         d_turning_times_x_[k] = product(d_turning, s->x_, k);
         turning_times_x__2[k] = product(s->turning, t->x_, k);
         sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k]
-            - d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
+            - (d->sine * s->external_fx[k] + c->sine * t->external_fx[k]);
         sum_plus_sum_times_foot_vx_plus_vx[k] = product(sum_plus_sum, s->foot_vx_plus_vx, k);
         d_foot_vx_plus_vx[k] = with_constant(k, t->vx[k], d->foot_vx);
         sum_times_d_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
@@ -973,35 +958,29 @@ static void vary_stick(const real *constants, const real *series, const real *d_
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - (y__times_vx_2[k] + y__times_vx_3[k])
             - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
         stance_torque_times_d_angle_rate[k] = drift_times(k, with_constant(0, s->external_torque[0],
             -c->product_2), with_constant(1, s->external_torque[1], -c->product_2), d_angle_rate);
         t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_body_mass * s->axial_times_x_[k] - d->inverse_body_mass * s->turning_times_y_[k]
-            + d->inverse_body_mass * c->cosine * s->external_fx[k]
-            + d->inverse_body_mass * c->sine * s->external_fy[k]
-            + c->inverse_body_mass * d_axial_times_x_[k] + c->inverse_body_mass * axial_times_x__2[k]
-            - c->inverse_body_mass * d_turning_times_y_[k] - c->inverse_body_mass * turning_times_y__2[k]
-            + c->inverse_body_mass * sum_plus_sum[k], -d->gravity_times_sine));
+            d->inverse_body_mass * (s->axial_times_x_[k] - s->turning_times_y_[k]
+            + (c->cosine * s->external_fx[k] + c->sine * s->external_fy[k]))
+            + c->inverse_body_mass * (d_axial_times_x_[k] + axial_times_x__2[k] - (d_turning_times_y_[k]
+            + turning_times_y__2[k]) + sum_plus_sum[k]), -d->gravity_times_sine));
         t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
-            + d->inverse_body_mass * c->cosine * s->external_fy[k]
-            - d->inverse_body_mass * c->sine * s->external_fx[k]
-            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
-            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k]
-            + c->inverse_body_mass * sum_minus_sum[k], -d->gravity_times_cosine));
+            d->inverse_body_mass * (s->axial_times_y_[k] + s->turning_times_x_[k]
+            + (c->cosine * s->external_fy[k] - c->sine * s->external_fx[k]))
+            + c->inverse_body_mass * (d_axial_times_y_[k] + axial_times_y__2[k] + (d_turning_times_x_[k]
+            + turning_times_x__2[k]) + sum_minus_sum[k]), -d->gravity_times_cosine));
         t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->stiffness_times_extension_rate * s->extension[k]
-            - d->stiffness_times_extension_rate * s->length[k]
-            + c->stiffness_times_extension_rate * t->extension[k]
-            - c->stiffness_times_extension_rate * d_length[k],
+            d->stiffness_times_extension_rate * (s->extension[k] - s->length[k])
+            + c->stiffness_times_extension_rate * (t->extension[k] - d_length[k]),
             d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
             + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
         t->external_work[k + 1] = series_reciprocal[k + 1] * (sum_plus_sum_times_foot_vx_plus_vx[k]
-            + sum_times_d_foot_vx_plus_vx[k] + sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
+            + sum_times_d_foot_vx_plus_vx[k] + (sum_minus_sum_times_vy[k] + sum_times_vy_2[k]));
         t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+            + c->damping * (2.0 * length_rate_times_d_length_rate[k]));
         t->work[k + 1] = series_reciprocal[k + 1] * (d_stance_torque_times_angle_rate[k]
             + stance_torque_times_d_angle_rate[k]);
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
@@ -1050,12 +1029,12 @@ static void d_observed_stick_vertical_force_on_foot(const real *constants, const
             + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
-            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
-            - own_axial_times_d_length[k], d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
+        own_d_axial[k] = (with_constant(k, d->stiffness * (s->extension[k] - s->length[k])
+            + c->stiffness * (t->extension[k] - own_d_length[k]) - (d->damping * s->length_rate[k]
+            + c->damping * own_d_length_rate[k]) - own_axial_times_d_length[k],
+            d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0))
+            - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_x_[k] = product(own_d_axial, s->x_, k);
         own_axial_times_x__2[k] = product(s->axial, t->x_, k);
         own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
@@ -1067,13 +1046,11 @@ static void d_observed_stick_vertical_force_on_foot(const real *constants, const
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
-        dg[k] = with_constant(k, d->sine * s->axial_times_x_[k] - d->sine * s->turning_times_y_[k]
-            + c->sine * own_d_axial_times_x_[k] + c->sine * own_axial_times_x__2[k]
-            - c->sine * own_d_turning_times_y_[k] - c->sine * own_turning_times_y__2[k]
-            + d->cosine * s->axial_times_y_[k] + d->cosine * s->turning_times_x_[k]
-            + c->cosine * own_d_axial_times_y_[k] + c->cosine * own_axial_times_y__2[k]
-            + c->cosine * own_d_turning_times_x_[k] + c->cosine * own_turning_times_x__2[k],
-            d->sine * c->foot_mass_times_gravity_times_sine
+        dg[k] = with_constant(k, d->sine * (s->axial_times_x_[k] - s->turning_times_y_[k])
+            + c->sine * (own_d_axial_times_x_[k] + own_axial_times_x__2[k] - (own_d_turning_times_y_[k]
+            + own_turning_times_y__2[k])) + (d->cosine * (s->axial_times_y_[k] + s->turning_times_x_[k])
+            + c->cosine * (own_d_axial_times_y_[k] + own_axial_times_y__2[k] + (own_d_turning_times_x_[k]
+            + own_turning_times_x__2[k]))), d->sine * c->foot_mass_times_gravity_times_sine
             + c->sine * d->foot_mass_times_gravity_times_sine
             + (d->cosine * c->foot_mass_times_gravity_times_cosine
             + c->cosine * d->foot_mass_times_gravity_times_cosine));
@@ -1103,12 +1080,12 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
             + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
-            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
-            - own_axial_times_d_length[k], d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
+        own_d_axial[k] = (with_constant(k, d->stiffness * (s->extension[k] - s->length[k])
+            + c->stiffness * (t->extension[k] - own_d_length[k]) - (d->damping * s->length_rate[k]
+            + c->damping * own_d_length_rate[k]) - own_axial_times_d_length[k],
+            d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0))
+            - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
@@ -1117,7 +1094,8 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
         dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
-            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
+            + (own_d_turning_times_x_[k] + own_turning_times_x__2[k]),
+            d->foot_mass_times_gravity_times_cosine);
     }
 }
 
@@ -1203,11 +1181,12 @@ static void guard_stick_slips_forward(const real *constants, const real *series,
     for (int k = 0; k < order; ++k) {
         own_normal[k] = with_constant(k, s->axial_times_y_[k] + s->turning_times_x_[k],
             c->foot_mass_times_gravity_times_cosine);
-        own_cone[k] = drift_times(k, with_constant(0, c->static_ratio * c->by_1_minus_is_own * s->friction[0],
+        own_cone[k] = drift_times(k, with_constant(0,
+            c->static_ratio * (c->by_1_minus_is_own * s->friction[0]),
             c->static_ratio * c->is_own_times_friction_ahead), with_constant(1,
-            c->static_ratio * c->by_1_minus_is_own * s->friction[1],
+            c->static_ratio * (c->by_1_minus_is_own * s->friction[1]),
             c->static_ratio * c->is_own_times_friction_ahead), own_normal);
-        g[k] = with_constant(k, own_cone[k] + s->axial_times_x_[k] - s->turning_times_y_[k],
+        g[k] = with_constant(k, own_cone[k] + (s->axial_times_x_[k] - s->turning_times_y_[k]),
             c->foot_mass_times_gravity_times_sine);
     }
 }
@@ -1221,12 +1200,12 @@ static void guard_stick_slips_backward(const real *constants, const real *series
         own_normal[k] = with_constant(k, s->axial_times_y_[k] + s->turning_times_x_[k],
             c->foot_mass_times_gravity_times_cosine);
         own_static_ratio_times_sum_times_normal[k] = drift_times(k, with_constant(0,
-            c->static_ratio * c->by_1_minus_by_0_or_by_1 * s->friction[0],
+            c->static_ratio * (c->by_1_minus_by_0_or_by_1 * s->friction[0]),
             c->static_ratio * c->by_0_or_by_1_times_friction_behind), with_constant(1,
-            c->static_ratio * c->by_1_minus_by_0_or_by_1 * s->friction[1],
+            c->static_ratio * (c->by_1_minus_by_0_or_by_1 * s->friction[1]),
             c->static_ratio * c->by_0_or_by_1_times_friction_behind), own_normal);
-        g[k] = with_constant(k, own_static_ratio_times_sum_times_normal[k] - s->axial_times_x_[k]
-            + s->turning_times_y_[k], -c->foot_mass_times_gravity_times_sine);
+        g[k] = with_constant(k, own_static_ratio_times_sum_times_normal[k] - (s->axial_times_x_[k]
+            - s->turning_times_y_[k]), -c->foot_mass_times_gravity_times_sine);
     }
 }
 
@@ -1245,8 +1224,8 @@ static void guard_stick_vertical_force_on_foot(const real *constants, const real
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->sine * s->axial_times_x_[k] - c->sine * s->turning_times_y_[k]
-            + c->cosine * s->axial_times_y_[k] + c->cosine * s->turning_times_x_[k],
+        g[k] = with_constant(k, c->sine * (s->axial_times_x_[k] - s->turning_times_y_[k])
+            + c->cosine * (s->axial_times_y_[k] + s->turning_times_x_[k]),
             c->sine * c->foot_mass_times_gravity_times_sine
             + c->cosine * c->foot_mass_times_gravity_times_cosine);
     }
@@ -1407,9 +1386,9 @@ KERNEL void step_flight_calm(const flight_calm_constants *c, const flight_calm_f
         s->length, s->rate_times_rate);
     /* swing_torque = external_torque + (-(c->share_times_kp * (angle - (c->first - c->turn * placing))) -
      * c->share_times_kd * (rate + c->turn)) */
-    s->swing_torque[k] = with_constant(k, s->external_torque[k] - c->share_times_kp * s->angle[k]
-        - c->share_times_kp * c->turn * s->placing[k] - c->share_times_kd * s->rate[k],
-        c->share_times_kp * c->first - c->share_times_kd * c->turn);
+    s->swing_torque[k] = with_constant(k, s->external_torque[k] + (-(c->share_times_kp * (s->angle[k]
+        + c->turn * s->placing[k])) - c->share_times_kd * s->rate[k]), c->share_times_kp * c->first
+        - c->share_times_kd * c->turn);
     /* length_rate_times_length_rate = length_rate * length_rate */
     s->length_rate_times_length_rate[k] = square_of(k, part_of(sum->length_rate_times_length_rate, odd),
         s->length_rate);
@@ -1417,13 +1396,11 @@ KERNEL void step_flight_calm(const flight_calm_constants *c, const flight_calm_f
     s->power_of_hip[k] = product_of(k, part_of(sum->power_of_hip, odd), s->swing_torque, s->rate);
     s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
     s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
-        + c->mobility * c->stiffness * s->extension[k] - c->mobility * c->stiffness * s->length[k]
-        - c->mobility * c->damping * s->length_rate[k], c->mobility * (c->stiffness * (c->free_length
-        + c->thrusting_times_longer_or_by_0))));
+        + c->mobility * (c->stiffness * (s->extension[k] - s->length[k]) - c->damping * s->length_rate[k]),
+        c->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0))));
     s->momentum[k + 1] = series_reciprocal[k + 1] * (c->mobility * s->swing_torque[k]);
     s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->stiffness_times_extension_rate * s->extension[k]
-        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (s->extension[k] - s->length[k]),
         c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
@@ -1484,10 +1461,9 @@ static void vary_flight_calm(const real *constants, const real *series, const re
         rate_times_d_rate[k] = product(s->rate, d_rate, k);
         d_rate_times_rate[k] = 2.0 * rate_times_d_rate[k];
         length_times_d_rate_times_rate[k] = product(s->length, d_rate_times_rate, k);
-        d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->share_times_kp * s->angle[k]
-            - (d->share_times_kp * c->turn + c->share_times_kp * d->turn) * s->placing[k]
-            - c->share_times_kp * t->angle[k] - c->share_times_kp * c->turn * t->placing[k]
-            - d->share_times_kd * s->rate[k] - c->share_times_kd * d_rate[k],
+        d_swing_torque[k] = with_constant(k, t->external_torque[k] + (-(d->share_times_kp * (s->angle[k]
+            + c->turn * s->placing[k]) + c->share_times_kp * (t->angle[k] + (d->turn * s->placing[k]
+            + c->turn * t->placing[k]))) - (d->share_times_kd * s->rate[k] + c->share_times_kd * d_rate[k])),
             -(-(d->share_times_kp * c->first) - c->share_times_kp * d->first) - (d->share_times_kd * c->turn
             + c->share_times_kd * d->turn));
         length_rate_times_length_rate_2[k] = product(s->length_rate, t->length_rate, k);
@@ -1496,25 +1472,22 @@ static void vary_flight_calm(const real *constants, const real *series, const re
         t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
         t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
             length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
-            + (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k]
-            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
-            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
-            + c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k]
-            - c->mobility * c->damping * t->length_rate[k], d->mobility * (c->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0)) + c->mobility * (d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0))));
+            + (d->mobility * (c->stiffness * (s->extension[k] - s->length[k])
+            - c->damping * s->length_rate[k]) + c->mobility * (d->stiffness * (s->extension[k]
+            - s->length[k]) + c->stiffness * (t->extension[k] - t->length[k])
+            - (d->damping * s->length_rate[k] + c->damping * t->length_rate[k]))),
+            d->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0))
+            + c->mobility * (d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0))));
         t->momentum[k + 1] = series_reciprocal[k + 1] * (d->mobility * s->swing_torque[k]
             + c->mobility * d_swing_torque[k]);
         t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->stiffness_times_extension_rate * s->extension[k]
-            - d->stiffness_times_extension_rate * s->length[k]
-            + c->stiffness_times_extension_rate * t->extension[k]
-            - c->stiffness_times_extension_rate * t->length[k],
+            d->stiffness_times_extension_rate * (s->extension[k] - s->length[k])
+            + c->stiffness_times_extension_rate * (t->extension[k] - t->length[k]),
             d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
             + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
         t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
+            + c->damping * (2.0 * length_rate_times_length_rate_2[k]));
         t->work[k + 1] = series_reciprocal[k + 1] * (d_swing_torque_times_rate[k]
             + swing_torque_times_d_rate[k]);
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
@@ -1563,17 +1536,12 @@ static void d_observed_flight_calm_height_of_foot(const real *constants, const r
         own_angle_minus_slope_2[k] = with_constant(k, t->angle[k], -d->slope);
         own_product_3[k] = product(own_sin_of_angle_minus_slope, own_angle_minus_slope_2, k);
         own_product_times_product_3[k] = product(own_product_4, own_product_3, k);
-        dg[k] = with_constant(k, (d->inverse_cos_of_slope * c->cos_of_slope
-            + c->inverse_cos_of_slope * d->cos_of_slope) * s->com_y[k]
-            + (-(d->inverse_cos_of_slope * c->sin_of_slope)
-            - c->inverse_cos_of_slope * d->sin_of_slope) * s->com_x[k]
-            - d->inverse_cos_of_slope * own_product_times_cos_of_angle_minus_slope[k]
-            + c->inverse_cos_of_slope * c->cos_of_slope * t->com_y[k]
-            - c->inverse_cos_of_slope * c->sin_of_slope * t->com_x[k]
-            - c->inverse_cos_of_slope * own_product_2[k]
-            + c->inverse_cos_of_slope * own_product_times_product_3[k],
-            c->inverse_cos_of_slope * (-(d->cos_of_slope * c->height) - c->cos_of_slope * d->height)
-            - d->inverse_cos_of_slope * (c->cos_of_slope * c->height));
+        dg[k] = with_constant(k, d->inverse_cos_of_slope * (c->cos_of_slope * s->com_y[k]
+            - c->sin_of_slope * s->com_x[k] - own_product_times_cos_of_angle_minus_slope[k])
+            + c->inverse_cos_of_slope * (d->cos_of_slope * s->com_y[k] + c->cos_of_slope * t->com_y[k]
+            - (d->sin_of_slope * s->com_x[k] + c->sin_of_slope * t->com_x[k]) - (own_product_2[k]
+            - own_product_times_product_3[k])), c->inverse_cos_of_slope * (-(d->cos_of_slope * c->height)
+            - c->cos_of_slope * d->height) - d->inverse_cos_of_slope * (c->cos_of_slope * c->height));
     }
 }
 
@@ -1592,12 +1560,11 @@ static void d_observed_flight_calm_square_of_torque(const real *constants, const
         own_rate_times_d_square[k] = product(s->rate, own_d_square, k);
         own_d_rate[k] = (t->momentum[k] - own_rate_times_d_square[k] - product_so_far(own_d_rate, s->square,
             k)) / s->square[0];
-        own_d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->share_times_kp * s->angle[k]
-            - (d->share_times_kp * c->turn + c->share_times_kp * d->turn) * s->placing[k]
-            - c->share_times_kp * t->angle[k] - c->share_times_kp * c->turn * t->placing[k]
-            - d->share_times_kd * s->rate[k] - c->share_times_kd * own_d_rate[k],
-            -(-(d->share_times_kp * c->first) - c->share_times_kp * d->first) - (d->share_times_kd * c->turn
-            + c->share_times_kd * d->turn));
+        own_d_swing_torque[k] = with_constant(k, t->external_torque[k] + (-(d->share_times_kp * (s->angle[k]
+            + c->turn * s->placing[k]) + c->share_times_kp * (t->angle[k] + (d->turn * s->placing[k]
+            + c->turn * t->placing[k]))) - (d->share_times_kd * s->rate[k]
+            + c->share_times_kd * own_d_rate[k])), -(-(d->share_times_kp * c->first)
+            - c->share_times_kp * d->first) - (d->share_times_kd * c->turn + c->share_times_kd * d->turn));
         own_swing_torque_times_d_swing_torque[k] = product(s->swing_torque, own_d_swing_torque, k);
         dg[k] = 2.0 * own_swing_torque_times_d_swing_torque[k];
     }
@@ -1611,8 +1578,8 @@ static void guard_flight_calm_passes_end(const real *constants, const real *seri
     for (int k = 0; k < order; ++k) {
         sine_and_cosine_by_rate(k, s->angle, s->rate, own_sine, own_cosine);
         own_length_times_sine[k] = product(s->length, own_sine, k);
-        g[k] = with_constant(k, -s->com_x[k]
-            - c->body_mass_over_body_mass_plus_foot_mass * own_length_times_sine[k], c->segment_end);
+        g[k] = with_constant(k, -(s->com_x[k]
+            + c->body_mass_over_body_mass_plus_foot_mass * own_length_times_sine[k]), c->segment_end);
     }
 }
 
@@ -1667,8 +1634,8 @@ static void guard_flight_calm_new_ground(const real *constants, const real *seri
         sine_and_cosine_of(k, own_angle_minus_set_slope, own_sin_of_angle_minus_set_slope,
             own_cos_of_angle_minus_set_slope);
         own_product_2[k] = product(own_product_4, own_cos_of_angle_minus_set_slope, k);
-        g[k] = with_constant(k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k]
-            + own_product_2[k], c->cos_of_set_slope * c->set_height);
+        g[k] = with_constant(k, -(c->cos_of_set_slope * s->com_y[k] - c->sin_of_set_slope * s->com_x[k]
+            - own_product_2[k]), c->cos_of_set_slope * c->set_height);
     }
 }
 
@@ -1740,7 +1707,7 @@ static void guard_flight_calm_release(const real *constants, const real *series,
     const flight_calm_constants *c = (const void *)constants;
     const flight_calm_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->kp * s->angle[k] + c->kd * s->rate[k],
+        g[k] = with_constant(k, -(-(c->kp * s->angle[k]) - c->kd * s->rate[k]),
             -(c->kp * c->liftoff_factor_times_liftoff_angle));
     }
 }
@@ -1767,9 +1734,8 @@ static void guard_flight_calm_height_of_foot(const real *constants, const real *
             own_cos_of_angle_minus_slope);
         own_product_times_cos_of_angle_minus_slope[k] = product(own_product_4, own_cos_of_angle_minus_slope,
             k);
-        g[k] = with_constant(k, c->inverse_cos_of_slope * c->cos_of_slope * s->com_y[k]
-            - c->inverse_cos_of_slope * c->sin_of_slope * s->com_x[k]
-            - c->inverse_cos_of_slope * own_product_times_cos_of_angle_minus_slope[k],
+        g[k] = with_constant(k, c->inverse_cos_of_slope * (c->cos_of_slope * s->com_y[k]
+            - c->sin_of_slope * s->com_x[k] - own_product_times_cos_of_angle_minus_slope[k]),
             -(c->inverse_cos_of_slope * (c->cos_of_slope * c->height)));
     }
 }
@@ -2003,8 +1969,8 @@ KERNEL void step_graze(const graze_constants *c, const graze_factors *by, int k,
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length + extension + c->thrusting_times_longer_or_by_0 - length) -
      * c->damping * length_rate) / length */
-    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, c->stiffness * s->extension[k]
-        - c->stiffness * s->length[k] - c->damping * s->length_rate[k], c->stiffness * (c->free_length
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, c->stiffness * (s->extension[k]
+        - s->length[k]) - c->damping * s->length_rate[k], c->stiffness * (c->free_length
         + c->thrusting_times_longer_or_by_0)), s->axial, s->length, by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
@@ -2041,21 +2007,18 @@ KERNEL void step_graze(const graze_constants *c, const graze_factors *by, int k,
     /* product_3_times_angle_rate = product_3 * angle_rate */
     s->product_3_times_angle_rate[k] = product_of(k, part_of(sum->product_3_times_angle_rate, odd),
         s->product_3, s->angle_rate);
-    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (c->inverse_body_mass
-        + c->inverse_foot_mass) * s->axial_times_x_[k] + (c->inverse_body_mass
-        + c->inverse_foot_mass) * s->product_2[k] + c->inverse_body_mass * c->cosine * s->external_fx[k]
-        + c->inverse_body_mass * c->sine * s->external_fy[k], c->inverse_foot_mass * c->along
+    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_x_[k]
+        + s->product_2[k] + (c->cosine * s->external_fx[k] + c->sine * s->external_fy[k]))
+        + c->inverse_foot_mass * (s->axial_times_x_[k] + s->product_2[k]), c->inverse_foot_mass * c->along
         - c->gravity_times_sine));
     s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->inverse_body_mass * c->cosine * s->external_fy[k]
-        - c->inverse_body_mass * c->sine * s->external_fx[k], -(c->inverse_body_mass * c->off)
-        - c->gravity_times_cosine));
+        c->inverse_body_mass * (c->cosine * s->external_fy[k] - c->sine * s->external_fx[k]),
+        -(c->inverse_body_mass * c->off) - c->gravity_times_cosine));
     s->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        -(c->inverse_foot_mass * s->axial_times_x_[k]) - c->inverse_foot_mass * s->product_2[k],
+        -(c->inverse_foot_mass * (s->axial_times_x_[k] + s->product_2[k])),
         -(c->inverse_foot_mass * c->along)));
     s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->stiffness_times_extension_rate * s->extension[k]
-        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (s->extension[k] - s->length[k]),
         c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
     s->external_work[k + 1] = series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k]
         + s->sum_times_vy[k]);
@@ -2129,9 +2092,9 @@ static void vary_graze(const real *constants, const real *series, const real *d_
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
-            + c->stiffness * t->extension[k] - c->stiffness * d_length[k] - d->damping * s->length_rate[k]
-            - c->damping * d_length_rate[k] - axial_times_d_length[k], d->stiffness * (c->free_length
+        d_axial[k] = (with_constant(k, d->stiffness * (s->extension[k] - s->length[k])
+            + c->stiffness * (t->extension[k] - d_length[k]) - (d->damping * s->length_rate[k]
+            + c->damping * d_length_rate[k]) - axial_times_d_length[k], d->stiffness * (c->free_length
             + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
             + d->thrusting_times_longer_or_by_0)) - product_so_far(d_axial, s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
@@ -2144,9 +2107,9 @@ static void vary_graze(const real *constants, const real *series, const real *d_
         product_5[k] = product(d_axial_times_y__plus_off_over_x_, s->y_, k);
         product_6[k] = product(s->axial_times_y__plus_off_over_x_, t->y_, k);
         sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k]
-            + d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
+            + (d->sine * s->external_fy[k] + c->sine * t->external_fy[k]);
         sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k]
-            - d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
+            - (d->sine * s->external_fx[k] + c->sine * t->external_fx[k]);
         sum_plus_sum_times_foot_vx_plus_vx[k] = product(sum_plus_sum, s->foot_vx_plus_vx, k);
         d_foot_vx_plus_vx[k] = t->foot_vx[k] + t->vx[k];
         sum_times_d_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
@@ -2165,40 +2128,36 @@ static void vary_graze(const real *constants, const real *series, const real *d_
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - (y__times_vx_2[k] + y__times_vx_3[k])
             - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
         product_3_times_d_angle_rate[k] = product(s->product_3, d_angle_rate, k);
-        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (d->inverse_body_mass
-            + d->inverse_foot_mass) * s->axial_times_x_[k] + (d->inverse_body_mass
-            + d->inverse_foot_mass) * s->product_2[k] + d->inverse_body_mass * c->cosine * s->external_fx[k]
-            + d->inverse_body_mass * c->sine * s->external_fy[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * axial_times_x__2[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * product_5[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * product_6[k] + c->inverse_body_mass * sum_plus_sum[k],
-            d->inverse_foot_mass * c->along + c->inverse_foot_mass * d->along - d->gravity_times_sine));
+        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_body_mass * (s->axial_times_x_[k] + s->product_2[k] + (c->cosine * s->external_fx[k]
+            + c->sine * s->external_fy[k])) + c->inverse_body_mass * (d_axial_times_x_[k]
+            + axial_times_x__2[k] + (product_5[k] + product_6[k]) + sum_plus_sum[k])
+            + (d->inverse_foot_mass * (s->axial_times_x_[k] + s->product_2[k])
+            + c->inverse_foot_mass * (d_axial_times_x_[k] + axial_times_x__2[k] + (product_5[k]
+            + product_6[k]))), d->inverse_foot_mass * c->along + c->inverse_foot_mass * d->along
+            - d->gravity_times_sine));
         t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_body_mass * c->cosine * s->external_fy[k]
-            - d->inverse_body_mass * c->sine * s->external_fx[k] + c->inverse_body_mass * sum_minus_sum[k],
-            -(d->inverse_body_mass * c->off) - c->inverse_body_mass * d->off - d->gravity_times_cosine));
+            d->inverse_body_mass * (c->cosine * s->external_fy[k] - c->sine * s->external_fx[k])
+            + c->inverse_body_mass * sum_minus_sum[k], -(d->inverse_body_mass * c->off)
+            - c->inverse_body_mass * d->off - d->gravity_times_cosine));
         t->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            -(d->inverse_foot_mass * s->axial_times_x_[k]) - d->inverse_foot_mass * s->product_2[k]
-            - c->inverse_foot_mass * d_axial_times_x_[k] - c->inverse_foot_mass * axial_times_x__2[k]
-            - c->inverse_foot_mass * product_5[k] - c->inverse_foot_mass * product_6[k],
-            -(d->inverse_foot_mass * c->along + c->inverse_foot_mass * d->along)));
+            -(d->inverse_foot_mass * (s->axial_times_x_[k] + s->product_2[k])
+            + c->inverse_foot_mass * (d_axial_times_x_[k] + axial_times_x__2[k] + (product_5[k]
+            + product_6[k]))), -(d->inverse_foot_mass * c->along + c->inverse_foot_mass * d->along)));
         t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->stiffness_times_extension_rate * s->extension[k]
-            - d->stiffness_times_extension_rate * s->length[k]
-            + c->stiffness_times_extension_rate * t->extension[k]
-            - c->stiffness_times_extension_rate * d_length[k],
+            d->stiffness_times_extension_rate * (s->extension[k] - s->length[k])
+            + c->stiffness_times_extension_rate * (t->extension[k] - d_length[k]),
             d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
             + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
         t->external_work[k + 1] = series_reciprocal[k + 1] * (sum_plus_sum_times_foot_vx_plus_vx[k]
-            + sum_times_d_foot_vx_plus_vx[k] + sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
+            + sum_times_d_foot_vx_plus_vx[k] + (sum_minus_sum_times_vy[k] + sum_times_vy_2[k]));
         t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
-        t->work[k + 1] = series_reciprocal[k + 1] * (-d_product_3_times_angle_rate[k]
-            - product_3_times_d_angle_rate[k]);
+            + c->damping * (2.0 * length_rate_times_d_length_rate[k]));
+        t->work[k + 1] = series_reciprocal[k + 1] * (-(d_product_3_times_angle_rate[k]
+            + product_3_times_d_angle_rate[k]));
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
         t->external_fx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_rate));
         t->external_fy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fy_rate));
@@ -2244,12 +2203,12 @@ static void d_observed_graze_square_of_torque(const real *constants, const real 
             + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
-            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
-            - own_axial_times_d_length[k], d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
+        own_d_axial[k] = (with_constant(k, d->stiffness * (s->extension[k] - s->length[k])
+            + c->stiffness * (t->extension[k] - own_d_length[k]) - (d->damping * s->length_rate[k]
+            + c->damping * own_d_length_rate[k]) - own_axial_times_d_length[k],
+            d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0))
+            - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_product_4[k] = product(s->axial_times_y__plus_off_over_x_, t->x_, k);
@@ -2314,7 +2273,7 @@ static void guard_graze_apex_in_graze(const real *constants, const real *series,
     const graze_constants *c = (const void *)constants;
     const graze_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = c->sine * s->foot_vx[k] + c->sine * c->share * s->vx[k] + c->cosine * c->share * s->vy[k];
+        g[k] = c->sine * (s->foot_vx[k] + c->share * s->vx[k]) + c->cosine * (c->share * s->vy[k]);
     }
 }
 
@@ -2333,8 +2292,8 @@ static void guard_graze_release(const real *constants, const real *series, int o
     const graze_constants *c = (const void *)constants;
     const graze_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->kp * s->seen_angle[k] + c->kd * s->angle_rate[k], c->kp * (c->winding
-            - c->liftoff_factor_times_liftoff_angle));
+        g[k] = with_constant(k, -(-(c->kp * s->seen_angle[k]) - c->kd * s->angle_rate[k]),
+            c->kp * (c->winding - c->liftoff_factor_times_liftoff_angle));
     }
 }
 
@@ -2356,7 +2315,7 @@ static void guard_graze_graze_to_contact(const real *constants, const real *seri
         own_turning[k] = (with_constant(k, s->external_torque[k], -c->product_2) - product_so_far(own_turning,
             s->square, k)) / s->square[0];
         own_turning_times_x_[k] = product(own_turning, s->x_, k);
-        g[k] = with_constant(k, -s->axial_times_y_[k] - own_turning_times_x_[k], -c->off);
+        g[k] = with_constant(k, -(s->axial_times_y_[k] + own_turning_times_x_[k]), -c->off);
     }
 }
 
@@ -2367,9 +2326,8 @@ static void guard_graze_graze_to_flight(const real *constants, const real *serie
     real own_swing_torque_over_square[TERMS], own_swing_torque_over_square_times_x_[TERMS];
     for (int k = 0; k < order; ++k) {
         own_swing_torque_over_square[k] = (with_constant(k, s->external_torque[k]
-            - c->by_1_or_by_0_times_kp * s->seen_angle[k]
-            - c->by_1_or_by_0_times_kp * c->turn * s->placing[k]
-            - c->by_1_or_by_0_times_kd * s->angle_rate[k], -(c->by_1_or_by_0_times_kp * (c->winding
+            + (-(c->by_1_or_by_0_times_kp * (s->seen_angle[k] + c->turn * s->placing[k]))
+            - c->by_1_or_by_0_times_kd * s->angle_rate[k]), -(c->by_1_or_by_0_times_kp * (c->winding
             - c->first)) - c->by_1_or_by_0_times_kd * c->turn) - product_so_far(own_swing_torque_over_square,
             s->square, k)) / s->square[0];
         own_swing_torque_over_square_times_x_[k] = product(own_swing_torque_over_square, s->x_, k);
@@ -2572,8 +2530,8 @@ KERNEL void step_slip_falling(const slip_falling_constants *c, const slip_fallin
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (c->stiffness * (c->free_length + extension + c->thrusting_times_longer_or_by_0 - length) -
      * c->damping * length_rate) / length */
-    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, c->stiffness * s->extension[k]
-        - c->stiffness * s->length[k] - c->damping * s->length_rate[k], c->stiffness * (c->free_length
+    s->axial[k] = quotient_of(k, part_of(sum->axial, odd), with_constant(k, c->stiffness * (s->extension[k]
+        - s->length[k]) - c->damping * s->length_rate[k], c->stiffness * (c->free_length
         + c->thrusting_times_longer_or_by_0)), s->axial, s->length, by->inverse_length);
     /* axial_times_x_ = axial * x_ */
     s->axial_times_x_[k] = product_of(k, part_of(sum->axial_times_x_, odd), s->axial, s->x_);
@@ -2583,7 +2541,7 @@ KERNEL void step_slip_falling(const slip_falling_constants *c, const slip_fallin
     /* turning_times_y_ = turning * y_ */
     s->turning_times_y_[k] = product_of(k, part_of(sum->turning_times_y_, odd), s->turning, s->y_);
     /* minus_product = -(c->inverse_stribeck_velocity * (c->way * foot_vx)) */
-    s->minus_product[k] = -(c->inverse_stribeck_velocity * c->way * s->foot_vx[k]);
+    s->minus_product[k] = -(c->inverse_stribeck_velocity * (c->way * s->foot_vx[k]));
     /* fading = real_exp(minus_product) */
     s->fading[k] = exp_of(k, s->minus_product, s->fading);
     /* sum_2 = 1.0 + c->static_ratio_minus_by_1 * fading */
@@ -2629,23 +2587,18 @@ KERNEL void step_slip_falling(const slip_falling_constants *c, const slip_fallin
     /* power_of_hip = (external_torque - c->product_2) * angle_rate */
     s->power_of_hip[k] = drift_times(k, with_constant(0, s->external_torque[0], -c->product_2),
         with_constant(1, s->external_torque[1], -c->product_2), s->angle_rate);
-    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (c->inverse_body_mass
-        + c->inverse_foot_mass) * s->axial_times_x_[k] + (-c->inverse_body_mass
-        - c->inverse_foot_mass) * s->turning_times_y_[k]
-        + c->inverse_body_mass * c->cosine * s->external_fx[k]
-        + c->inverse_body_mass * c->sine * s->external_fy[k] + c->inverse_foot_mass * s->friction_force[k],
+    s->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_x_[k]
+        - s->turning_times_y_[k] + (c->cosine * s->external_fx[k] + c->sine * s->external_fy[k]))
+        - c->inverse_foot_mass * (-(s->axial_times_x_[k] - s->turning_times_y_[k]) - s->friction_force[k]),
         c->inverse_foot_mass * c->foot_mass_times_gravity_times_sine - c->gravity_times_sine));
-    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * s->axial_times_y_[k]
-        + c->inverse_body_mass * s->turning_times_x_[k]
-        + c->inverse_body_mass * c->cosine * s->external_fy[k]
-        - c->inverse_body_mass * c->sine * s->external_fx[k], -c->gravity_times_cosine));
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_body_mass * (s->axial_times_y_[k]
+        + s->turning_times_x_[k] + (c->cosine * s->external_fy[k] - c->sine * s->external_fx[k])),
+        -c->gravity_times_cosine));
     s->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->inverse_foot_mass * s->turning_times_y_[k] - c->inverse_foot_mass * s->axial_times_x_[k]
-        - c->inverse_foot_mass * s->friction_force[k],
+        c->inverse_foot_mass * (-(s->axial_times_x_[k] - s->turning_times_y_[k]) - s->friction_force[k]),
         -(c->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)));
     s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->stiffness_times_extension_rate * s->extension[k]
-        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (s->extension[k] - s->length[k]),
         c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
     s->external_work[k + 1] = series_reciprocal[k + 1] * (s->sum_times_foot_vx_plus_vx[k]
         + s->sum_times_vy[k]);
@@ -2725,9 +2678,9 @@ static void vary_slip_falling(const real *constants, const real *series, const r
         d_length[k + 1] = (0.5 * d_square[k + 1] - product_so_far(d_length, s->length, k + 1)) / s->length[0];
         d_length_rate[k] = (double)(k + 1) * d_length[k + 1];
         axial_times_d_length[k] = product(s->axial, d_length, k);
-        d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
-            + c->stiffness * t->extension[k] - c->stiffness * d_length[k] - d->damping * s->length_rate[k]
-            - c->damping * d_length_rate[k] - axial_times_d_length[k], d->stiffness * (c->free_length
+        d_axial[k] = (with_constant(k, d->stiffness * (s->extension[k] - s->length[k])
+            + c->stiffness * (t->extension[k] - d_length[k]) - (d->damping * s->length_rate[k]
+            + c->damping * d_length_rate[k]) - axial_times_d_length[k], d->stiffness * (c->free_length
             + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
             + d->thrusting_times_longer_or_by_0)) - product_so_far(d_axial, s->length, k)) / s->length[0];
         d_axial_times_x_[k] = product(d_axial, s->x_, k);
@@ -2739,13 +2692,12 @@ static void vary_slip_falling(const real *constants, const real *series, const r
         d_turning_times_y_[k] = product(d_turning, s->y_, k);
         turning_times_y__2[k] = product(s->turning, t->y_, k);
         sum_plus_sum[k] = d->cosine * s->external_fx[k] + c->cosine * t->external_fx[k]
-            + d->sine * s->external_fy[k] + c->sine * t->external_fy[k];
+            + (d->sine * s->external_fy[k] + c->sine * t->external_fy[k]);
         d_friction_along[k] = with_constant(k, d->by_1_minus_is_own * s->friction[k]
             + c->by_1_minus_is_own * t->friction[k], d->is_own_times_own);
         d_friction_along_times_sum_2[k] = product(d_friction_along, s->sum_2, k);
-        product_plus_product[k] = (d->inverse_stribeck_velocity * c->way
-            + c->inverse_stribeck_velocity * d->way) * s->foot_vx[k]
-            + c->inverse_stribeck_velocity * c->way * t->foot_vx[k];
+        product_plus_product[k] = d->inverse_stribeck_velocity * (c->way * s->foot_vx[k])
+            + c->inverse_stribeck_velocity * (d->way * s->foot_vx[k] + c->way * t->foot_vx[k]);
         fading_times_product_plus_product[k] = product(s->fading, product_plus_product, k);
         d_sum_2[k] = d->static_ratio_minus_by_1 * s->fading[k]
             - c->static_ratio_minus_by_1 * fading_times_product_plus_product[k];
@@ -2753,19 +2705,19 @@ static void vary_slip_falling(const real *constants, const real *series, const r
             c->by_1_minus_is_own * s->friction[0], c->is_own_times_own), with_constant(1,
             c->by_1_minus_is_own * s->friction[1], c->is_own_times_own), d_sum_2);
         d_way_times_slip_friction[k] = d->way * s->slip_friction[k]
-            + c->way * d_friction_along_times_sum_2[k] + c->way * friction_along_times_d_sum_2[k];
+            + c->way * (d_friction_along_times_sum_2[k] + friction_along_times_d_sum_2[k]);
         d_way_times_slip_friction_times_normal[k] = product(d_way_times_slip_friction, s->normal, k);
         d_axial_times_y_[k] = product(d_axial, s->y_, k);
         axial_times_y__2[k] = product(s->axial, t->y_, k);
         d_turning_times_x_[k] = product(d_turning, s->x_, k);
         turning_times_x__2[k] = product(s->turning, t->x_, k);
-        d_normal[k] = with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k] + d_turning_times_x_[k]
-            + turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
+        d_normal[k] = with_constant(k, d_axial_times_y_[k] + axial_times_y__2[k] + (d_turning_times_x_[k]
+            + turning_times_x__2[k]), d->foot_mass_times_gravity_times_cosine);
         way_times_slip_friction_times_d_normal[k] = product(s->way_times_slip_friction, d_normal, k);
         d_friction_force[k] = d_way_times_slip_friction_times_normal[k]
             + way_times_slip_friction_times_d_normal[k];
         sum_minus_sum[k] = d->cosine * s->external_fy[k] + c->cosine * t->external_fy[k]
-            - d->sine * s->external_fx[k] - c->sine * t->external_fx[k];
+            - (d->sine * s->external_fx[k] + c->sine * t->external_fx[k]);
         sum_plus_sum_times_foot_vx_plus_vx[k] = product(sum_plus_sum, s->foot_vx_plus_vx, k);
         d_foot_vx_plus_vx[k] = t->foot_vx[k] + t->vx[k];
         sum_times_d_foot_vx_plus_vx[k] = drift_times(k, c->cosine * s->external_fx[0]
@@ -2783,47 +2735,40 @@ static void vary_slip_falling(const real *constants, const real *series, const r
         y__times_vx_2[k] = product(t->y_, s->vx, k);
         y__times_vx_3[k] = product(s->y_, t->vx, k);
         angle_rate_times_d_square[k] = product(s->angle_rate, d_square, k);
-        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - y__times_vx_2[k] - y__times_vx_3[k]
+        d_angle_rate[k] = (x__times_vy_2[k] + x__times_vy_3[k] - (y__times_vx_2[k] + y__times_vx_3[k])
             - angle_rate_times_d_square[k] - product_so_far(d_angle_rate, s->square, k)) / s->square[0];
         stance_torque_times_d_angle_rate[k] = drift_times(k, with_constant(0, s->external_torque[0],
             -c->product_2), with_constant(1, s->external_torque[1], -c->product_2), d_angle_rate);
-        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k, (d->inverse_body_mass
-            + d->inverse_foot_mass) * s->axial_times_x_[k] + (-d->inverse_body_mass
-            - d->inverse_foot_mass) * s->turning_times_y_[k]
-            + d->inverse_body_mass * c->cosine * s->external_fx[k]
-            + d->inverse_body_mass * c->sine * s->external_fy[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * d_axial_times_x_[k] + (c->inverse_body_mass
-            + c->inverse_foot_mass) * axial_times_x__2[k] + (-c->inverse_body_mass
-            - c->inverse_foot_mass) * d_turning_times_y_[k] + (-c->inverse_body_mass
-            - c->inverse_foot_mass) * turning_times_y__2[k] + c->inverse_body_mass * sum_plus_sum[k]
-            + d->inverse_foot_mass * s->friction_force[k] + c->inverse_foot_mass * d_friction_force[k],
-            -d->gravity_times_sine - (-(d->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)
+        t->vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
+            d->inverse_body_mass * (s->axial_times_x_[k] - s->turning_times_y_[k]
+            + (c->cosine * s->external_fx[k] + c->sine * s->external_fy[k]))
+            + c->inverse_body_mass * (d_axial_times_x_[k] + axial_times_x__2[k] - (d_turning_times_y_[k]
+            + turning_times_y__2[k]) + sum_plus_sum[k]) - (d->inverse_foot_mass * (-(s->axial_times_x_[k]
+            - s->turning_times_y_[k]) - s->friction_force[k])
+            + c->inverse_foot_mass * (-(d_axial_times_x_[k] + axial_times_x__2[k] - (d_turning_times_y_[k]
+            + turning_times_y__2[k])) - d_friction_force[k])), -d->gravity_times_sine
+            - (-(d->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)
             - c->inverse_foot_mass * d->foot_mass_times_gravity_times_sine)));
         t->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_body_mass * s->axial_times_y_[k] + d->inverse_body_mass * s->turning_times_x_[k]
-            + d->inverse_body_mass * c->cosine * s->external_fy[k]
-            - d->inverse_body_mass * c->sine * s->external_fx[k]
-            + c->inverse_body_mass * d_axial_times_y_[k] + c->inverse_body_mass * axial_times_y__2[k]
-            + c->inverse_body_mass * d_turning_times_x_[k] + c->inverse_body_mass * turning_times_x__2[k]
-            + c->inverse_body_mass * sum_minus_sum[k], -d->gravity_times_cosine));
+            d->inverse_body_mass * (s->axial_times_y_[k] + s->turning_times_x_[k]
+            + (c->cosine * s->external_fy[k] - c->sine * s->external_fx[k]))
+            + c->inverse_body_mass * (d_axial_times_y_[k] + axial_times_y__2[k] + (d_turning_times_x_[k]
+            + turning_times_x__2[k]) + sum_minus_sum[k]), -d->gravity_times_cosine));
         t->foot_vx[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->inverse_foot_mass * s->turning_times_y_[k] - d->inverse_foot_mass * s->axial_times_x_[k]
-            - d->inverse_foot_mass * s->friction_force[k] - c->inverse_foot_mass * d_axial_times_x_[k]
-            - c->inverse_foot_mass * axial_times_x__2[k] + c->inverse_foot_mass * d_turning_times_y_[k]
-            + c->inverse_foot_mass * turning_times_y__2[k] - c->inverse_foot_mass * d_friction_force[k],
+            d->inverse_foot_mass * (-(s->axial_times_x_[k] - s->turning_times_y_[k]) - s->friction_force[k])
+            + c->inverse_foot_mass * (-(d_axial_times_x_[k] + axial_times_x__2[k] - (d_turning_times_y_[k]
+            + turning_times_y__2[k])) - d_friction_force[k]),
             -(d->inverse_foot_mass * c->foot_mass_times_gravity_times_sine)
             - c->inverse_foot_mass * d->foot_mass_times_gravity_times_sine));
         t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->stiffness_times_extension_rate * s->extension[k]
-            - d->stiffness_times_extension_rate * s->length[k]
-            + c->stiffness_times_extension_rate * t->extension[k]
-            - c->stiffness_times_extension_rate * d_length[k],
+            d->stiffness_times_extension_rate * (s->extension[k] - s->length[k])
+            + c->stiffness_times_extension_rate * (t->extension[k] - d_length[k]),
             d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
             + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
         t->external_work[k + 1] = series_reciprocal[k + 1] * (sum_plus_sum_times_foot_vx_plus_vx[k]
-            + sum_times_d_foot_vx_plus_vx[k] + sum_minus_sum_times_vy[k] + sum_times_vy_2[k]);
+            + sum_times_d_foot_vx_plus_vx[k] + (sum_minus_sum_times_vy[k] + sum_times_vy_2[k]));
         t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_d_length_rate[k]);
+            + c->damping * (2.0 * length_rate_times_d_length_rate[k]));
         t->friction_loss[k + 1] = series_reciprocal[k + 1] * (d_friction_force_times_foot_vx[k]
             + friction_force_times_foot_vx_2[k]);
         t->work[k + 1] = series_reciprocal[k + 1] * (d_stance_torque_times_angle_rate[k]
@@ -2875,12 +2820,12 @@ static void d_observed_slip_falling_vertical_force_on_foot(const real *constants
             + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
-            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
-            - own_axial_times_d_length[k], d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
+        own_d_axial[k] = (with_constant(k, d->stiffness * (s->extension[k] - s->length[k])
+            + c->stiffness * (t->extension[k] - own_d_length[k]) - (d->damping * s->length_rate[k]
+            + c->damping * own_d_length_rate[k]) - own_axial_times_d_length[k],
+            d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0))
+            - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
@@ -2889,13 +2834,13 @@ static void d_observed_slip_falling_vertical_force_on_foot(const real *constants
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
         own_d_normal[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
-            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
+            + (own_d_turning_times_x_[k] + own_turning_times_x__2[k]),
+            d->foot_mass_times_gravity_times_cosine);
         own_d_friction_along[k] = with_constant(k, d->by_1_minus_is_own * s->friction[k]
             + c->by_1_minus_is_own * t->friction[k], d->is_own_times_own);
         own_d_friction_along_times_sum_2[k] = product(own_d_friction_along, s->sum_2, k);
-        own_product_plus_product[k] = (d->inverse_stribeck_velocity * c->way
-            + c->inverse_stribeck_velocity * d->way) * s->foot_vx[k]
-            + c->inverse_stribeck_velocity * c->way * t->foot_vx[k];
+        own_product_plus_product[k] = d->inverse_stribeck_velocity * (c->way * s->foot_vx[k])
+            + c->inverse_stribeck_velocity * (d->way * s->foot_vx[k] + c->way * t->foot_vx[k]);
         own_fading_times_product_plus_product[k] = product(s->fading, own_product_plus_product, k);
         own_d_sum_2[k] = d->static_ratio_minus_by_1 * s->fading[k]
             - c->static_ratio_minus_by_1 * own_fading_times_product_plus_product[k];
@@ -2903,12 +2848,12 @@ static void d_observed_slip_falling_vertical_force_on_foot(const real *constants
             c->by_1_minus_is_own * s->friction[0], c->is_own_times_own), with_constant(1,
             c->by_1_minus_is_own * s->friction[1], c->is_own_times_own), own_d_sum_2);
         own_d_way_times_slip_friction[k] = d->way * s->slip_friction[k]
-            + c->way * own_d_friction_along_times_sum_2[k] + c->way * own_friction_along_times_d_sum_2[k];
+            + c->way * (own_d_friction_along_times_sum_2[k] + own_friction_along_times_d_sum_2[k]);
         own_d_way_times_slip_friction_times_normal[k] = product(own_d_way_times_slip_friction, s->normal, k);
         own_way_times_slip_friction_times_d_normal[k] = product(s->way_times_slip_friction, own_d_normal, k);
-        dg[k] = d->cosine * s->normal[k] + c->cosine * own_d_normal[k] - d->sine * s->friction_force[k]
-            - c->sine * own_d_way_times_slip_friction_times_normal[k]
-            - c->sine * own_way_times_slip_friction_times_d_normal[k];
+        dg[k] = d->cosine * s->normal[k] + c->cosine * own_d_normal[k] - (d->sine * s->friction_force[k]
+            + c->sine * (own_d_way_times_slip_friction_times_normal[k]
+            + own_way_times_slip_friction_times_d_normal[k]));
     }
 }
 
@@ -2935,12 +2880,12 @@ static void d_observed_slip_falling_force_on_foot(const real *constants, const r
             + 1)) / s->length[0];
         own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
         own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
-        own_d_axial[k] = (with_constant(k, d->stiffness * s->extension[k] - d->stiffness * s->length[k]
-            + c->stiffness * t->extension[k] - c->stiffness * own_d_length[k]
-            - d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k]
-            - own_axial_times_d_length[k], d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0)) - product_so_far(own_d_axial, s->length, k)) / s->length[0];
+        own_d_axial[k] = (with_constant(k, d->stiffness * (s->extension[k] - s->length[k])
+            + c->stiffness * (t->extension[k] - own_d_length[k]) - (d->damping * s->length_rate[k]
+            + c->damping * own_d_length_rate[k]) - own_axial_times_d_length[k],
+            d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0))
+            - product_so_far(own_d_axial, s->length, k)) / s->length[0];
         own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
         own_axial_times_y__2[k] = product(s->axial, t->y_, k);
         own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
@@ -2949,7 +2894,8 @@ static void d_observed_slip_falling_force_on_foot(const real *constants, const r
         own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
         own_turning_times_x__2[k] = product(s->turning, t->x_, k);
         dg[k] = with_constant(k, own_d_axial_times_y_[k] + own_axial_times_y__2[k]
-            + own_d_turning_times_x_[k] + own_turning_times_x__2[k], d->foot_mass_times_gravity_times_cosine);
+            + (own_d_turning_times_x_[k] + own_turning_times_x__2[k]),
+            d->foot_mass_times_gravity_times_cosine);
     }
 }
 
@@ -3044,7 +2990,7 @@ static void guard_slip_falling_leaves_layer(const real *constants, const real *s
     const slip_falling_constants *c = (const void *)constants;
     const slip_falling_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, -(c->inverse_stribeck_velocity_or_by_1 * c->way * s->foot_vx[k]),
+        g[k] = with_constant(k, -(c->inverse_stribeck_velocity_or_by_1 * (c->way * s->foot_vx[k])),
             broadcast(61.0));
     }
 }
@@ -3063,7 +3009,7 @@ static void guard_slip_falling_crosses_border(const real *constants, const real 
     const slip_falling_constants *c = (const void *)constants;
     const slip_falling_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, -(c->way * c->cosine * s->foot_x[k]),
+        g[k] = with_constant(k, -(c->way * (c->cosine * s->foot_x[k])),
             c->way * c->segment_end_or_segment_begin);
     }
 }
@@ -3265,9 +3211,9 @@ KERNEL void step_flight_pushed(const flight_pushed_constants *c, const flight_pu
     s->axial[k] = s->external_fy_times_cosine[k] - s->external_fx_times_sine[k];
     /* swing_torque = external_torque + (-(c->share_times_kp * (angle - (c->first - c->turn * placing))) -
      * c->share_times_kd * (rate + c->turn)) */
-    s->swing_torque[k] = with_constant(k, s->external_torque[k] - c->share_times_kp * s->angle[k]
-        - c->share_times_kp * c->turn * s->placing[k] - c->share_times_kd * s->rate[k],
-        c->share_times_kp * c->first - c->share_times_kd * c->turn);
+    s->swing_torque[k] = with_constant(k, s->external_torque[k] + (-(c->share_times_kp * (s->angle[k]
+        + c->turn * s->placing[k])) - c->share_times_kd * s->rate[k]), c->share_times_kp * c->first
+        - c->share_times_kd * c->turn);
     /* external_fx_times_cosine = external_fx * cosine */
     s->external_fx_times_cosine[k] = drift_times(k, s->external_fx[0], s->external_fx[1], s->cosine);
     /* external_fy_times_sine = external_fy * sine */
@@ -3293,22 +3239,21 @@ KERNEL void step_flight_pushed(const flight_pushed_constants *c, const flight_pu
     s->power_of_hip[k] = product_of(k, part_of(sum->power_of_hip, odd), s->swing_torque, s->rate);
     s->angle[k + 1] = series_reciprocal[k + 1] * (s->rate[k]);
     s->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->length_times_rate_times_rate[k]
-        + c->mobility * c->stiffness * s->extension[k] - c->mobility * c->stiffness * s->length[k]
-        - c->mobility * c->damping * s->length_rate[k] + c->inverse_body_mass * s->axial[k],
-        c->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0))));
+        + c->mobility * (c->stiffness * (s->extension[k] - s->length[k]) - c->damping * s->length_rate[k])
+        + c->inverse_body_mass * s->axial[k], c->mobility * (c->stiffness * (c->free_length
+        + c->thrusting_times_longer_or_by_0))));
     s->com_vx[k + 1] = series_reciprocal[k + 1] * (c->inverse_total_mass * s->external_fx[k]);
     s->com_vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, c->inverse_total_mass * s->external_fy[k],
         -c->gravity));
     s->momentum[k + 1] = series_reciprocal[k + 1] * (c->mobility * s->swing_torque[k]
         - c->inverse_body_mass * s->length_times_sum[k]);
     s->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-        c->stiffness_times_extension_rate * s->extension[k]
-        - c->stiffness_times_extension_rate * s->length[k],
+        c->stiffness_times_extension_rate * (s->extension[k] - s->length[k]),
         c->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)));
     s->external_work[k + 1] = series_reciprocal[k + 1] * (s->external_fx_times_com_vx[k]
         + s->external_fy_times_com_vy[k]
-        + c->by_1_minus_body_mass_over_total_mass * s->length_rate_times_axial[k]
-        - c->by_1_minus_body_mass_over_total_mass * s->rate_times_length_times_sum[k]);
+        + c->by_1_minus_body_mass_over_total_mass * (s->length_rate_times_axial[k]
+        - s->rate_times_length_times_sum[k]));
     s->damper_loss[k + 1] = series_reciprocal[k + 1] * (c->damping * s->length_rate_times_length_rate[k]);
     s->work[k + 1] = series_reciprocal[k + 1] * (s->power_of_hip[k]);
 }
@@ -3384,11 +3329,10 @@ static void vary_flight_pushed(const real *constants, const real *series, const 
         d_sine[k] = product(s->cosine, t->angle, k);
         external_fx_times_d_sine[k] = drift_times(k, s->external_fx[0], s->external_fx[1], d_sine);
         d_axial[k] = external_fy_times_cosine_2[k] - external_fy_times_sine_times_angle[k]
-            - external_fx_times_sine_2[k] - external_fx_times_d_sine[k];
-        d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->share_times_kp * s->angle[k]
-            - (d->share_times_kp * c->turn + c->share_times_kp * d->turn) * s->placing[k]
-            - c->share_times_kp * t->angle[k] - c->share_times_kp * c->turn * t->placing[k]
-            - d->share_times_kd * s->rate[k] - c->share_times_kd * d_rate[k],
+            - (external_fx_times_sine_2[k] + external_fx_times_d_sine[k]);
+        d_swing_torque[k] = with_constant(k, t->external_torque[k] + (-(d->share_times_kp * (s->angle[k]
+            + c->turn * s->placing[k]) + c->share_times_kp * (t->angle[k] + (d->turn * s->placing[k]
+            + c->turn * t->placing[k]))) - (d->share_times_kd * s->rate[k] + c->share_times_kd * d_rate[k])),
             -(-(d->share_times_kp * c->first) - c->share_times_kp * d->first) - (d->share_times_kd * c->turn
             + c->share_times_kd * d->turn));
         length_times_sum_2[k] = product(t->length, s->sum_2, k);
@@ -3398,7 +3342,7 @@ static void vary_flight_pushed(const real *constants, const real *series, const 
         external_fy_times_sine_2[k] = product(t->external_fy, s->sine, k);
         external_fy_times_d_sine[k] = drift_times(k, s->external_fy[0], s->external_fy[1], d_sine);
         d_sum_2[k] = external_fx_times_cosine_2[k] - external_fx_times_sine_times_angle[k]
-            + external_fy_times_sine_2[k] + external_fy_times_d_sine[k];
+            + (external_fy_times_sine_2[k] + external_fy_times_d_sine[k]);
         length_times_d_sum_2[k] = product(s->length, d_sum_2, k);
         d_length_times_sum[k] = length_times_sum_2[k] + length_times_d_sum_2[k];
         external_fx_times_com_vx_2[k] = product(t->external_fx, s->com_vx, k);
@@ -3415,40 +3359,37 @@ static void vary_flight_pushed(const real *constants, const real *series, const 
         t->angle[k + 1] = series_reciprocal[k + 1] * (d_rate[k]);
         t->length_rate[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
             length_times_rate_times_rate_2[k] + length_times_d_rate_times_rate[k]
-            + (d->mobility * c->stiffness + c->mobility * d->stiffness) * s->extension[k]
-            + (-(d->mobility * c->stiffness) - c->mobility * d->stiffness) * s->length[k]
-            + (-(d->mobility * c->damping) - c->mobility * d->damping) * s->length_rate[k]
-            + c->mobility * c->stiffness * t->extension[k] - c->mobility * c->stiffness * t->length[k]
-            - c->mobility * c->damping * t->length_rate[k] + d->inverse_body_mass * s->axial[k]
-            + c->inverse_body_mass * d_axial[k], d->mobility * (c->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0)) + c->mobility * (d->stiffness * (c->free_length
-            + c->thrusting_times_longer_or_by_0) + c->stiffness * (d->free_length
-            + d->thrusting_times_longer_or_by_0))));
+            + (d->mobility * (c->stiffness * (s->extension[k] - s->length[k])
+            - c->damping * s->length_rate[k]) + c->mobility * (d->stiffness * (s->extension[k]
+            - s->length[k]) + c->stiffness * (t->extension[k] - t->length[k])
+            - (d->damping * s->length_rate[k] + c->damping * t->length_rate[k])))
+            + (d->inverse_body_mass * s->axial[k] + c->inverse_body_mass * d_axial[k]),
+            d->mobility * (c->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0))
+            + c->mobility * (d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0)
+            + c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0))));
         t->com_vx[k + 1] = series_reciprocal[k + 1] * (d->inverse_total_mass * s->external_fx[k]
             + c->inverse_total_mass * t->external_fx[k]);
         t->com_vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
             d->inverse_total_mass * s->external_fy[k] + c->inverse_total_mass * t->external_fy[k],
             -d->gravity));
         t->momentum[k + 1] = series_reciprocal[k + 1] * (d->mobility * s->swing_torque[k]
-            + c->mobility * d_swing_torque[k] - d->inverse_body_mass * s->length_times_sum[k]
-            - c->inverse_body_mass * d_length_times_sum[k]);
+            + c->mobility * d_swing_torque[k] - (d->inverse_body_mass * s->length_times_sum[k]
+            + c->inverse_body_mass * d_length_times_sum[k]));
         t->leg_work[k + 1] = series_reciprocal[k + 1] * (with_constant(k,
-            d->stiffness_times_extension_rate * s->extension[k]
-            - d->stiffness_times_extension_rate * s->length[k]
-            + c->stiffness_times_extension_rate * t->extension[k]
-            - c->stiffness_times_extension_rate * t->length[k],
+            d->stiffness_times_extension_rate * (s->extension[k] - s->length[k])
+            + c->stiffness_times_extension_rate * (t->extension[k] - t->length[k]),
             d->stiffness_times_extension_rate * (c->free_length + c->thrusting_times_longer_or_by_0)
             + c->stiffness_times_extension_rate * (d->free_length + d->thrusting_times_longer_or_by_0)));
         t->external_work[k + 1] = series_reciprocal[k + 1] * (external_fx_times_com_vx_2[k]
-            + external_fx_times_com_vx_3[k] + external_fy_times_com_vy_2[k] + external_fy_times_com_vy_3[k]
-            + d->by_1_minus_body_mass_over_total_mass * s->length_rate_times_axial[k]
-            - d->by_1_minus_body_mass_over_total_mass * s->rate_times_length_times_sum[k]
-            + c->by_1_minus_body_mass_over_total_mass * length_rate_times_axial_2[k]
-            + c->by_1_minus_body_mass_over_total_mass * length_rate_times_d_axial[k]
-            - c->by_1_minus_body_mass_over_total_mass * d_rate_times_length_times_sum[k]
-            - c->by_1_minus_body_mass_over_total_mass * rate_times_d_length_times_sum[k]);
+            + external_fx_times_com_vx_3[k] + (external_fy_times_com_vy_2[k]
+            + external_fy_times_com_vy_3[k])
+            + (d->by_1_minus_body_mass_over_total_mass * (s->length_rate_times_axial[k]
+            - s->rate_times_length_times_sum[k])
+            + c->by_1_minus_body_mass_over_total_mass * (length_rate_times_axial_2[k]
+            + length_rate_times_d_axial[k] - (d_rate_times_length_times_sum[k]
+            + rate_times_d_length_times_sum[k]))));
         t->damper_loss[k + 1] = series_reciprocal[k + 1] * (d->damping * s->length_rate_times_length_rate[k]
-            + 2.0 * c->damping * length_rate_times_length_rate_2[k]);
+            + c->damping * (2.0 * length_rate_times_length_rate_2[k]));
         t->work[k + 1] = series_reciprocal[k + 1] * (d_swing_torque_times_rate[k]
             + swing_torque_times_d_rate[k]);
         t->extension[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->extension_rate));
@@ -3495,15 +3436,11 @@ static void d_observed_flight_pushed_height_of_foot(const real *constants, const
         own_angle_minus_slope_2[k] = with_constant(k, t->angle[k], -d->slope);
         own_product_3[k] = product(own_sin_of_angle_minus_slope, own_angle_minus_slope_2, k);
         own_product_4[k] = product(own_body_mass_over_total_mass_times_length, own_product_3, k);
-        dg[k] = with_constant(k, (d->inverse_cos_of_slope * c->cos_of_slope
-            + c->inverse_cos_of_slope * d->cos_of_slope) * s->com_y[k]
-            + (-(d->inverse_cos_of_slope * c->sin_of_slope)
-            - c->inverse_cos_of_slope * d->sin_of_slope) * s->com_x[k]
-            - d->inverse_cos_of_slope * own_product_2[k]
-            + c->inverse_cos_of_slope * c->cos_of_slope * t->com_y[k]
-            - c->inverse_cos_of_slope * c->sin_of_slope * t->com_x[k]
-            - c->inverse_cos_of_slope * own_sum_times_cos_of_angle_minus_slope[k]
-            + c->inverse_cos_of_slope * own_product_4[k],
+        dg[k] = with_constant(k, d->inverse_cos_of_slope * (c->cos_of_slope * s->com_y[k]
+            - c->sin_of_slope * s->com_x[k] - own_product_2[k])
+            + c->inverse_cos_of_slope * (d->cos_of_slope * s->com_y[k] + c->cos_of_slope * t->com_y[k]
+            - (d->sin_of_slope * s->com_x[k] + c->sin_of_slope * t->com_x[k])
+            - (own_sum_times_cos_of_angle_minus_slope[k] - own_product_4[k])),
             c->inverse_cos_of_slope * (-(d->cos_of_slope * c->height) - c->cos_of_slope * d->height)
             - d->inverse_cos_of_slope * (c->cos_of_slope * c->height));
     }
@@ -3524,12 +3461,11 @@ static void d_observed_flight_pushed_square_of_torque(const real *constants, con
         own_rate_times_d_square[k] = product(s->rate, own_d_square, k);
         own_d_rate[k] = (t->momentum[k] - own_rate_times_d_square[k] - product_so_far(own_d_rate, s->square,
             k)) / s->square[0];
-        own_d_swing_torque[k] = with_constant(k, t->external_torque[k] - d->share_times_kp * s->angle[k]
-            - (d->share_times_kp * c->turn + c->share_times_kp * d->turn) * s->placing[k]
-            - c->share_times_kp * t->angle[k] - c->share_times_kp * c->turn * t->placing[k]
-            - d->share_times_kd * s->rate[k] - c->share_times_kd * own_d_rate[k],
-            -(-(d->share_times_kp * c->first) - c->share_times_kp * d->first) - (d->share_times_kd * c->turn
-            + c->share_times_kd * d->turn));
+        own_d_swing_torque[k] = with_constant(k, t->external_torque[k] + (-(d->share_times_kp * (s->angle[k]
+            + c->turn * s->placing[k]) + c->share_times_kp * (t->angle[k] + (d->turn * s->placing[k]
+            + c->turn * t->placing[k]))) - (d->share_times_kd * s->rate[k]
+            + c->share_times_kd * own_d_rate[k])), -(-(d->share_times_kp * c->first)
+            - c->share_times_kp * d->first) - (d->share_times_kd * c->turn + c->share_times_kd * d->turn));
         own_swing_torque_times_d_swing_torque[k] = product(s->swing_torque, own_d_swing_torque, k);
         dg[k] = 2.0 * own_swing_torque_times_d_swing_torque[k];
     }
@@ -3542,7 +3478,7 @@ static void guard_flight_pushed_passes_end(const real *constants, const real *se
     real own_length_times_sine[TERMS];
     for (int k = 0; k < order; ++k) {
         own_length_times_sine[k] = product(s->length, s->sine, k);
-        g[k] = with_constant(k, -s->com_x[k] - c->body_mass_over_total_mass * own_length_times_sine[k],
+        g[k] = with_constant(k, -(s->com_x[k] + c->body_mass_over_total_mass * own_length_times_sine[k]),
             c->segment_end);
     }
 }
@@ -3591,8 +3527,8 @@ static void guard_flight_pushed_new_ground(const real *constants, const real *se
             own_cos_of_angle_minus_set_slope);
         own_product_2[k] = product(own_body_mass_over_total_mass_times_length,
             own_cos_of_angle_minus_set_slope, k);
-        g[k] = with_constant(k, c->sin_of_set_slope * s->com_x[k] - c->cos_of_set_slope * s->com_y[k]
-            + own_product_2[k], c->cos_of_set_slope * c->set_height);
+        g[k] = with_constant(k, -(c->cos_of_set_slope * s->com_y[k] - c->sin_of_set_slope * s->com_x[k]
+            - own_product_2[k]), c->cos_of_set_slope * c->set_height);
     }
 }
 
@@ -3665,7 +3601,7 @@ static void guard_flight_pushed_release(const real *constants, const real *serie
     const flight_pushed_constants *c = (const void *)constants;
     const flight_pushed_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = with_constant(k, c->kp * s->angle[k] + c->kd * s->rate[k],
+        g[k] = with_constant(k, -(-(c->kp * s->angle[k]) - c->kd * s->rate[k]),
             -(c->kp * c->liftoff_factor_times_liftoff_angle));
     }
 }
@@ -3693,9 +3629,8 @@ static void guard_flight_pushed_height_of_foot(const real *constants, const real
             own_cos_of_angle_minus_slope);
         own_product_2[k] = product(own_body_mass_over_total_mass_times_length, own_cos_of_angle_minus_slope,
             k);
-        g[k] = with_constant(k, c->inverse_cos_of_slope * c->cos_of_slope * s->com_y[k]
-            - c->inverse_cos_of_slope * c->sin_of_slope * s->com_x[k]
-            - c->inverse_cos_of_slope * own_product_2[k],
+        g[k] = with_constant(k, c->inverse_cos_of_slope * (c->cos_of_slope * s->com_y[k]
+            - c->sin_of_slope * s->com_x[k] - own_product_2[k]),
             -(c->inverse_cos_of_slope * (c->cos_of_slope * c->height)));
     }
 }
