@@ -14,6 +14,9 @@ from scipy.integrate import solve_ivp
 from scipy_strides import Stride, torque_of_gains
 from tdmf_slip.library.page import PageMap
 
+from c_core.hybrid import parameter, sin
+from c_core.pages.runner import PlainRunner
+
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 TIGHT = {"tolerance": 1e-13}
 PAGES = ROOT / "examples" / "pages"
@@ -260,6 +263,35 @@ CLOCK = {"pulse": 1.0, "placing_time": 1.1, "placing_gain": 0.3, "speed_wanted":
 APEX, CLOCKED_APEX = (1.4, 1.05, 1.0, -0.55, 0.0, 0.0), (1.08, 0.98, 1.0, -0.45, 0.0, -0.005)
 
 
+class OwnLaws(PlainRunner):
+    """A hardening spring, viscous friction, and a torque that follows a clock; each is a few lines."""
+
+    hardening = parameter(3, "m-2", "The spring hardens with the cube of its compression")
+    viscosity = parameter(0.3, "s/m", "Friction grows with the speed of the slip")
+    amplitude = parameter(0.02, "N.m", "Torque that follows a clock")
+    frequency = parameter(1.5, "rad/s", "Angular frequency of the clock")
+
+    def stance_torque(r):
+        return super().stance_torque() + r.amplitude * sin(r.frequency * r.time)
+
+    def spring(r):
+        short = r.free_length - r.leg().length
+        return super().spring() + r.stiffness * r.hardening * short**3
+
+    def slip_friction(r):
+        return super().slip_friction() + r.viscosity * r.way * r.foot_vx
+
+
+OWN = {"hardening": 3.0, "viscosity": 0.3, "amplitude": 0.02, "frequency": 1.5}
+LAWS = {"spring": lambda short: short + 3 * short**3, "viscosity": 0.3}
+LAWS["torque"] = lambda t, _angle, _turn, drives: -0.2 * drives + 0.02 * np.sin(1.5 * t)
+
+
+@pytest.fixture(scope="module")
+def own_laws():
+    return CompiledPage(OwnLaws, "-O1")
+
+
 class ClockedStride(Stride):
     """A stride whose drive begins at touchdown and ends by the clock."""
 
@@ -292,8 +324,9 @@ class ClockedStride(Stride):
     [
         ("pd_runner", APEX, Stride(0.43, torque=torque_of_gains(**GAINS))),
         ("clocked", CLOCKED_APEX, ClockedStride(0.6, CLOCKED_APEX[1])),
+        ("own_laws", APEX, Stride(0.43, **LAWS)),
     ],
-    ids=["gains", "clock"],
+    ids=["gains", "clock", "spring, friction and torque"],
 )
 def test_own_laws_act_as_in_an_independent_program(request, name, point, stride):
     run = request.getfixturevalue(name).start(friction=stride.friction, **TIGHT, **world_of(point))
@@ -318,7 +351,7 @@ def test_raibert_s_law_forgets_a_wrong_speed_sooner_than_the_papers_fixed_angle(
 NEAR = {"friction": 0.43, "drive_torque": 0.2, "damping": 0.2, "stiffness": 1.0, "foot_mass": 0.1}
 NEAR |= {"kp": 0.1, "kd": 0.1, "gravity": 0.01}
 """Parameters of the runner that are drawn, each up to a fifth off."""
-STEP = 3e-5
+STEP = 1e-5
 
 
 @pytest.mark.parametrize(
@@ -326,9 +359,10 @@ STEP = 3e-5
     [
         ("pd_runner", GAINS, APEX),
         ("clocked", CLOCK, CLOCKED_APEX),
+        ("own_laws", OWN, APEX),
         ("compliant", {"ground_stiffness": 100.0, "dissipation": 20.0}, APEX),
     ],
-    ids=["gains", "clock", "compliant ground"],
+    ids=["gains", "clock", "spring, friction and torque", "compliant ground"],
 )
 def test_jacobians_of_own_laws_are_differences(request, name, own, point, count=100 if RELEASE else 15):
     """Random parameters, with those of the page itself. Differences across an event are left out."""

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from page_runs import BEHIND, COMPILER, KERNEL, CompiledPage, StuckError, run_batch, widths_of
-from test_page_language import Hopper
+from scipy.optimize import brentq
 
 from c_core.hybrid import Model, cos, event, mode, observe, output, parameter, sin, state
 
@@ -13,12 +13,29 @@ pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler
 # ---- runs that are stopped and go on ------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("depth", [0, 1e-12, 3e-12, 1e-11])
-def test_an_event_that_a_run_stopped_at_is_not_taken_again(depth):
+class Hopper(Model):
+    """A mass that a decision puts a rounding error below the ground, from where it rises."""
+
+    start = "flight", {}
+    height, speed, hops = state(1), state(0), state(0)
+    second, depth = parameter(1, "s"), parameter(1e-12)
+
+    @mode()
+    def flight(b):
+        return {"height": b.speed / b.second, "speed": -2 / b.second}
+
+    @event("flight", when=lambda b: b.height)
+    def hop(b):
+        return b.replace(height=-b.depth, speed=-b.speed, hops=b.hops + 1)
+
+
+@pytest.mark.parametrize("depth", [0, 5e-13, 1e-12, 3e-12, 1e-11])
+def test_an_event_that_was_just_taken_is_not_due_again_by_rounding_or_after_a_stop(depth):
     run = CompiledPage(Hopper).start(depth=depth)
-    times = [run.to(stop="hop").time for _ in range(3)]
-    assert times == pytest.approx([1, 3, 5], abs=1e-8)
+    assert [run.to(stop="hop").time for _ in range(3)] == pytest.approx([1, 3, 5], abs=1e-8)
     assert run.outcome == "stopped"
+    assert run.to(6.5).hops == 3
+    assert run.height == pytest.approx(2 * 1.5 - 1.5**2, abs=1e-8)
 
 
 class Turns(Model):
@@ -323,3 +340,45 @@ def test_observed_quantities_of_a_steady_turn_are_those_of_closed_forms(toleranc
         positive = 2 * turns + (1 - np.cos(min(left, np.pi))) - (1 - np.cos(0.3))
         assert run.positive == pytest.approx(positive, abs=30 * tolerance * (1 + end))
         assert run.twice == pytest.approx(0, abs=30 * tolerance * (1 + end))
+
+
+# ---- steady turns ----------------------------------------------------------------------------------------
+
+
+class SpinningLeg(Model):
+    """A mass that falls while its leg turns steadily: its states are polynomials, its guards are not."""
+
+    start = "fall", {}
+    turn, gravity = parameter(1, "rad/s"), parameter(0.009, "m/s2")
+    length, height, speed = parameter(1, "m"), state(1, "m"), state(0, "m/s")
+    angle, first = state(1.15, "rad"), state(0)
+
+    @mode()
+    def fall(s):
+        return {"height": s.speed, "speed": -s.gravity, "angle": -s.turn}
+
+    @mode(ends=True)
+    def done(s):
+        return {}
+
+    @event("fall", when=lambda s: s.height + 0.15 * s.length * cos(s.angle), unit="m")
+    def body_lands(s):
+        return s.to("done", first=1)
+
+    @event("fall", when=lambda s: s.height - 0.85 * s.length * cos(s.angle), unit="m")
+    def foot_lands(s):
+        return s.to("done", first=2)
+
+
+@pytest.mark.parametrize("turn", [0.0004, 0.01, 1.0, 30.0])
+@pytest.mark.parametrize("until", [1e2, 1e6, 1e30])
+def test_a_leg_that_spins_steadily_meets_its_first_event_however_far_a_run_goes(turn, until):
+    def above(time):
+        return 1 - 0.0045 * time**2 - 0.85 * np.cos(1.15 - turn * time)
+
+    times = np.linspace(0, 15, 200001)
+    at = np.argmax(above(times) < 0)
+    run = CompiledPage(SpinningLeg).start(turn=turn, tolerance=1e-13).to(until)
+    assert (run.outcome, run.first) == ("ended", 2)
+    assert run.time == pytest.approx(brentq(above, *times[at - 1 : at + 1], xtol=1e-14), abs=1e-11)
+    assert run.run.steps < 200

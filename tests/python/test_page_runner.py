@@ -209,22 +209,30 @@ def test_a_foot_that_bears_nothing_after_its_impact_stays_or_leaves_once(whole, 
 # ---- patches and tables of ground ------------------------------------------------------------------------
 
 
-FAR, INPUT = 1e12, -1.0
-"""The end of the world, and what stands for `ground.friction` in a table of segments."""
+FAR = 1e12
+"""The end of the world."""
+
+
+def assert_varies(start, vary):
+    """Whether the section at the next apex varies as by differences.
+
+    `start` makes a run with something shifted, and `vary` one that varies it as its only seed.
+    """
+    ends = [section(start(size).to(stop="apex")) for size in (1e-5, -1e-5)]
+    run = vary().to(stop="apex")
+    exact = np.array([run.d(name)[0] for name in SECTION])
+    assert np.abs(exact).max() > 1e-3
+    assert exact == pytest.approx((ends[0] - ends[1]) / 2e-5, abs=1e-6 * (1 + np.abs(exact).max()))
 
 
 @pytest.mark.parametrize("seed", ["patch_begin", "patch_end", "patch_friction", "friction"])
 def test_derivatives_by_a_patch_are_those_of_differences(whole, seed):
     given = {"friction": 0.6, "patch_begin": 13.4, "patch_end": 13.5, "patch_friction": 0.05}
-    given, step = given | world_of(GAIT["apex"]), 1e-5
-    ends = [
-        section(whole.start(tolerance=1e-14, **given | {seed: given[seed] + size}).to(stop="apex"))
-        for size in (step, -step)
-    ]
-    run = whole.start(tolerance=1e-14, seeds=[seed], **given).to(stop="apex")
-    exact = np.array([run.d(name)[0] for name in SECTION])
-    assert np.abs(exact).max() > 1e-3
-    assert exact == pytest.approx((ends[0] - ends[1]) / (2 * step), abs=1e-6 * (1 + np.abs(exact).max()))
+    given |= {"tolerance": 1e-14, **world_of(GAIT["apex"])}
+    assert_varies(
+        lambda size: whole.start(**given | {seed: given[seed] + size}),
+        lambda: whole.start(seeds=[seed], **given),
+    )
 
 
 @pytest.mark.parametrize("entry", [(0, 1), (1, 2), (1, 3), (1, 4)])
@@ -232,20 +240,20 @@ def test_derivatives_by_entries_of_a_table_are_those_of_differences(whole, entry
     """A border in mid-slip, and height, slope and friction of the segment of the landing."""
     border = 13.5 if entry == (0, 1) else 5.0
     rows = np.array([[-FAR, border, 0, 0, 0.5], [border, FAR, -0.02, 0.01, 0.3]])
-    given, step, ends = {"friction": 0.6, **world_of(GAIT["apex"])}, 1e-5, []
+    given = {"friction": 0.6, "tolerance": 1e-14, **world_of(GAIT["apex"])}
     direction = np.zeros_like(rows)
     direction[entry] = 1
     direction[1, 0] = direction[0, 1]  # where one ends, the other begins
-    for size in (step, -step):
-        run = whole.start(tolerance=1e-14, tables={"ground_segment": rows + size * direction}, **given)
-        ends.append(section(run.to(stop="apex")))
-    run = whole.start(seeds=["friction"], tolerance=1e-14, tables={"ground_segment": rows}, **given)
-    run.dx[0] = 0  # the table varies, and nothing else
-    run.table_structs[0].d_rows = direction.ctypes.data
-    run.to(stop="apex")
-    exact = np.array([run.d(name)[0] for name in SECTION])
-    assert np.abs(exact).max() > 1e-3
-    assert exact == pytest.approx((ends[0] - ends[1]) / (2 * step), abs=1e-6 * (1 + np.abs(exact).max()))
+
+    def varied():
+        run = whole.start(seeds=["friction"], tables={"ground_segment": rows}, **given)
+        run.dx[0] = 0  # the table varies, and nothing else
+        run.table_structs[0].d_rows = direction.ctypes.data
+        return run
+
+    assert_varies(
+        lambda size: whole.start(tables={"ground_segment": rows + size * direction}, **given), varied
+    )
 
 
 # ---- margins and limits ----------------------------------------------------------------------------------
@@ -348,8 +356,3 @@ def test_the_page_declares_the_units_variables(whole):
             assert (q.role == "tunable") == (variable.get("variability") == "tunable"), name
         if start := variable[0].get("start"):
             assert q.value == {"true": 1.0, "false": 0.0}.get(start) or q.value == float(start), name
-
-
-def test_the_whole_page_has_few_modes(whole):
-    assert len(whole.modes) <= 20
-    assert len(SECTION) == 6
