@@ -257,19 +257,6 @@ build_distribution() {
     .venv/bin/python scripts/release_files.py dist
 }
 
-# draw_gallery FOLDER: the gallery's figures, with their data, in one process, for many show the same gaits. Those that
-# take minutes are kept in documentation.
-draw_gallery() {
-    local names=(figure_ energy falling_friction feedback guinea_fowl optimal reduced_ retraction rough slippery_patch
-        slope thrust viability) name data
-    mkdir -p "$1"
-    .venv/bin/tdmf-slip figures --only "$(IFS=,; printf %s "${names[*]}")" --format png --output "$1" || return
-    for data in documentation/data/figures/*.csv; do
-        name=${data##*/}
-        cp "$data" "documentation/pictures/${name%.csv}.png" "$1"
-    done
-}
-
 get_site_tools() {
     need_debian_packages graphviz
     install_once site
@@ -284,7 +271,7 @@ build_site() {
     rm -rf dist/site build/site
     mkdir -p build/site/live dist
     local drawing compiling
-    draw_gallery build/site/figures >build/site/gallery.log 2>&1 &
+    .venv/bin/tdmf-slip figures --format png --output build/site/figures >build/site/gallery.log 2>&1 &
     drawing=$!
     documentation/live/build build/site/live >build/site/live.log 2>&1 &
     compiling=$!

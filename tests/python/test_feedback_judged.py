@@ -10,7 +10,8 @@ from conftest import CLAMPED
 from tdmf_slip.analysis import attraction
 from tdmf_slip.errors import InputError
 from tdmf_slip.feedback import judgement
-from tdmf_slip.paper.figures import columns, feedback
+from tdmf_slip.paper.figures import feedback
+from tdmf_slip.paper.figures.data import stored
 
 ANGLE, TORQUE = feedback.ANGLE, feedback.TORQUE
 
@@ -72,7 +73,7 @@ def test_a_basin_under_a_feedback_keeps_the_law(gait):
 
 def test_what_is_kept_of_the_figure_is_what_is_measured(few, monkeypatch):
     """One row anew, with fewer runs: within the confidence of both."""
-    data = columns.columns("feedback")
+    data = stored("feedback")
     assert len(data["law"]) == len(feedback.COLOURS) * len(feedback.FRICTIONS)
     monkeypatch.setattr(judgement, "RUNNERS", 256)
     monkeypatch.setattr(judgement, "MAX_STRIDES", 400)

@@ -5,10 +5,9 @@ import re
 
 import numpy as np
 import pytest
-import tdmf_slip
 from PIL import Image
 from tdmf_slip.analysis.sweeps import sweep_row
-from tdmf_slip.paper.figures import classic, figure_9
+from tdmf_slip.paper.figures import catalogue, classic, figure_9
 from tdmf_slip.pictures import animation, style
 
 CENTIMETRE = 72 / 2.54
@@ -49,8 +48,10 @@ def test_a_foot_that_swings_above_the_body_is_in_the_picture(command, tmp_path):
 
 def test_what_the_papers_text_tells_is_marked_on_the_curves_or_off_them():
     """Off them: its cost of transport at friction 0.5, and the friction that it needs at the impact."""
-    gaits = sweep_row(tdmf_slip.Runner(), "ground.friction", [10.0, 1.2, 0.6, 0.5])
-    kept = classic.draw_friction(), figure_9.draw(gaits, ())
+    results = catalogue.results()
+    results.gaits = gaits = sweep_row(results.runner, "ground.friction", [10.0, 1.2, 0.6, 0.5])
+    results.equal = []
+    kept = classic.draw_friction(results), figure_9.draw(results)
     off = {}
     for axes in (axes for figure in kept for axes in figure.axes):
         marks = [line for line in axes.lines if line.get_label() == style.PUBLISHED["label"]]

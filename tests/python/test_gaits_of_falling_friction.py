@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 import tdmf_slip
 from tdmf_slip.library.fixed_point import gait_near
-from tdmf_slip.paper.figures import columns, falling_friction
+from tdmf_slip.paper.figures import falling_friction
+from tdmf_slip.paper.figures.data import stored
 from tdmf_slip.paper.figures.falling_friction import DOWNHILL, LEVEL, RATIOS, branch_of, runner_of
 
 FAST = [2.2, 1.434, 1.006, 1.2, 0.0, 0.27]
@@ -13,7 +14,7 @@ FAST = [2.2, 1.434, 1.006, 1.2, 0.0, 0.27]
 
 @pytest.fixture(scope="module")
 def data():
-    return columns.columns("falling_friction")
+    return stored("falling_friction")
 
 
 @pytest.fixture(scope="module")

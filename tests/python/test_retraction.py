@@ -6,7 +6,7 @@ from conftest import CLAMPED
 from tdmf_slip import Batch, Runner, find_gait
 from tdmf_slip.analysis.branches import continue_branch
 from tdmf_slip.analysis.special_points import PERIOD_DOUBLING
-from tdmf_slip.paper.figures import leading
+from tdmf_slip.paper.figures.data import leading
 
 RATE = "hip.retraction_rate"
 
@@ -39,7 +39,7 @@ def test_beyond_the_period_doubling_strides_alternate(branch):
 
 
 def test_leading_eigenvalues_keep_their_signs(branch):
-    greater, other = leading.leading(branch.gaits).T
+    greater, other = np.array([leading(gait) for gait in branch.gaits]).T
     assert (greater > 0.9).all()
     assert (np.diff(other) < 0.0).all()
     assert other[-1] < -1.0 < other[0]

@@ -10,7 +10,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from tdmf_slip import Runner, compare, find_gait, gait_at, strides_to_fall
 from tdmf_slip import viability as find_viable
 from tdmf_slip.library.quantities import quantities_of
-from tdmf_slip.paper.figures import columns, optimal, rough, slippery_patch, thrust, viability
+from tdmf_slip.paper.figures import optimal, rough, slippery_patch, thrust, viability
+from tdmf_slip.paper.figures.data import stored
 from tdmf_slip.paper.matched import HOLD, VARY
 from tdmf_slip.pictures import style
 from tdmf_slip.pictures.style import CurveLabel
@@ -36,9 +37,9 @@ def gait_of(figure, data, row):
 
 @pytest.mark.parametrize("figure", RUNNERS)
 def test_gaits_of_a_figure_are_what_is_kept(figure):
-    data = columns.columns(figure)
-    stable = data.get("stable", 1.0) == 1.0
-    rows = [np.flatnonzero((data["friction"] == mu) & stable)[0] for mu in np.unique(data["friction"])[-3:]]
+    data = stored(figure)
+    data = data[data["stable"]] if "stable" in data else data
+    rows = [data.index[data["friction"] == mu][0] for mu in sorted(set(data["friction"]))[-3:]]
     for row in rows:
         stride = gait_of(figure, data, row).stride
         for name in ("speed", "cost_of_transport"):
@@ -47,23 +48,22 @@ def test_gaits_of_a_figure_are_what_is_kept(figure):
 
 def test_matched_runners_on_rough_ground_are_what_is_kept():
     """With the kinematics of friction 0.2 they stay up longer, the less friction they have."""
-    data = columns.columns("rough")
-    matched = data["matched"] == 1.0
-    friction = data["friction"][matched]
+    data = stored("rough")
+    data = data[data["matched"] == 1.0]
+    friction, low, high = data["friction"], data["mean_strides_low"], data["mean_strides_high"]
     assert tuple(friction) == rough.FRICTIONS
-    low, high = data["mean_strides_low"][matched], data["mean_strides_high"][matched]
     assert np.all(high[friction >= 2.5] < 140.0) and np.all(low[friction <= 0.3] > 450.0)
     runners = compare([{FRICTION: mu} for mu in (rough.REFERENCE, 10.0)], hold=HOLD, vary=VARY)
     runner = gait_at(runners.sel(runner=1, step="after")).runner
     found = strides_to_fall(runner, rough.MATCHED_ROUGHNESS, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES)
-    (row,) = np.flatnonzero(matched & (data["friction"] == 10.0))
-    assert found.mean_strides == pytest.approx(data["mean_strides"][row], rel=0.1)
+    (kept,) = data["mean_strides"][friction == 10.0]
+    assert found.mean_strides == pytest.approx(kept, rel=0.1)
 
 
 def test_patches_cause_falls_downhill_on_grippy_ground():
     """Some points are measured again; the guide's numbers are those of all points."""
-    data = columns.columns("slippery_patch")
-    assert len(data["falls"]) == 5 * 11 * 14
+    data = stored("slippery_patch")
+    assert len(data) == 5 * 11 * 14
     first = {mu: slippery_patch.shortest(data, mu, matched=False) for mu in (10.0, 1.2, 0.6)}
     assert [round(first[friction][2]) for friction in (10.0, 1.2)] == [251, 1002]
     assert first[0.6][2] == np.inf and np.all(first[10.0] <= first[1.2])
@@ -76,7 +76,7 @@ def test_patches_cause_falls_downhill_on_grippy_ground():
 
 def test_viable_shares_of_matched_runners_are_what_is_kept():
     """One runner anew."""
-    data = columns.columns("viability")
+    data = stored("viability")
     assert tuple(data["friction"]) == viability.FRICTIONS
     for what in ("share", "robustness"):
         assert (data[f"inner_{what}"] <= data[f"outer_{what}"]).all()
@@ -92,7 +92,7 @@ def test_viable_shares_of_matched_runners_are_what_is_kept():
 
 
 def test_the_search_finds_no_better_runners_than_those_kept_and_the_cheapest_slips_on_purpose():
-    data = columns.columns("optimal")
+    data = stored("optimal")
     costs, slips = {}, {}
     for row in np.flatnonzero((data["friction"] > 0.58) & (data["friction"] < 0.6)):
         gait = gait_of("optimal", data, row)

@@ -1,179 +1,86 @@
 """All figures of the paper and our own, each with its data as CSV."""
 
-import importlib
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache, cached_property, partial
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, NamedTuple
 
-import numpy as np
+import pandas
 from matplotlib.figure import Figure
 
-from ...analysis.search import periodic_gait
-from ...analysis.sweeps import Row, sweep_row
 from ...errors import InputError
-from ...feedback.judgement import Judgement, judge_all
-from ...library.gait import Gait
-from ...library.runner import Runner
+from ...files.whole import whole
 from ...pictures import animation, model, style
-from ...pictures.panels import Stride
 from ...terminal.progress import progress_bar
-from ...variables.parameters import read_parameters
-from ...variables.table import FRICTION
-from .. import guinea_fowl as slippery
-from .. import matched
-from ..evidence import SWEPT
-from . import attraction, classic, energy, figure_9, guinea_fowl, reduced, retraction, strides
-from .columns import Columns, Data, as_columns, columns, write_columns
-
-if TYPE_CHECKING:
-    import xarray
-
-STORED = (
-    "falling_friction",
-    "feedback",
-    "optimal",
-    "rough",
-    "slippery_patch",
-    "slope",
-    "thrust",
-    "viability",
+from . import (
+    attraction,
+    classic,
+    energy,
+    falling_friction,
+    feedback,
+    figure_9,
+    guinea_fowl,
+    optimal,
+    reduced,
+    retraction,
+    rough,
+    slippery_patch,
+    slope,
+    strides,
+    thrust,
+    viability,
 )
-"""Modules of figures whose data takes minutes to measure, and is stored."""
-FORMATS = ("png", "svg", "pdf")
-"""Formats of the files."""
-MEASURED = 26
-"""Number of gaits whose region of attraction is measured."""
-EQUAL, MEASURED_EQUAL = 48, 12
-"""Number of matched gaits, and of those whose region of attraction is measured."""
-CLAMP = "hip.swing_clamp"
-GALLERY = ("figure_5", "figure_6", "figure_7", "figure_8", "figure_9")
-"""Figures that `validate --pictures` draws."""
-STRIDE_COLUMNS = (
-    "time",
-    "com.y",
-    "foot.x",
-    "foot.y",
-    "foot.vx",
-    "leg.length",
-    "leg.angle",
-    "contact.fx",
-    "contact.fy",
-    "contact.mode",
-)
-"""Recorded quantities in the data of figures of strides."""
+from .data import Results
 
 
-class Results:
-    """Results for the paper's runner that figures are drawn of, each computed when it is first asked for."""
+class Entry(NamedTuple):
+    """How a figure is made."""
 
-    def __init__(self, measure: bool = False) -> None:
-        """Read stored data, or measure it anew."""
-        self.runner, self.measure = Runner(read_parameters("paper")), measure
-        self.stride, self.stored = cache(self._stride), cache(self._stored)
-
-    def _stride(self, friction: float, clamp: bool = False) -> Stride:
-        return Stride(periodic_gait(self.runner.replace({FRICTION: friction, CLAMP: clamp})))
-
-    def _stored(self, name: str) -> Columns:
-        module = importlib.import_module(f".{name}", __package__)
-        return as_columns(module.measure(self.runner)) if self.measure else columns(name)
-
-    @cached_property
-    def gaits(self) -> Row:
-        """Gaits over friction."""
-        return sweep_row(self.runner, FRICTION, SWEPT)
-
-    @cached_property
-    def equal(self) -> list[Gait]:
-        """Gaits matched to the first one."""
-        return matched.over_friction(self.gaits.gaits, EQUAL)
-
-    @cached_property
-    def attraction(self) -> tuple[Row, list[Judgement], list[Judgement]]:
-        """Gaits over friction, what some of them attract, and what some of the matched gaits attract."""
-        found = self.gaits.gaits
-        chosen = [found[i] for i in np.linspace(0, len(found) - 1, MEASURED).round().astype(int)]
-        equal = self.equal[:: EQUAL // MEASURED_EQUAL]
-        judged, judged_equal = (judge_all([(gait, None) for gait in its]) for its in (chosen, equal))
-        return self.gaits, judged, judged_equal
-
-    @cached_property
-    def retraction(self) -> tuple[Any, ...]:
-        """Branches over the rate of retraction, and matched gaits."""
-        return retraction.branches(self.runner), retraction.matched(self.runner)
-
-    @cached_property
-    def models(self) -> dict[str, Row]:
-        """Gaits over friction of the full model and of the reduced map."""
-        return {
-            "full": self.gaits,
-            "reduced": sweep_row(Runner(self.runner, model="reduced"), FRICTION, SWEPT),
-        }
-
-    @cached_property
-    def fowl(self) -> slippery.Map:
-        """Falls of runners of a guinea fowl's size."""
-        return slippery.fall_map()
-
-    @cached_property
-    def regions(self) -> "dict[str, xarray.Dataset]":
-        """Regions of attraction of both models."""
-        return reduced.regions(self.runner)
-
-    @cached_property
-    def planes(self) -> "tuple[xarray.Dataset, xarray.Dataset]":
-        """Stability of the reduced map over two planes of parameters."""
-        return reduced.planes(self.runner)
-
-
-def _stride_table(*strides: Stride) -> Data:
-    """Recorded rows of strides in the paper's units, preceded by friction and reading of the gait."""
-    lengths = [len(stride.time) for stride in strides]
-    rows = {
-        "friction": np.repeat([stride.gait.friction for stride in strides], lengths),
-        "swing_clamp": np.repeat([int(stride.gait.runner[CLAMP]) for stride in strides], lengths),
-    }
-    return rows | {name: np.concatenate([s[name] for s in strides]) for name in STRIDE_COLUMNS}
-
-
-Entry = tuple[Callable[..., Figure], Callable[..., Data], Callable[[Results], tuple[Any, ...]]]
-
-
-def _stored(name: str) -> Entry:
-    """A figure whose data is stored."""
-    return (
-        lambda data: importlib.import_module(f".{name}", __package__).draw(data),
-        lambda data: data,
-        lambda of: (of.stored(name),),
-    )
+    table: Callable[[Results], pandas.DataFrame]
+    """Computes the data that are written as CSV, or stored."""
+    draw: Callable[[Results], Figure]
+    """Draws the figure."""
 
 
 FIGURES: Mapping[str, Entry] = {
-    "figure_1b": (classic.draw_step, classic.step_table, lambda of: ()),
-    "figure_2a": (classic.draw_maps, classic.map_table, lambda of: ()),
-    "figure_2b": (classic.draw_gaits, classic.gait_table, lambda of: ()),
-    "figure_3": (classic.draw_slip, classic.slip_table, lambda of: ()),
-    "figure_4a": (classic.draw_friction, classic.gait_table, lambda of: ()),
-    "figure_5": (
-        strides.draw_sticking,
-        _stride_table,
-        lambda of: (of.stride(strides.STICKS), of.stride(strides.STICKS, True)),
+    "figure_1b": Entry(classic.step_table, classic.draw_step),
+    "figure_2a": Entry(classic.map_table, classic.draw_maps),
+    "figure_2b": Entry(classic.gait_table, classic.draw_gaits),
+    "figure_3": Entry(classic.slip_table, classic.draw_slip),
+    "figure_4a": Entry(lambda results: results.table("figure_2b"), classic.draw_friction),
+    "figure_5": Entry(partial(strides.table, *strides.STICKING), strides.draw_sticking),
+    "figure_6": Entry(partial(strides.table, *strides.LANDING), partial(strides.draw, *strides.LANDING)),
+    "figure_7": Entry(
+        partial(strides.table, *strides.THREE_SLIPS), partial(strides.draw, *strides.THREE_SLIPS)
     ),
-    "figure_6": (strides.draw, _stride_table, lambda of: (of.stride(strides.LANDING),)),
-    "figure_7": (strides.draw, _stride_table, lambda of: (of.stride(strides.THREE_SLIPS),)),
-    "figure_8": (strides.draw_low, _stride_table, lambda of: tuple(map(of.stride, strides.LOW))),
-    "figure_9": (figure_9.draw, figure_9.table, lambda of: (of.gaits, of.equal)),
-    "attraction": (attraction.draw, attraction.table, lambda of: of.attraction),
-    "energy": (energy.draw, energy.table, lambda of: (of.gaits, of.equal)),
-    "guinea_fowl": (guinea_fowl.draw, guinea_fowl.table, lambda of: (of.fowl,)),
-    "retraction": (retraction.draw, retraction.table, lambda of: of.retraction),
-    "reduced_region": (reduced.draw_regions, reduced.region_table, lambda of: (of.regions,)),
-    "reduced_eigenvalues": (reduced.draw_eigenvalues, reduced.eigenvalue_table, lambda of: (of.models,)),
-    "reduced_stability": (reduced.draw_planes, reduced.plane_table, lambda of: (of.planes,)),
-    **{name: _stored(name) for name in STORED},
+    "figure_8": Entry(partial(strides.table, *strides.LOW), strides.draw_low),
+    "figure_9": Entry(figure_9.table, figure_9.draw),
+    "attraction": Entry(attraction.table, attraction.draw),
+    "energy": Entry(energy.table, energy.draw),
+    "guinea_fowl": Entry(guinea_fowl.table, guinea_fowl.draw),
+    "retraction": Entry(retraction.table, retraction.draw),
+    "reduced_region": Entry(reduced.region_table, reduced.draw_regions),
+    "reduced_eigenvalues": Entry(reduced.eigenvalue_table, reduced.draw_eigenvalues),
+    "reduced_stability": Entry(reduced.plane_table, reduced.draw_planes),
+    "falling_friction": Entry(falling_friction.table, falling_friction.draw),
+    "feedback": Entry(feedback.table, feedback.draw),
+    "optimal": Entry(optimal.table, optimal.draw),
+    "rough": Entry(rough.table, rough.draw),
+    "slippery_patch": Entry(slippery_patch.table, slippery_patch.draw),
+    "slope": Entry(slope.table, slope.draw),
+    "thrust": Entry(thrust.table, thrust.draw),
+    "viability": Entry(viability.table, viability.draw),
 }
-"""Figures by name: how each is drawn, its data by column, and the results that both need."""
+"""All figures by name. Data that take minutes are stored as `NAME.csv` in this folder."""
+FORMATS = ("png", "svg", "pdf")
+"""Formats of the files."""
+GALLERY = ("figure_5", "figure_6", "figure_7", "figure_8", "figure_9")
+"""Figures that `validate --pictures` draws."""
+
+
+def results(measure: bool = False) -> Results:
+    """Results for the figures; with `measure`, stored data are computed anew."""
+    return Results({name: entry.table for name, entry in FIGURES.items()}, measure)
 
 
 def draw(
@@ -195,34 +102,28 @@ def draw(
     for begin in only:
         if not any(name.startswith(begin) for name in FIGURES):
             raise InputError(f"only {begin}: no such figure; allowed: {', '.join(FIGURES)}")
-    chosen, results = [name for name in FIGURES if name.startswith(tuple(only))], Results(measure)
+    chosen, found = [name for name in FIGURES if name.startswith(tuple(only))], results(measure)
     folder.mkdir(exist_ok=True)
     written: list[Path] = []
     with progress_bar("figures", len(chosen), "figures", progress) as bar:
         for name in chosen:
             paths, data = [folder / f"{name}.{suffix}" for suffix in formats], folder / f"{name}.csv"
-            drawing, table, needed = FIGURES[name]
-            _write(partial(drawing, *needed(results)), *paths, **how)
-            write_columns(data, as_columns(table(*needed(results))))
+            _write(partial(FIGURES[name].draw, found), *paths, **how)
+            with whole(data) as beside:
+                found.table(name).to_csv(beside, index=False)
             written += [*paths, data]
             bar.update()
     return written
 
 
 def draw_gallery(folder: Path, progress: bool = False) -> list[Path]:
-    """Draw figures 5 to 9 of the paper, one stride as snapshots and as an animation, and the model."""
+    """Draw figures 5 to 9 of the paper, and one stride as snapshots and as an animation."""
     folder.mkdir(exist_ok=True)
-    results = Results()
-
-    def figure(name: str) -> Figure:
-        drawing, _, needed = FIGURES[name]
-        return drawing(*needed(results))
-
+    found = results()
     drawings: dict[str, Callable[[Path], None]] = {
-        **{f"{name}.png": partial(_write, partial(figure, name)) for name in GALLERY},
-        "snapshots.png": partial(_write, lambda: model.draw_snapshots(results.stride(model.FRICTION))),
-        "stride.gif": lambda path: animation.draw(path, results.stride(model.FRICTION)),
-        "model.png": partial(_write, model.draw, dots_per_inch=model.DOTS_PER_INCH),
+        **{f"{name}.png": partial(_write, partial(FIGURES[name].draw, found)) for name in GALLERY},
+        "snapshots.png": partial(_write, lambda: model.draw_snapshots(found.stride(model.FRICTION))),
+        "stride.gif": lambda path: animation.draw(path, found.stride(model.FRICTION)),
     }
     with progress_bar("pictures", len(drawings), "", progress) as bar:
         for name, drawing in drawings.items():

@@ -1,10 +1,10 @@
 """Figures 1 to 4: the classic SLIP over a step, its return maps and gaits, and a massless foot that slips."""
 
 import math
-from functools import cache
 from typing import Any
 
 import numpy as np
+import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
@@ -15,7 +15,7 @@ from ...library.page import PageMap
 from ...pictures import style
 from ..evidence import SLIP_ANGLE, gather_classic
 from ..published import IMPACT_FRICTION, STANCE_FRICTION
-from .columns import Columns, Data, as_columns, attributes, select
+from .data import Results, table_of
 
 COILS = 7
 POINTS = 60
@@ -48,20 +48,21 @@ SHOWN = (0, 1, 2, 3, 4)
 """Indices of the snapshots in stance."""
 
 
-def step_table() -> Data:
+def step_table(_results: Results) -> pandas.DataFrame:
     """Path of the mass over a step of the stable gait at 40 degrees, with the foot at x = 0."""
     slip, height = classic_slip.slip(ANGLE), classic_slip.fixed_points(ANGLE)[0].height
     step = classic_slip.step(slip, height)
     ends = np.cumsum([0.0, step.touchdown_time, step.stance_time])
     times = np.linspace(ends, [*ends[1:], step.time], POINTS).T.ravel()
     x, y, *_ = classic_slip.path(slip, height, times)
-    return {"time": times, "x": x, "y": y, "phase": np.repeat(["fall", "stance", "rise"], POINTS)}
+    phase = np.repeat(["fall", "stance", "rise"], POINTS)
+    return pandas.DataFrame({"time": times, "x": x, "y": y, "phase": phase})
 
 
-def draw_step() -> Figure:
+def draw_step(results: Results) -> Figure:
     """Draw figure 1(b): the path, and the leg at five instants of the stance and at both apices."""
-    data = as_columns(step_table())
-    path = np.stack([data["x"], data["y"]], axis=1)
+    data = results.table("figure_1b")
+    path = data[["x", "y"]].to_numpy()
     figure, axes = style.subplots(figsize=(8.0, 3.6))
     _ground(axes)
     axes.plot(*path.T, color=style.SECOND_CURVE, linestyle="--", linewidth=1.2)
@@ -84,7 +85,7 @@ SWEPT = 44.588 - 13.288 * np.linspace(1.0, 0.0, 100) ** 2
 ANGLE_LABEL = r"touchdown angle $\theta_0$ (°)"
 
 
-def map_table() -> Data:
+def map_table(_: Results) -> pandas.DataFrame:
     """Return maps by column: apex height and next apex height, m."""
     rows = []
     for angle in ANGLES:
@@ -93,28 +94,25 @@ def map_table() -> Data:
             step = classic_slip.step(parameters, height)
             if step.outcome in (classic_slip.FLIES, classic_slip.TURNS_BACK):
                 rows.append((angle, height, step.next_height, step.outcome == classic_slip.FLIES))
-    names = ("angle_degrees", "height", "next_height", "forwards")
-    return dict(zip(names, zip(*rows, strict=True), strict=True))
+    return pandas.DataFrame(rows, columns=["angle_degrees", "height", "next_height", "forwards"])
 
 
-@cache
-def gait_table() -> Columns:
+def gait_table(_: Results) -> pandas.DataFrame:
     """Gaits against the touchdown angle by column; the last one is the fold."""
     gaits = [g for angle in SWEPT for g in classic_slip.fixed_points(math.radians(angle))]
     gaits.append(classic_slip.fold())
-    angles = [math.degrees(gait.angle) for gait in gaits]
-    quantities = attributes(gaits, "height", "slope", "stance_friction", "impact_friction")
-    return as_columns({"angle_degrees": angles, **quantities})
+    quantities = ("height", "slope", "stance_friction", "impact_friction")
+    return table_of(gaits, *quantities, angle_degrees=lambda gait: math.degrees(gait.angle))
 
 
-def draw_maps() -> Figure:
+def draw_maps(results: Results) -> Figure:
     """Draw figure 2(a): return maps at four touchdown angles."""
-    data = as_columns(map_table())
+    data = results.table("figure_2a")
     figure, axes = style.subplots(figsize=(5.6, 5.2))
     for angle, colour in zip(ANGLES, COLOURS, strict=True):
         for forwards, line in ((True, "-"), (False, ":")):
-            its = select(data, angle_degrees=angle, forwards=forwards)
-            heights, next_heights = its["height"], its["next_height"].copy()
+            its = data[(data["angle_degrees"] == angle) & (data["forwards"] == forwards)]
+            heights, next_heights = its["height"].to_numpy(), its["next_height"].to_numpy(copy=True)
             apart = np.diff(heights)
             if apart.size:  # a gap where the curve is not connected
                 next_heights[np.flatnonzero(apart > 2.0 * np.median(apart)) + 1] = np.nan
@@ -131,26 +129,24 @@ def draw_maps() -> Figure:
     return figure
 
 
-def _branches(data: Columns) -> list[tuple[str, str, Columns]]:
-    """Name, line and rows of the stable and of the unstable gaits, each with the fold."""
-    fold = len(data["slope"]) - 1
-    stable = np.flatnonzero(np.abs(data["slope"][:-1]) < 1.0)
-    unstable = np.flatnonzero(data["slope"][:-1] >= 1.0)
+def _branches(data: pandas.DataFrame) -> list[tuple[str, str, pandas.DataFrame]]:
+    """Name, line and rows of the stable and of the unstable gaits, each with the fold, the last row."""
+    is_fold = data.index == len(data) - 1
     return [
-        (name, line, select(data, np.append(rows, fold)))
-        for name, line, rows in (("stable", "-", stable), ("unstable", "--", unstable))
+        ("stable", "-", data[is_fold | (data["slope"].abs() < 1.0)]),
+        ("unstable", "--", data[is_fold | (data["slope"] >= 1.0)]),
     ]
 
 
-def draw_gaits() -> Figure:
+def draw_gaits(results: Results) -> Figure:
     """Draw figure 2(b): apex heights of gaits against the touchdown angle."""
-    data = gait_table()
+    data = results.table("figure_2b")
     figure, axes = style.subplots(figsize=(5.6, 4.2))
     for name, line, its in _branches(data):
         axes.plot(its["angle_degrees"], its["height"], line, color=style.CURVE, label=name)
     lowest = gather_classic().lowest
     for mark, name, angle, height in (
-        ("o", "fold", data["angle_degrees"][-1], data["height"][-1]),
+        ("o", "fold", data["angle_degrees"].iloc[-1], data["height"].iloc[-1]),
         ("s", "period doubling", math.degrees(lowest), classic_slip.fixed_points(lowest)[0].height),
     ):
         axes.plot(angle, height, mark, color=style.SECOND_CURVE, label=f"{name} at {angle:.2f}°")
@@ -159,14 +155,14 @@ def draw_gaits() -> Figure:
     return figure
 
 
-def draw_friction() -> Figure:
+def draw_friction(results: Results) -> Figure:
     """Draw figure 4(a): friction that gaits need in stance and at the impact of a small foot."""
-    data = gait_table()
+    data = results.table("figure_2b")
     figure, axes = style.subplots(figsize=(5.6, 4.2))
     for name, line, its in _branches(data):
         label = f"at impact, {name} gait"
         axes.plot(its["angle_degrees"], its["impact_friction"], line, color=style.CURVE, label=label)
-    its = select(data, np.argsort(data["angle_degrees"]))
+    its = data.sort_values("angle_degrees")
     label = r"in stance: $\tan\theta_0$"
     axes.plot(its["angle_degrees"], its["stance_friction"], "-.", color=style.SECOND_CURVE, label=label)
     axes.plot([SLIP_ANGLE] * 2, [STANCE_FRICTION, IMPACT_FRICTION], **style.PUBLISHED)
@@ -199,7 +195,7 @@ def _stance(slip: PageMap) -> NDArray[np.float64]:
     return classic_slip.path(slip, HEIGHT, times)
 
 
-def slip_table() -> Data:
+def slip_table(_: Results) -> pandas.DataFrame:
     """Data of figure 3 by column, a row for each panel."""
     friction, early = _early()
     slip = classic_slip.slip(TOUCHDOWN_ANGLE)
@@ -207,10 +203,10 @@ def slip_table() -> Data:
     at = np.stack([_stance(slip)[:, 0], early[:, -1], _stance(slip)[:, 0]], axis=1)
     frictions = [MARGIN * math.tan(TOUCHDOWN_ANGLE), friction, needed]
     state = dict(zip(("x", "y", "vx", "vy"), at, strict=True))
-    return {"panel": ["a", "b", "c"], "friction": frictions, **state}
+    return pandas.DataFrame({"panel": ["a", "b", "c"], "friction": frictions, **state})
 
 
-def draw_slip() -> Figure:
+def draw_slip(_: Results) -> Figure:
     """Draw figure 3: a massless foot that slips at touchdown and in stance, and the cone of an impact."""
     figure, axes = style.subplots(1, 3, figsize=(9.6, 3.8), sharey=True)
     for panel, draw in zip(axes, (_touchdown, _take_off, _impact), strict=True):

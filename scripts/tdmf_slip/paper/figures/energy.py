@@ -1,16 +1,16 @@
 """Why slipping pays: where the hip's work goes, per weight and stride length, against friction."""
 
-from collections.abc import Sequence
+from functools import partial
 
+import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ...analysis.sweeps import Row
 from ...library.gait import Gait
 from ...library.quantities import weight_of
 from ...pictures import style
-from . import figure_9
-from .columns import Columns, Data, as_columns, attributes, select
+from .data import Results, table_of
+from .over_friction import friction_axis, mark_words
 
 SHARES = {
     "impact_loss": ("lost at the impact", "#1f5fa8"),
@@ -24,41 +24,36 @@ TITLES = (
 )
 
 
-def table(sweep: Row, matched: Sequence[Gait]) -> Data:
-    """Data of the figure by column: energies per weight and stride length. `matched` is 1 or 0."""
-    rows = [*sweep.gaits, *matched]
-    return {
-        "matched": [0] * len(sweep.gaits) + [1] * len(matched),
-        **attributes(rows, "friction", "word", "cost_of_transport"),
-        **{
-            name: [gait.stride[name] / (weight_of(gait.runner) * gait.stride["length"]) for gait in rows]
-            for name in SHARES
-        },
-    }
+def table(results: Results) -> pandas.DataFrame:
+    """Energies per weight and stride length. `matched` is 1 for runners matched to the first gait."""
+    own, equal = results.gaits.gaits, results.equal
+    losses = {name: partial(_per_distance, name) for name in SHARES}
+    found = table_of([*own, *equal], "friction", "word", "cost_of_transport", **losses)
+    found.insert(0, "matched", [0] * len(own) + [1] * len(equal))
+    return found
 
 
-def draw(sweep: Row, matched: Sequence[Gait]) -> Figure:
+def _per_distance(name: str, gait: Gait) -> float:
+    energy: float = gait.stride[name] / (weight_of(gait.runner) * gait.stride["length"])
+    return energy
+
+
+def draw(results: Results) -> Figure:
     """Draw the stacked losses and the hip's work, for the paper's runner and for matched runners."""
     figure, panels = style.subplots(2, 1, figsize=(7.6, 7.6), sharex=True, sharey=True)
-    data = as_columns(table(sweep, matched))
+    data = results.table("energy")
     for number, (axes, title) in enumerate(zip(panels, TITLES, strict=True)):
-        _draw_shares(axes, select(data, matched=number))
+        _draw_shares(axes, data[data["matched"] == number])
         axes.set_title(title, pad=18 if axes is panels[0] else None)
-    figure_9.mark_borders(panels[0], sweep)
-    figure_9.name_words(panels[0], sweep)
-    figure_9.friction_axis(panels[1], [gait.friction for gait in sweep.gaits])
+    mark_words(panels[:1], results.gaits)
+    friction_axis(panels[1], data["friction"])
     panels[0].set_ylim(0.0, 1.2 * data["cost_of_transport"].max())
     figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
     return figure
 
 
-def _draw_shares(axes: Axes, data: Columns) -> None:
-    axes.stackplot(
-        data["friction"],
-        [data[name] for name in SHARES],
-        labels=[label for label, _ in SHARES.values()],
-        colors=[colour for _, colour in SHARES.values()],
-        linewidth=0,
-    )
+def _draw_shares(axes: Axes, data: pandas.DataFrame) -> None:
+    labels, colours = zip(*SHARES.values(), strict=True)
+    axes.stackplot(data["friction"], data[[*SHARES]].T, labels=labels, colors=colours, linewidth=0)
     axes.plot(data["friction"], data["cost_of_transport"], color=style.INK, label="work of the hip")
     axes.set_ylabel("energy per stride (weight × stride length)")

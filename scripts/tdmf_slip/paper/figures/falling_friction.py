@@ -1,12 +1,12 @@
 """Gaits with friction that falls with speed: speed, cost and eigenvalues against the Stribeck velocity."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from itertools import pairwise
 
 import numpy as np
+import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from ...analysis.branch_problem import gaits_over
 from ...analysis.branches import Branch, continue_branch
@@ -17,7 +17,7 @@ from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.style import CurveLabel
 from ...variables.table import FRICTION
-from .columns import Columns, Data, attributes, select
+from .data import Point, Results, points_of, table_of
 
 SLOPE, RATIO, VELOCITY = "ground.slope", "ground.static_friction_ratio", "ground.stribeck_velocity"
 LEVEL, DOWNHILL = 0.0, -3.0
@@ -42,9 +42,6 @@ SHOWN = 2.0
 SHORT_RUN = 0.4
 """Decades of velocity below which a word is not written."""
 
-Row = tuple[float, str, Gait]
-"""Velocity, kind of special point (empty for other gaits), and gait."""
-
 
 def runner_of(runner: Runner, slope: float, ratio: float, velocity: float) -> Runner:
     """Runner for one slope, ratio and Stribeck velocity."""
@@ -52,16 +49,16 @@ def runner_of(runner: Runner, slope: float, ratio: float, velocity: float) -> Ru
     return runner.replace({**ground, RATIO: ratio, VELOCITY: velocity})
 
 
-def level(runner: Runner, ratio: float) -> list[Row]:
+def level(runner: Runner, ratio: float) -> list[Point]:
     """Rows along the branch on level ground, decade by decade."""
-    rows: list[Row] = []
+    rows: list[Point] = []
     for begin, end in pairwise(DECADES):
         its = runner_of(runner, LEVEL, ratio, begin)
-        rows += _rows(_branch(periodic_gait(its), end))
+        rows += points_of(_branch(periodic_gait(its), end))
     return rows
 
 
-def downhill(runner: Runner, ratio: float) -> list[Row]:
+def downhill(runner: Runner, ratio: float) -> list[Point]:
     """Rows along the branch downhill, through its fold to gaits whose foot never sticks."""
     its = runner_of(runner, DOWNHILL, RATIOS[DOWNHILL][0], BEGIN)
     first = periodic_gait(its)
@@ -69,52 +66,39 @@ def downhill(runner: Runner, ratio: float) -> list[Row]:
         first = next(gaits_over(its, RATIO, [ratio], first))
     low, high = RANGE
     span = {VELOCITY: (high, low)}
-    return _rows(continue_branch.plain(first, span, max_points=POINTS, switch=False))
+    return points_of(continue_branch.plain(first, span, max_points=POINTS, switch=False))
 
 
 def _branch(first: Gait, end: float) -> Branch:
     return continue_branch.plain(first, {VELOCITY: (first.runner[VELOCITY], end)}, switch=False)
 
 
-def _rows(branch: Branch) -> list[Row]:
-    """Gaits and special points in the order of the branch."""
-    rows: list[Row] = []
-    for index, (velocity, gait) in enumerate(zip(branch.values, branch.gaits, strict=True)):
-        rows.append((float(velocity), "", gait))
-        rows += [
-            (special.value, special.kind, special.gait)
-            for special in branch.specials
-            if special.index == index
-        ]
-    return rows
-
-
-def measure(runner: Runner) -> Data:
-    """Data of all branches by column; takes some minutes."""
-    found = {(LEVEL, ratio): level(runner, ratio) for ratio in RATIOS[LEVEL]}
-    found |= {(DOWNHILL, ratio): downhill(runner, ratio) for ratio in RATIOS[DOWNHILL]}
+def table(results: Results) -> pandas.DataFrame:
+    """Data of all branches; takes some minutes."""
+    found = {(LEVEL, ratio): level(results.runner, ratio) for ratio in RATIOS[LEVEL]}
+    found |= {(DOWNHILL, ratio): downhill(results.runner, ratio) for ratio in RATIOS[DOWNHILL]}
     rows = [(slope, ratio, *row) for (slope, ratio), branch in found.items() for row in branch]
+    points = pandas.DataFrame(
+        [row[:-1] for row in rows],
+        columns=["slope_degrees", "static_friction_ratio", "stribeck_velocity", "kind"],
+    )
     gaits = [gait for *_, gait in rows]
-    return {
-        "slope_degrees": [slope for slope, *_ in rows],
-        "static_friction_ratio": [ratio for _, ratio, *_ in rows],
-        "stribeck_velocity": [velocity for _, _, velocity, *_ in rows],
-        "kind": [kind for *_, kind, _ in rows],
-        **attributes(gaits, "word", "stable", "speed", "cost_of_transport", "lambda_max"),
-    }
+    return points.join(table_of(gaits, "word", "stable", "speed", "cost_of_transport", "lambda_max"))
 
 
-def branch_of(data: Columns, slope: float, ratio: float) -> Columns:
+def branch_of(data: pandas.DataFrame, slope: float, ratio: float) -> pandas.DataFrame:
     """Data of one branch, in its order."""
-    return select(data, slope_degrees=slope, static_friction_ratio=ratio)
+    chosen = (data["slope_degrees"] == slope) & (data["static_friction_ratio"] == ratio)
+    return data[chosen].reset_index(drop=True)
 
 
-def _shown(its: Columns) -> Columns:
-    return select(its, its["speed"] < SHOWN)
+def _shown(its: pandas.DataFrame) -> pandas.DataFrame:
+    return its[its["speed"] < SHOWN]
 
 
-def draw(data: Columns) -> Figure:
+def draw(results: Results) -> Figure:
     """Draw level ground on the left and the slope on the right; dashed where gaits are unstable."""
+    data = results.table("falling_friction")
     figure, panels = style.subplots(3, 2, figsize=(9.6, 9.0), sharex="col")
     for column, slope in zip(panels.T, RATIOS, strict=True):
         for axes, (name, what) in zip(column, DRAWN.items(), strict=True):
@@ -135,7 +119,7 @@ def _named(slope: float) -> str:
     return f"slope of {slope:g}°".replace("-", "−") if slope else "level ground"
 
 
-def _curve(axes: Axes, its: Columns, name: str, colour: str) -> None:
+def _curve(axes: Axes, its: pandas.DataFrame, name: str, colour: str) -> None:
     velocities, heights = its["stribeck_velocity"], its[name]
     style.stable_curve(axes, velocities, heights, its["stable"], colour)
     for kind, marker in MARKS.items():
@@ -151,20 +135,11 @@ def _key(axes: Axes) -> None:
         axes.plot([], [], marker, color=style.INK, label=kind)
 
 
-def _runs(its: Columns) -> Iterator[tuple[str, NDArray[np.intp]]]:
-    """Yields each word along a branch with its rows."""
-    borders = np.flatnonzero(its["word"][1:] != its["word"][:-1]) + 1
-    for rows in np.split(np.arange(len(its["word"])), borders):
-        yield str(its["word"][rows[0]]), rows
-
-
-def _write_words(axes: Axes, data: Columns, slope: float) -> None:
+def _write_words(axes: Axes, data: pandas.DataFrame, slope: float) -> None:
     """Write each word beside its curve if it holds for long enough."""
     for ratio in RATIOS[slope]:
         its = _shown(branch_of(data, slope, ratio))
-        for word, rows in _runs(its):
-            decades = np.log10(its["stribeck_velocity"][rows])
-            if np.ptp(decades) < SHORT_RUN:
-                continue
-            points = np.column_stack([its["stribeck_velocity"][rows], its["speed"][rows]]).astype(float)
-            CurveLabel(axes, style.word(word), points, color=COLOURS[ratio])
+        for _, run in its.groupby((its["word"] != its["word"].shift()).cumsum()):
+            if np.ptp(np.log10(run["stribeck_velocity"])) >= SHORT_RUN:
+                points = run[["stribeck_velocity", "speed"]].to_numpy()
+                CurveLabel(axes, style.word(run["word"].iloc[0]), points, color=COLOURS[ratio])

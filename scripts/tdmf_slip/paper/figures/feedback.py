@@ -1,25 +1,23 @@
 """Effect of feedback from stride to stride at several frictions."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
+import pandas
 from matplotlib.figure import Figure
 
 from ...analysis.attraction import FARTHEST
-from ...analysis.search import periodic_gait
 from ...feedback.gains import Feedback, dead_beat, lqr
 from ...feedback.judgement import RUNNERS, Judgement, judge_all
 from ...library.gait import Gait
-from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.style import CurveLabel
-from ...variables.table import FRICTION
 from ..matched import like
-from . import figure_9
-from .columns import Columns, Data, attributes, select
+from .attraction import PUSHES_AND_STEPS, shares
+from .data import Results, table_of
+from .over_friction import draw_means, friction_axis
+from .rough import COUNTED, means
 
 FRICTIONS = (0.1, 0.2, 0.6, 1.0, 10.0)
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
@@ -45,13 +43,10 @@ COLOURS: Mapping[str, str] = {
 }
 SHOWN = {name: colour for name, colour in COLOURS.items() if name != "quadratic regulator: touchdown angle"}
 """Laws that are drawn; the touchdown angle alone has about the effect of angle and torque."""
-DISTURBANCES = ("push_forward", "push_backward", "step_down", "step_up")
 BESIDE, MARGIN = 1.06, 1.2
 """Ratios of frictions: between the positions of two laws, and between the ends of the axis and the data."""
 MAX_SHOWN = 5e4
 """Largest mean number of strides on the axis; some intervals extend beyond it."""
-COUNTED = ("falls", "strides", "stopped", "unsolved")
-"""Counts of runners on rough ground."""
 
 
 def laws(gait: Gait) -> dict[str, Feedback | None]:
@@ -68,67 +63,50 @@ def laws(gait: Gait) -> dict[str, Feedback | None]:
     return dict(zip(COLOURS, made, strict=True))
 
 
-def measure(runner: Runner) -> Data:
-    """Data of the figure by column; inf is a disturbance beyond all tried, or a mean without falls."""
-    gaits = [periodic_gait(runner.replace({FRICTION: friction})) for friction in FRICTIONS]
-    noise = (NOISE * runner.scales).tolist()
-    alike = matched(runner, gaits)
-    trials: dict[str, list[tuple[Gait, Feedback | None]]] = {name: [] for name in COLOURS}
-    for gait in gaits:
-        for name, law in laws(gait).items():
-            noisy = None if law is None else replace(law, noise=noise, seed=SEED)
-            one = alike.get(gait.friction) if name == MATCHED else gait
+def table(results: Results) -> pandas.DataFrame:
+    """Data of the figure; inf is a disturbance beyond all tried, or a mean without falls. Takes minutes."""
+    gaits = {friction: results.gait(friction) for friction in FRICTIONS}
+    noise = (NOISE * results.runner.scales).tolist()
+    designed = {friction: laws(gait) for friction, gait in gaits.items()}
+    trials: list[tuple[str, Gait, Feedback | None]] = []
+    for name in COLOURS:
+        for friction, gait in gaits.items():
+            law = designed[friction][name]
+            one = like(results.gait(REFERENCE), gait) if name == MATCHED else gait
             if one is not None:
-                trials[name].append((one, noisy))
-    named = [name for name, its in trials.items() for _ in its]
-    every = [trial for its in trials.values() for trial in its]
-    found = judge_all(every, roughness=ROUGHNESS, seed=SEED, progress=True)
-    data: dict[str, list[Any]] = {
-        "law": named,
-        "friction": [one.gait.friction for one in found],
-        "word": [one.gait.word for one in found],
-        "lambda_max": [_lambda_max(one) for one in found],
-        "samples": [one.volume.samples for one in found],
-        "attracted_share": [one.volume.share for one in found],
-        "attracted_share_low": [one.volume.interval[0] for one in found],
-        "attracted_share_high": [one.volume.interval[1] for one in found],
-        **attributes([one.robustness for one in found], *DISTURBANCES),
-        "runners": [RUNNERS for _ in found],
-    }
+                trials.append((name, one, law and replace(law, noise=noise, seed=SEED)))
+    pairs = [(gait, law) for _, gait, law in trials]
+    found = judge_all(pairs, roughness=ROUGHNESS, seed=SEED, progress=True)
+    counted = []
     for number, roughness in enumerate(ROUGHNESS):
         passages = [one.first_passages[number] for one in found]
-        counted = attributes(passages, *COUNTED)
-        data |= {f"{name}_{roughness:g}": values for name, values in counted.items()}
-        mean = f"mean_strides_{roughness:g}"
-        data[mean] = [one.mean_strides for one in passages]
-        data[f"{mean}_low"] = [one.interval[0] for one in passages]
-        data[f"{mean}_high"] = [one.interval[1] for one in passages]
-    return data
-
-
-def matched(runner: Runner, gaits: Sequence[Gait]) -> dict[float, Gait]:
-    """Gaits matched to the one on `REFERENCE`, by friction."""
-    reference = periodic_gait(runner.replace({FRICTION: REFERENCE}))
-    found = {gait.friction: like(reference, gait) for gait in gaits}
-    return {friction: gait for friction, gait in found.items() if gait is not None}
+        of_ground = means(passages, f"mean_strides_{roughness:g}", *COUNTED)
+        counted.append(of_ground.rename(columns={name: f"{name}_{roughness:g}" for name in COUNTED}))
+    of_gaits = table_of([gait for _, gait, _ in trials], "friction", "word")
+    of_gaits.insert(0, "law", [name for name, _, _ in trials])
+    radii = table_of(found, lambda_max=_lambda_max)
+    pushed = table_of((one.robustness for one in found), *PUSHES_AND_STEPS)
+    runners = pandas.DataFrame({"runners": [RUNNERS] * len(found)})
+    return pandas.concat([of_gaits, radii, shares(found), pushed, runners, *counted], axis=1)
 
 
 def _lambda_max(one: Judgement) -> float:
     return one.law.lambda_max if isinstance(one.law, Feedback) else one.gait.lambda_max
 
 
-def draw(data: Columns) -> Figure:
+def draw(results: Results) -> Figure:
     """Draw strides until the fall, share of starts that settle, and largest disturbances, by law."""
+    data = results.table("feedback")
     figure, panels = style.subplots(2, 2, figsize=(8.4, 6.6), sharex=True)
     (strides, share), (step, push) = panels
     for number, (name, colour) in enumerate(SHOWN.items()):
-        its = select(data, law=name)
-        its["friction"] = its["friction"] * BESIDE ** (number - 0.5 * (len(SHOWN) - 1))
-        _with_confidence(strides, its, "mean_strides_0.3", colour, name)
+        its = data[data["law"] == name].copy()
+        its["friction"] *= BESIDE ** (number - 0.5 * (len(SHOWN) - 1))
+        draw_means(strides, its, "mean_strides_0.3", colour, label=name)
         for axes, disturbance in ((step, "step_up"), (push, "push_forward")):
-            reach = np.minimum(its[disturbance], FARTHEST)
+            reach = its[disturbance].clip(upper=FARTHEST)
             axes.plot(its["friction"], reach, "o-", color=colour, markersize=4, linewidth=1.0)
-        _with_confidence(share, its, "attracted_share", colour, name)
+        draw_means(share, its, "attracted_share", colour)
     strides.set_title("(a) mean strides until the fall on steps of 0.3 l₀")
     strides.set_yscale("log")
     strides.set_ylim(top=MAX_SHOWN)
@@ -142,19 +120,7 @@ def draw(data: Columns) -> Figure:
     along = np.column_stack([np.geomspace(1.0, FRICTIONS[-1], 21), np.full(21, FARTHEST)])
     CurveLabel(push, "largest tried", along, fontsize=8.5)
     for axes in (step, push):
-        figure_9.friction_axis(axes, FRICTIONS)
+        friction_axis(axes, FRICTIONS)
     push.set_xlim(FRICTIONS[0] / MARGIN, FRICTIONS[-1] * MARGIN)
     figure.legend(*strides.get_legend_handles_labels(), loc="outside lower center", ncols=2)
     return figure
-
-
-def _with_confidence(axes: Axes, its: Columns, name: str, colour: str, label: str) -> None:
-    """Draw means with their intervals, and a triangle at the lower end if no runner fell."""
-    friction, mean, low, high = (its[key] for key in ("friction", name, f"{name}_low", f"{name}_high"))
-    known = np.isfinite(mean)
-    shown = np.where(known, mean, np.nan)
-    axes.errorbar(
-        friction, shown, [shown - low, high - shown], capsize=2, linewidth=0, elinewidth=1.2, color=colour
-    )
-    axes.plot(friction, shown, "o-", color=colour, markersize=4, linewidth=1.0, label=label)
-    axes.plot(friction[~known], low[~known], "^", color=colour, markersize=5)

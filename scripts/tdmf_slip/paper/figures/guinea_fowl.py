@@ -1,6 +1,7 @@
 """Falls of runners of a guinea fowl's size on a slippery patch, by speed and contact angle."""
 
 import numpy as np
+import pandas
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
@@ -10,7 +11,7 @@ from matplotlib.patches import Patch
 from ...pictures import style
 from .. import guinea_fowl
 from ..guinea_fowl import contact_angle_of
-from .columns import Data
+from .data import Results
 
 FALLS, UP = "#b3216f", "#cfe8e6"
 NOT_CONTROLLED = (
@@ -21,8 +22,14 @@ SHOWN = (50.5, 75.5)
 """Range of contact angles on the axis, degrees."""
 
 
-def table(found: guinea_fowl.Map) -> Data:
-    """Data of the figure by column, for all angles at which the leg can be placed."""
+def fall_map(_: Results) -> guinea_fowl.Map:
+    """Falls of runners of a guinea fowl's size."""
+    return guinea_fowl.fall_map()
+
+
+def table(results: Results) -> pandas.DataFrame:
+    """Data of the figure, for all angles at which the leg can be placed."""
+    found = results.once(fall_map)
     rows = [
         (friction, speed, angle, outcomes.fell[i, k], outcomes.slip_distance[i, k])
         for friction, outcomes in found.outcomes.items()
@@ -30,12 +37,12 @@ def table(found: guinea_fowl.Map) -> Data:
         for k, angle in enumerate(guinea_fowl.ANGLES)
         if np.isfinite(outcomes.fell[i, k])
     ]
-    names = ("friction", "speed", "contact_angle", "fell", "slip_distance")
-    return {name: [float(row[k]) for row in rows] for k, name in enumerate(names)}
+    return pandas.DataFrame(rows, columns=["friction", "speed", "contact_angle", "fell", "slip_distance"])
 
 
-def draw(found: guinea_fowl.Map) -> Figure:
+def draw(results: Results) -> Figure:
     """Draw a panel for each friction on the patch; in the last one it is that of the ground."""
+    found = results.once(fall_map)
     figure, panels = style.subplots(2, 2, figsize=(7.6, 6.6), sharex=True, sharey=True)
     for axes, friction in zip(panels.flat, found.outcomes, strict=True):
         _panel(axes, found, friction)

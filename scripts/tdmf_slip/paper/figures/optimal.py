@@ -8,9 +8,9 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
+import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from ...analysis.search import periodic_gait
 from ...errors import RunError
@@ -23,8 +23,8 @@ from ...optimization.problem import Goal
 from ...pictures import style
 from ...terminal.progress import progress_bar
 from ...variables.table import FRICTION
-from . import figure_9
-from .columns import Columns, Data, attributes, select
+from .data import Results, table_of
+from .over_friction import friction_axis
 
 FRICTIONS = np.geomspace(10.0, 0.05, 16)[:12]
 """Frictions from high to low; below the last one the search ends in worse optima."""
@@ -44,29 +44,30 @@ COSTS = (0.2, 0.8)
 NAMES = {CHEAPEST: "cheapest runner", MIN_SLIP: "runner with least slip"}
 
 
-def measure(runner: Runner) -> Data:
-    """Data of the figure by column: optimal runners at all frictions, each search also from the last."""
+def table(results: Results) -> pandas.DataFrame:
+    """Optimal runners at all frictions, each search also from the last; takes minutes."""
     found: list[Optimum] = []
     cheapest: list[Optimum] = []
     min_slipping: list[Optimum] = []
     with progress_bar("optimal runners", len(FRICTIONS), "frictions", True) as bar:
         for friction in FRICTIONS:
-            its = runner.replace({FRICTION: float(friction)})
+            its = results.runner.replace({FRICTION: float(friction)})
             cheapest = best(its, CHEAPEST, cheapest, begin=True)
             min_slipping = best(its, MIN_SLIP, [*min_slipping, *cheapest])
             found += [*cheapest, *min_slipping]
             bar.update()
+    settings = table_of(
+        found,
+        friction=lambda optimum: optimum.gait.friction,
+        cheapest=lambda optimum: optimum.objective == CHEAPEST,
+        touchdown_angle=lambda optimum: optimum.gait.runner[ANGLE],
+        stance_torque=lambda optimum: optimum.gait.runner[TORQUE],
+        thrust=lambda optimum: optimum.gait.runner[THRUST],
+    )
+    costs = ("cost_of_transport", "positive_cost_of_transport")
     gaits = [optimum.gait for optimum in found]
-    return {
-        **attributes(gaits, "friction"),
-        "cheapest": [optimum.objective == CHEAPEST for optimum in found],
-        "touchdown_angle": [gait.runner[ANGLE] for gait in gaits],
-        "stance_torque": [gait.runner[TORQUE] for gait in gaits],
-        "thrust": [gait.runner[THRUST] for gait in gaits],
-        **attributes(gaits, "word", "speed", "cost_of_transport", "positive_cost_of_transport"),
-        **attributes(gaits, "slip_distance", "length", "lambda_max"),
-        "shown": [not optimum.why for optimum in found],
-    }
+    strides = table_of(gaits, "word", "speed", *costs, "slip_distance", "length", "lambda_max")
+    return settings.join(strides).join(table_of(found, shown=lambda optimum: not optimum.why))
 
 
 def best(runner: Runner, objective: str, near: Sequence[Optimum], *, begin: bool = False) -> list[Optimum]:
@@ -91,15 +92,15 @@ def _starts(space: Space, runner: Runner, near: Sequence[Optimum]) -> Iterator[S
             continue
 
 
-def draw(data: Columns) -> Figure:
+def draw(results: Results) -> Figure:
     """Draw cost and slip of both runners against friction, and what the cheapest one does.
 
     Runners that are not shown to be optima are left out.
     """
     figure, panels = style.subplots(2, 2, figsize=(9.2, 6.2), sharex=True)
     (cost, angle), (slip, drive) = panels
-    data = select(data, np.argsort(data["friction"]))
-    cheapest, least = (select(data, cheapest=chosen, shown=1.0) for chosen in (1.0, 0.0))
+    data = results.table("optimal").sort_values("friction")
+    cheapest, least = (data[(data["cheapest"] == chosen) & data["shown"]] for chosen in (True, False))
     for its, objective in ((cheapest, CHEAPEST), (least, MIN_SLIP)):
         colour, name = COLOURS[objective], NAMES[objective]
         _curve(cost, its, its["cost_of_transport"], colour, name)
@@ -117,12 +118,10 @@ def draw(data: Columns) -> Figure:
     for axes in (cost, drive):
         axes.legend()
     for axes in panels[1]:
-        figure_9.friction_axis(axes, FRICTIONS)
+        friction_axis(axes, FRICTIONS)
         axes.set_xlim(FRICTIONS[-1] / MARGIN, FRICTIONS[0] * MARGIN)
     return figure
 
 
-def _curve(
-    axes: Axes, its: Columns, values: NDArray[np.float64], colour: str, label: str, **look: Any
-) -> None:
+def _curve(axes: Axes, its: pandas.DataFrame, values: Any, colour: str, label: str, **look: Any) -> None:
     axes.plot(its["friction"], values, marker="o", markersize=3.0, color=colour, label=label, **look)

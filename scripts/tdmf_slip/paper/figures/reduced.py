@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import pandas
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
@@ -14,13 +15,14 @@ from numpy.typing import NDArray
 
 from ...analysis.basin import basin
 from ...analysis.stability import stability
-from ...analysis.sweeps import Row
+from ...analysis.sweeps import sweep_row
 from ...library.runner import Runner
 from ...library.section import REDUCED
 from ...pictures import basin_map, style
 from ...variables.table import FRICTION
-from . import figure_9
-from .columns import Data, as_columns
+from ..evidence import SWEPT
+from .data import Results
+from .over_friction import TICKS, friction_axis, mark_words
 
 if TYPE_CHECKING:
     import xarray
@@ -41,26 +43,26 @@ COORDINATES = {"full": "full model, six coordinates", "reduced": "reduced map, t
 TITLES = {"full": "(a) full model", "reduced": "(b) reduced map"}
 
 
-def regions(runner: Runner) -> dict[str, "xarray.Dataset"]:
+def regions(results: Results) -> dict[str, "xarray.Dataset"]:
     """Regions of attraction of both models; that of the full model is a slice."""
-    return {name: basin(runner, PLANE, STARTS, model=name) for name in ("full", "reduced")}
+    return {name: basin(results.runner, PLANE, STARTS, model=name) for name in ("full", "reduced")}
 
 
-def region_table(maps: dict[str, "xarray.Dataset"]) -> Data:
+def region_table(results: Results) -> pandas.DataFrame:
     """Fate and number of strides of all starts."""
     along = (np.linspace(*PLANE[axis], count) for axis, count in zip(REDUCED, STARTS, strict=True))
     height, speed = (grid.ravel() for grid in np.meshgrid(*along, indexing="ij"))
     columns: dict[str, Any] = {"com_height": height, "com_speed": speed}
-    for name, data in maps.items():
+    for name, data in results.once(regions).items():
         columns |= {f"{what}_{name}": data[what].values.ravel() for what in ("fate", "strides_until_known")}
-    return columns
+    return pandas.DataFrame(columns)
 
 
-def draw_regions(maps: dict[str, "xarray.Dataset"]) -> Figure:
+def draw_regions(results: Results) -> Figure:
     """Draw the full model's slice and the reduced map's plane, one beside the other."""
     figure, panels = style.subplots(1, 2, figsize=(8.6, 4.9), sharey=True)
     handles: dict[object, Artist] = {}
-    for panel, (name, data) in zip(panels, maps.items(), strict=True):
+    for panel, (name, data) in zip(panels, results.once(regions).items(), strict=True):
         handles |= {handle.get_label(): handle for handle in basin_map.paint(panel, data)}
         panel.set_title(f"{TITLES[name]}: {data.settled_share:.1%} of starts settle")
     panels[1].set_ylabel("")
@@ -68,20 +70,21 @@ def draw_regions(maps: dict[str, "xarray.Dataset"]) -> Figure:
     return figure
 
 
-def eigenvalue_table(sweeps: dict[str, Row]) -> Data:
+def eigenvalue_table(results: Results) -> pandas.DataFrame:
     """The two largest eigenvalues of both models by friction."""
-    columns: dict[str, Any] = {"friction": [gait.friction for gait in sweeps["full"].gaits]}
-    for name, sweep in sweeps.items():
+    reduced = sweep_row(Runner(results.runner, model="reduced"), FRICTION, SWEPT)
+    columns: dict[str, Any] = {"friction": [gait.friction for gait in results.gaits.gaits]}
+    for name, sweep in {"full": results.gaits, "reduced": reduced}.items():
         columns[f"word_{name}"] = [gait.word for gait in sweep.gaits]
         for number in (1, 2):
             values = [float(gait.eigenvalues[number - 1].real) for gait in sweep.gaits]
             columns[f"eigenvalue_{number}_{name}"] = values
-    return columns
+    return pandas.DataFrame(columns)
 
 
-def draw_eigenvalues(sweeps: dict[str, Row]) -> Figure:
+def draw_eigenvalues(results: Results) -> Figure:
     """Draw the two largest eigenvalues of both models against friction, and how far apart they are."""
-    data = as_columns(eigenvalue_table(sweeps))
+    data = results.table("reduced_eigenvalues")
     friction = data["friction"]
     figure, axes = style.subplots(3, 1, figsize=(7.6, 8.0), sharex=True, height_ratios=(3, 3, 2))
     for panel, number in zip(axes, (1, 2), strict=False):
@@ -97,16 +100,14 @@ def draw_eigenvalues(sweeps: dict[str, Row]) -> Figure:
         axes[2].semilogy(friction, np.abs(reduced - full), color=colour, label=label)
     axes[2].set_title("(c) absolute difference between the two models")
     axes[2].legend(loc="center right")
-    for panel in axes:
-        figure_9.mark_borders(panel, sweeps["full"])
-    figure_9.name_words(axes[0], sweeps["full"])
-    figure_9.friction_axis(axes[-1], data["friction"])
+    mark_words(axes, results.gaits)
+    friction_axis(axes[-1], data["friction"])
     return figure
 
 
-def planes(runner: Runner) -> "tuple[xarray.Dataset, xarray.Dataset]":
+def planes(results: Results) -> "tuple[xarray.Dataset, xarray.Dataset]":
     """Stability of the reduced map by touchdown angle and damping, and by retraction rate and friction."""
-    small = Runner(runner, model="reduced")
+    small = Runner(results.runner, model="reduced")
     return (
         stability(small, {"leg.damping": DAMPINGS, "hip.touchdown_angle": ANGLES}),
         stability(
@@ -116,10 +117,10 @@ def planes(runner: Runner) -> "tuple[xarray.Dataset, xarray.Dataset]":
     )
 
 
-def plane_table(maps: "tuple[xarray.Dataset, xarray.Dataset]") -> Data:
-    """Data of both planes by column: parameters, largest eigenvalue and word."""
+def plane_table(results: Results) -> pandas.DataFrame:
+    """Data of both planes: parameters, largest eigenvalue and word."""
     columns: dict[str, list[Any]] = {}
-    for one in maps:
+    for one in results.once(planes):
         names = tuple(map(str, one["word"].dims))
         grid = np.meshgrid(*(one[name].values for name in names), indexing="ij")
         for which, name, values in zip(("first", "second"), names, grid, strict=True):
@@ -127,12 +128,12 @@ def plane_table(maps: "tuple[xarray.Dataset, xarray.Dataset]") -> Data:
             columns.setdefault(f"{which}_value", []).extend(values.ravel())
         for name in ("lambda_max", "word"):
             columns.setdefault(name, []).extend(one[name].values.ravel())
-    return columns
+    return pandas.DataFrame(columns)
 
 
-def draw_planes(maps: "tuple[xarray.Dataset, xarray.Dataset]") -> Figure:
+def draw_planes(results: Results) -> Figure:
     """Draw the largest eigenvalue over both planes, with the border of stability."""
-    first, second = maps
+    first, second = maps = results.once(planes)
     shares = [float((one["lambda_max"] < 1.0).mean()) for one in maps]
     figure, (left, right) = style.subplots(1, 2, figsize=(8.4, 4.5))
     mesh = _draw_plane(left, first, np.degrees(ANGLES), DAMPINGS)
@@ -142,7 +143,7 @@ def draw_planes(maps: "tuple[xarray.Dataset, xarray.Dataset]") -> Figure:
     right.set_yscale("log")
     right.set_title(f"(b) touchdown angle 45°: {shares[1]:.0%} has a stable gait")
     style.label(right, "retraction rate ω (√(k/m))", "friction coefficient μ")
-    right.set_yticks(figure_9.TICKS[:-1], [f"{tick:g}" for tick in figure_9.TICKS[:-1]])
+    right.set_yticks(TICKS[:-1], [f"{tick:g}" for tick in TICKS[:-1]])
     right.minorticks_off()
     right.set_xticks([-0.02, -0.01, 0.0, 0.01, 0.02])
     figure.colorbar(mesh, ax=(left, right), label="modulus of the largest eigenvalue", pad=0.01)

@@ -1,19 +1,19 @@
 """The two largest eigenvalues against the rate of swing-leg retraction, at three frictions."""
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
+import pandas
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ...analysis.branches import Branch, continue_branch
-from ...analysis.search import periodic_gait
+from ...analysis.branches import continue_branch
+from ...analysis.special_points import FOLD, PERIOD_DOUBLING
 from ...library.gait import Gait
-from ...library.runner import Runner
 from ...pictures import style
-from ...variables.table import FRICTION
 from ..matched import changed, like
-from . import leading
-from .columns import Data, attributes
+from .data import LEADING, Point, Results, points_of, table_of
 
 RATE = "hip.retraction_rate"
 FRICTIONS = (0.2, 0.6, 10.0)
@@ -25,81 +25,84 @@ RATES = np.linspace(0.0, 0.034, 18)[1:]
 """Retraction rates of matched runners."""
 POINTS = 320
 """Maximum number of gaits of a branch, which continues far beyond its fold."""
+CURVES: Mapping[str, tuple[str, str]] = {
+    "greater_eigenvalue": (style.CURVE, "largest eigenvalue, of speed"),
+    "other_eigenvalue": (style.SECOND_CURVE, "second eigenvalue, of height"),
+}
+"""Colour and name of each curve by column."""
+MARKS: Mapping[str, tuple[str, float]] = {FOLD: ("o", 1.0), PERIOD_DOUBLING: ("s", -1.0)}
+"""Marker of each kind of special point, and the eigenvalue there."""
 
 
-def branches(runner: Runner) -> Mapping[float, tuple[Branch, Branch]]:
-    """Branches from zero retraction to negative and to positive rates, by friction."""
-    found = {}
-    for friction in FRICTIONS:
-        its = runner.replace({FRICTION: friction})
-        first = periodic_gait(its)
-        spans = [{RATE: (first.runner[RATE], end)} for end in (2.0 * SHOWN[0], SHOWN[1])]
-        back, forth = (
-            continue_branch.plain(first, span, max_step=LARGEST_STEP, max_points=POINTS, switch=False)
-            for span in spans
-        )
-        found[friction] = back, forth
-    return found
-
-
-def matched(runner: Runner) -> Mapping[float, tuple[Gait, ...]]:
-    """Gaits with retraction that are matched to the one without, by friction."""
-    found = {}
-    for friction in FRICTIONS:
-        reference = one = periodic_gait(runner.replace({FRICTION: friction}))
-        alike = []
-        for rate in RATES:
-            near = changed(one, {RATE: rate}, 2)
-            one = (near and like(reference, near)) or one
-            if one.runner[RATE] == rate:
-                alike.append(one)
-        found[friction] = tuple(alike)
-    return found
-
-
-def table(found: Mapping[float, tuple[Branch, Branch]], alike: Mapping[float, tuple[Gait, ...]]) -> Data:
-    """Data of the figure by column: each branch from its fold to its largest rate, then matched runners."""
-    rows = [
-        (friction, value, gait)
-        for friction, (back, forth) in found.items()
-        for value, gait in [
-            *reversed(list(zip(back.values, back.gaits, strict=True))[1:]),
-            *zip(forth.values, forth.gaits, strict=True),
-        ]
-    ]
-    along = len(rows)
-    rows += [(friction, one.runner[RATE], one) for friction, its in alike.items() for one in its]
-    gaits = [gait for _, _, gait in rows]
-    return {
-        "friction": [friction for friction, _, _ in rows],
-        "retraction_rate": [value for _, value, _ in rows],
-        "matched": [row >= along for row in range(len(rows))],
-        **attributes(gaits, "word", "stable"),
-        **leading.as_columns(gaits),
-        **attributes(gaits, "speed", "cost_of_transport"),
-    }
-
-
-def draw(found: Mapping[float, tuple[Branch, Branch]], alike: Mapping[float, tuple[Gait, ...]]) -> Figure:
-    """Draw a panel for each friction, with crosses for matched runners."""
-    figure, panels = style.subplots(len(found), 1, figsize=(7.6, 7.6), sharex=True, sharey=True)
-    for axes, letter, (friction, pair) in zip(panels, "abc", found.items(), strict=True):
-        for number, branch in enumerate(pair):
-            named = axes is panels[0] and number == 1
-            leading.draw(axes, branch.values, branch.gaits, named=named)
-            leading.mark(axes, branch, named=named)
-        rates = [one.runner[RATE] for one in alike[friction]]
-        for heights, colour in zip(leading.leading(alike[friction]).T, leading.COLOURS, strict=True):
-            axes.plot(rates, heights, "x", color=colour, markersize=4.5)
-        if axes is panels[0]:
-            style.name_unstable(axes)
-            axes.plot(
-                [], [], "x", color=style.FAINT, markersize=4.5, label="speed, apex height and leg angle held"
+def along(first: Gait) -> list[Point]:
+    """Gaits and special points of the branch from its fold to the largest rate."""
+    back, forth = (
+        points_of(
+            continue_branch.plain(
+                *(first, {RATE: (first.runner[RATE], end)}),
+                max_step=LARGEST_STEP,
+                max_points=POINTS,
+                switch=False,
             )
-        axes.axvline(0.0, **style.STANCE_LINE)
+        )
+        for end in (2.0 * SHOWN[0], SHOWN[1])
+    )
+    return [*back[:0:-1], *forth]
+
+
+def matched(reference: Gait) -> list[Point]:
+    """Gaits with retraction that are matched to the one without."""
+    one, found = reference, []
+    for rate in RATES:
+        near = changed(one, {RATE: rate}, 2)
+        one = (near and like(reference, near)) or one
+        if one.runner[RATE] == rate:
+            found.append((rate, "", one))
+    return found
+
+
+def table(results: Results) -> pandas.DataFrame:
+    """Each branch from its fold to its largest rate, then matched runners; special points have a `kind`."""
+    rows = [
+        (friction, is_matched, *point)
+        for is_matched, find in ((False, along), (True, matched))
+        for friction in FRICTIONS
+        for point in find(results.gait(friction))
+    ]
+    columns = ["friction", "matched", "retraction_rate", "kind"]
+    points = pandas.DataFrame([row[:-1] for row in rows], columns=columns)
+    gaits = [gait for *_, gait in rows]
+    return points.join(table_of(gaits, "word", "stable", *("speed", "cost_of_transport"), **LEADING))
+
+
+def draw(results: Results) -> Figure:
+    """Draw a panel for each friction, with crosses for matched runners."""
+    data = results.table("retraction")
+    figure, panels = style.subplots(len(FRICTIONS), 1, figsize=(7.6, 7.6), sharex=True, sharey=True)
+    for axes, letter, friction in zip(panels, "abc", FRICTIONS, strict=True):
+        its = data[data["friction"] == friction]
+        _draw(axes, its[~its["matched"]], its[its["matched"]])
         axes.set_title(f"({letter}) two largest eigenvalues at friction {friction:g}")
+    style.name_unstable(panels[0])
+    held = "speed, apex height and leg angle held"
+    panels[0].plot([], [], "x", color=style.FAINT, markersize=4.5, label=held)
     panels[0].set_xlim(*SHOWN)
     panels[0].set_ylim(*EIGENVALUES)
     panels[0].legend(loc="center right")
     panels[-1].set_xlabel("retraction rate ω (√(k/m))")
     return figure
+
+
+def _draw(axes: Axes, own: pandas.DataFrame, alike: pandas.DataFrame) -> None:
+    """Draw both eigenvalues, solid for stable gaits, with special points and the borders of stability."""
+    gaits = own[own["kind"] == ""]
+    for name, (colour, label) in CURVES.items():
+        style.stable_curve(axes, gaits["retraction_rate"], gaits[name], gaits["stable"], colour, label=label)
+        axes.plot(alike["retraction_rate"], alike[name], "x", color=colour, markersize=4.5)
+    for kind, (marker, height) in MARKS.items():
+        rates = own["retraction_rate"][own["kind"] == kind]
+        look: dict[str, Any] = {"color": style.MODE_COLOURS["slip_negative"], "markersize": 5, "zorder": 4}
+        axes.plot(rates, np.full(len(rates), height), marker, label=kind, **look)
+    for border in (-1.0, 1.0):
+        axes.axhline(border, **style.LIMIT_LINE)
+    axes.axvline(0.0, **style.STANCE_LINE)

@@ -1,6 +1,7 @@
 """Shortest patch on which a runner falls downhill, by friction on the patch and around it."""
 
 import numpy as np
+import pandas
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
@@ -13,7 +14,7 @@ from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.style import CurveLabel
 from ...variables.table import FRICTION
-from .columns import Columns, Data, select
+from .data import Results
 
 SLOPE = -4.0
 """Slope, degrees."""
@@ -54,27 +55,29 @@ def falls(gait: Gait, friction: float, length: float, seed: int = 0) -> int:
     return strides_to_fall(runner, 0.0, RUNNERS, seed, strides, gait=gait, foot_x="random").falls
 
 
-def measure(runner: Runner) -> Data:
+def table(results: Results) -> pandas.DataFrame:
     """Falls by ground, friction and length of the patch; takes minutes."""
     rows = [
         (gait.friction, matched, gait.stride["speed"], friction, length, falls(gait, friction, length))
-        for gait, matched in gaits(runner)
+        for gait, matched in gaits(results.runner)
         for friction in ON_PATCH
         for length in LENGTHS
     ]
-    names = ("friction", "matched", "speed", "patch_friction", "length", "falls")
-    return {name: [row[k] for row in rows] for k, name in enumerate(names)}
+    names = ["friction", "matched", "speed", "patch_friction", "length", "falls"]
+    return pandas.DataFrame(rows, columns=names)
 
 
-def shortest(data: Columns, friction: float, matched: bool) -> NDArray[np.float64]:
+def shortest(data: pandas.DataFrame, friction: float, matched: bool) -> NDArray[np.float64]:
     """Length of the shortest patch with a fall by friction on the patch, infinite if there is none."""
-    its = select(data, data["falls"] > 0.0, friction=friction, matched=matched)
-    of_each = (its["length"][np.isclose(its["patch_friction"], on_patch)] for on_patch in ON_PATCH)
-    return np.array([np.min(lengths, initial=np.inf) for lengths in of_each])
+    its = data[(data["friction"] == friction) & (data["matched"] == matched)]
+    lengths = its["length"].where(its["falls"] > 0, np.inf).groupby(its["patch_friction"])
+    found: NDArray[np.float64] = lengths.min().to_numpy()
+    return found
 
 
-def draw(data: Columns) -> Figure:
+def draw(results: Results) -> Figure:
     """Draw a curve for each ground, and crosses for runners matched to the last ground's."""
+    data = results.table("slippery_patch")
     figure, axes = style.subplots(figsize=(6.4, 4.6))
     for friction, colour in zip(OUTSIDE, COLOURS, strict=True):
         own = shortest(data, friction, matched=False)

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 import numpy as np
+import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -14,8 +15,7 @@ from ...library.runner import Runner
 from ...pictures import style
 from ...variables.table import FRICTION
 from ..matched import changed, like
-from . import leading
-from .columns import Columns, Data, attributes, select
+from .data import LEADING, Results, table_of
 
 SLOPE = "ground.slope"
 COLOURS: Mapping[float, str] = {0.2: "#e07b00", 0.6: "#0b7a75", 10.0: "#22303c"}
@@ -84,28 +84,26 @@ def _to_the_top(branch: Branch) -> tuple[tuple[float, Gait], ...]:
     return (*climb[:last], (top.value, top.gait))  # the last before the turn may be beyond the fold
 
 
-def measure(runner: Runner) -> Data:
-    """Data of the figure by column, with matched runners last; takes minutes."""
-    found, alike = (
-        [(friction, slope, gait) for friction, branch in of.items() for slope, gait in branch]
-        for of in (own(runner), matched(runner))
-    )
-    rows = [*found, *alike]
-    gaits = [gait for _, _, gait in rows]
-    return {
-        "friction": [friction for friction, _, _ in rows],
-        "matched": [row >= len(found) for row in range(len(rows))],
-        "slope_degrees": [float(np.degrees(slope)) for _, slope, _ in rows],
-        **attributes(gaits, "word", "stable", "speed", "cost_of_transport"),
-        **leading.as_columns(gaits),
-    }
+def table(results: Results) -> pandas.DataFrame:
+    """Data of the figure, with matched runners last; takes minutes."""
+    rows = [
+        (friction, alike, float(np.degrees(slope)), gait)
+        for alike, found in ((False, own(results.runner)), (True, matched(results.runner)))
+        for friction, branch in found.items()
+        for slope, gait in branch
+    ]
+    points = pandas.DataFrame([row[:-1] for row in rows], columns=["friction", "matched", "slope_degrees"])
+    gaits = [gait for *_, gait in rows]
+    return points.join(table_of(gaits, "word", "stable", "speed", "cost_of_transport", **LEADING))
 
 
-def draw(data: Columns) -> Figure:
+def draw(results: Results) -> Figure:
     """Draw three panels, a colour for each friction; dashed where the gait is unstable."""
+    data = results.table("slope")
     figure, panels = style.subplots(3, 1, figsize=(7.6, 8.4), sharex=True)
     for friction, colour in COLOURS.items():
-        its, alike = (select(data, friction=friction, matched=matched) for matched in (0.0, 1.0))
+        of_friction = data[data["friction"] == friction]
+        its, alike = of_friction[~of_friction["matched"]], of_friction[of_friction["matched"]]
         for name, panel in DRAWN.items():
             panels[panel].plot(alike["slope_degrees"], alike[name], ":", color=colour, linewidth=1.4)
             label = f"friction {friction:g}" if name == "speed" else None
@@ -128,7 +126,7 @@ def draw(data: Columns) -> Figure:
     return figure
 
 
-def _curve(axes: Axes, data: Columns, name: str, colour: str, label: str | None) -> None:
+def _curve(axes: Axes, data: pandas.DataFrame, name: str, colour: str, label: str | None) -> None:
     slopes, heights = data["slope_degrees"], data[name]
     style.stable_curve(axes, slopes, heights, data["stable"], colour, label=label)
-    axes.plot(slopes[-1], heights[-1], "o", color=colour, markersize=4)
+    axes.plot(slopes.iloc[-1], heights.iloc[-1], "o", color=colour, markersize=4)

@@ -7,19 +7,43 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...pictures import panels, style
 from ...pictures.panels import Stride
+from .data import Results
 
-STICKS, LANDING, THREE_SLIPS, LOW = 10.0, 1.2, 0.6, (0.43, 0.2)
-"""Frictions at which the foot only sticks, slides on landing, slips three times, and of both low ones."""
+Which = tuple[float, bool]
+"""Friction of a stride's gait, and whether the swing has the clamp of (12)."""
+STICKING: tuple[Which, Which] = (10.0, False), (10.0, True)
+LANDING: tuple[Which] = ((1.2, False),)
+THREE_SLIPS: tuple[Which] = ((0.6, False),)
+LOW: tuple[Which, Which] = (0.43, False), (0.2, False)
+"""Gaits whose foot only sticks, slides on landing, or slips three times, and those at low friction."""
 CLAMPED: Mapping[str, Any] = {"linestyle": (0.0, (1.0, 1.2)), "linewidth": 1.3, "zorder": 2}
+COLUMNS = (
+    *("time", "com.y", "foot.x", "foot.y", "foot.vx"),
+    *("leg.length", "leg.angle", "contact.fx", "contact.fy", "contact.mode"),
+)
+"""Recorded quantities in the data."""
 
 
-def draw_sticking(stride: Stride, clamped: Stride) -> Figure:
+def table(*arguments: Any) -> pandas.DataFrame:
+    """Recorded rows of strides in the paper's units, after friction and reading of the gait."""
+    *which, results = arguments
+    tables = []
+    for friction, clamp in which:
+        stride = results.stride(friction, clamp)
+        begin = {"friction": friction, "swing_clamp": int(clamp)}
+        tables.append(pandas.DataFrame({**begin, **{name: stride[name] for name in COLUMNS}}))
+    return pandas.concat(tables)
+
+
+def draw_sticking(results: Results) -> Figure:
     """Draw figure 5: heights, leg, foot velocity and force ratio by both readings."""
+    stride, clamped = (results.stride(*which) for which in STICKING)
     figure, axes = style.subplots(2, 2, figsize=(8.4, 6.2))
     _heights(axes[0, 0], stride, clamped)
     _leg(axes[0, 1], stride, clamped)
@@ -79,13 +103,14 @@ def _ratio(axes: Axes, stride: Stride) -> None:
     axes.set_title("(d) force ratio in stance; × impulses at the impact")
 
 
-def draw(stride: Stride) -> Figure:
+def draw(which: Which, results: Results) -> Figure:
     """Draw figure 6 or 7: foot velocity and force ratio of a stride."""
-    return panels.velocity_and_ratio(stride)
+    return panels.velocity_and_ratio(results.stride(*which))
 
 
-def draw_low(*strides: Stride) -> Figure:
+def draw_low(results: Results) -> Figure:
     """Draw figure 8: foot velocity in the stance of the two gaits at low friction."""
+    strides = [results.stride(*which) for which in LOW]
     figure, both = style.subplots(1, 2, figsize=(8.4, 3.7))
     for axes, stride, letter in zip(both, strides, "ab", strict=True):
         panels.mark_stance(axes, stride)

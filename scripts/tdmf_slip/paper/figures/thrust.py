@@ -1,21 +1,17 @@
 """Cost of transport and slip with leg thrust and with hip torque, at equal speed."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
+import pandas
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from ...analysis.branches import Branch, continue_branch
-from ...analysis.search import periodic_gait
 from ...library.gait import Gait
-from ...library.runner import Runner
 from ...pictures import style
-from ...variables.table import FRICTION
 from ..matched import changed, like
-from . import leading
-from .columns import Columns, Data, attributes, select
+from .data import LEADING, Results, table_of
 
 TORQUE, THRUST, ANGLE = "hip.stance_torque", "leg.thrust", "hip.touchdown_angle"
 FRICTIONS = (0.2, 0.6, 10.0)
@@ -35,27 +31,31 @@ HELPED, SPEEDS = 0.1, np.linspace(0.8, 1.5, 8)
 """Thrust and speeds of the matched runners."""
 
 
-def measure(runner: Runner) -> Data:
-    """Data of the figure by column: gaits of each actuation along branches over its strength, by friction.
+def table(results: Results) -> pandas.DataFrame:
+    """Gaits of each actuation along branches over its strength, by friction; takes minutes.
 
     If the branch ends before the torque is zero, thrust alone has no gait.
     """
     gaits: list[Gait] = []
     for friction in FRICTIONS:
-        its = runner.replace({FRICTION: friction})
-        first = periodic_gait(its)
-        hip = _both_ways(first, TORQUE, HIGHEST_TORQUE)
+        first = results.gait(friction)
+        hip = _branch(first, TORQUE, HIGHEST_TORQUE, 0.0)
         added = _branch(first, THRUST, HIGHEST_THRUST)
         gaits += (*hip.gaits, *added.gaits[1:], *_leg_alone(first), *matched(hip.gaits))
-    return {
-        **attributes(gaits, "friction"),
-        "touchdown_angle": [gait.runner[ANGLE] for gait in gaits],
-        "hip_torque": [gait.runner[TORQUE] for gait in gaits],
-        "thrust": [gait.runner[THRUST] for gait in gaits],
-        **attributes(gaits, "word", "stable", "speed", "cost_of_transport"),
-        "slip_per_length": [gait.stride["slip_distance"] / gait.stride["length"] for gait in gaits],
-        **leading.as_columns(gaits),
-    }
+    settings = table_of(
+        gaits,
+        "friction",
+        touchdown_angle=lambda gait: gait.runner[ANGLE],
+        hip_torque=lambda gait: gait.runner[TORQUE],
+        thrust=lambda gait: gait.runner[THRUST],
+    )
+    strides = table_of(
+        gaits,
+        *("word", "stable", "speed", "cost_of_transport"),
+        slip_per_length=lambda gait: gait.stride["slip_distance"] / gait.stride["length"],
+        **LEADING,
+    )
+    return settings.join(strides)
 
 
 def matched(by_hip: Sequence[Gait]) -> Iterator[Gait]:
@@ -73,43 +73,40 @@ def _leg_alone(first: Gait) -> Iterator[Gait]:
     driven = _branch(first, THRUST, WITHOUT_TORQUE).gaits[-1]
     freed = _branch(driven, TORQUE, 0.0)
     if freed.values[-1] == 0.0:
-        yield from _both_ways(freed.gaits[-1], THRUST, HIGHEST_THRUST).gaits
+        yield from _branch(freed.gaits[-1], THRUST, HIGHEST_THRUST, 0.0).gaits
 
 
-def _branch(first: Gait, name: str, end: float) -> Branch:
-    return _followed(first, name, first.runner[name], end)
-
-
-def _both_ways(first: Gait, name: str, end: float) -> Branch:
-    return _followed(first, name, 0.0, end)
-
-
-def _followed(first: Gait, name: str, begin: float, end: float) -> Branch:
-    span = {name: (begin, end)}
+def _branch(first: Gait, name: str, end: float, begin: float | None = None) -> Branch:
+    """Branch of gaits from the first one's value, or from another one, to an end."""
+    span = {name: (first.runner[name] if begin is None else begin, end)}
     return continue_branch.plain(first, span, max_step=LARGEST_STEP, max_points=POINTS, switch=False)
 
 
-def actuated(data: Columns) -> dict[str, NDArray[np.bool_]]:
+def actuated(data: pandas.DataFrame) -> dict[str, Any]:
     """Masks of the rows of each actuation."""
     torque, thrust = data["hip_torque"], data["thrust"]
-    beside = torque[np.flatnonzero((torque > 0.0) & (thrust > 0.0))[0]]
+    beside = torque[(torque > 0.0) & (thrust > 0.0)].iloc[0]
     angle = data["touchdown_angle"]
     return {
         HIP_ALONE: thrust == 0.0,
         BOTH: torque == beside,
         LEG_ALONE: torque == 0.0,
-        MATCHED: angle != angle[0],
+        MATCHED: angle != angle.iloc[0],
     }
 
 
-def draw(data: Columns) -> Figure:
+def draw(results: Results) -> Figure:
     """Draw a column for each friction, a colour for each actuation; dashed where the gait is unstable."""
+    data = results.table("thrust")
     figure, panels = style.subplots(2, len(FRICTIONS), figsize=(9.6, 6.4), sharex=True, sharey="row")
     for column, friction in zip(panels.T, FRICTIONS, strict=True):
         for name, chosen in actuated(data).items():
-            its = select(data, chosen, friction=friction)
+            its = data[chosen & (data["friction"] == friction)]
             for axes, key in zip(column, ("cost_of_transport", "slip_per_length"), strict=True):
-                _curve(axes, its["speed"], its[key], its["stable"] > 0.0, name)
+                if name == MATCHED:
+                    axes.plot(its["speed"], its[key], "x", color=COLOURS[name], markersize=5, label=name)
+                else:
+                    style.stable_curve(axes, its["speed"], its[key], its["stable"], COLOURS[name], label=name)
         column[0].set_title(f"friction {friction:g}")
         column[1].set_xlabel("average speed (l₀√(k/m))")
     panels[0, 0].set_ylim(*COSTS)
@@ -118,12 +115,3 @@ def draw(data: Columns) -> Figure:
     style.name_unstable(panels[1, -1])
     panels[1, -1].legend(loc="upper left")
     return figure
-
-
-def _curve(
-    axes: Axes, speed: NDArray[np.float64], height: NDArray[np.float64], stable: NDArray[np.bool_], name: str
-) -> None:
-    if name == MATCHED:
-        axes.plot(speed, height, "x", color=COLOURS[name], markersize=5, label=name)
-        return
-    style.stable_curve(axes, speed, height, stable, COLOURS[name], label=name)

@@ -1,5 +1,6 @@
 """Size of the viable sets against friction, for runners of equal speed and apex height."""
 
+import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -8,8 +9,8 @@ from ...pictures import style
 from ...variables.table import FRICTION
 from ...viable_sets.viability import viability
 from ..matched import at_frictions
-from . import figure_9
-from .columns import Columns, Data, attributes
+from .data import Results, table_of
+from .over_friction import friction_axis
 
 FRICTIONS = (0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.43, 0.6, 0.85, 1.2, 2.5, 5.0, 10.0)
 REFERENCE = 0.6
@@ -22,24 +23,27 @@ CELLS = 64
 BAND, COLOUR = "between the inner and the outer set", "#1f5fa8"
 
 
-def measure(runner: Runner) -> Data:
-    """Data of the figure by column: viable sets of matched runners by the reduced map, at each friction."""
-    small = Runner(runner, model="reduced")
+def table(results: Results) -> pandas.DataFrame:
+    """Viable sets of matched runners by the reduced map, at each friction; takes minutes."""
+    small = Runner(results.runner, model="reduced")
     runners = [gait.runner for gait in at_frictions(small, REFERENCE, FRICTIONS, HOLD, VARY)]
     sets = [viability(one, axes=AXES, vary=CHOSEN, n=CELLS, progress=True) for one in runners]
-    return {
-        "friction": [one[FRICTION] for one in runners],
-        **{name: [one[name] for one in runners] for name in VARY},
-        **attributes(sets, "inner_share", "outer_share"),
-        **{
-            name: [float(one[name].mean()) for one in sets]
-            for name in ("inner_robustness", "outer_robustness")
-        },
-    }
+    settings = pandas.DataFrame(
+        [{"friction": one[FRICTION], **{of: one[of] for of in VARY}} for one in runners]
+    )
+    sizes = table_of(
+        sets,
+        "inner_share",
+        "outer_share",
+        inner_robustness=lambda found: float(found["inner_robustness"].mean()),
+        outer_robustness=lambda found: float(found["outer_robustness"].mean()),
+    )
+    return settings.join(sizes)
 
 
-def draw(data: Columns) -> Figure:
+def draw(results: Results) -> Figure:
     """Draw both shares against friction, as bands between the inner and the outer set."""
+    data = results.table("viability")
     figure, axes = style.subplots(2, 1, figsize=(7.6, 6.6), sharex=True)
     _band(axes[0], data, "share")
     axes[0].set_title("(a) viable share of the plane of apex heights and speeds")
@@ -47,11 +51,11 @@ def draw(data: Columns) -> Figure:
     axes[1].set_ylim(bottom=0.0)
     axes[1].set_title("(b) viable share of the touchdown angles, averaged over the plane")
     axes[0].legend(loc="upper left")
-    figure_9.friction_axis(axes[1], FRICTIONS)
+    friction_axis(axes[1], FRICTIONS)
     return figure
 
 
-def _band(axes: Axes, data: Columns, what: str) -> None:
+def _band(axes: Axes, data: pandas.DataFrame, what: str) -> None:
     friction, inner, outer = (data[name] for name in ("friction", f"inner_{what}", f"outer_{what}"))
     axes.fill_between(friction, inner, outer, color=COLOUR, alpha=0.3, linewidth=0, label=BAND)
     for ends in (inner, outer):

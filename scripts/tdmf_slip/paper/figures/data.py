@@ -1,0 +1,110 @@
+"""Results for the paper's runner, and the data of each figure as a table.
+
+The table of a figure whose data take minutes is stored beside its module, as `NAME.csv`.
+`tdmf-slip figures --measure` computes the stored tables anew and writes them beside the figures.
+"""
+
+import importlib.resources
+from collections.abc import Callable, Iterable, Mapping
+from functools import cache, cached_property
+from typing import Any, TypeVar
+
+import numpy as np
+import pandas
+
+from ...analysis.branches import Branch
+from ...analysis.search import periodic_gait
+from ...analysis.sweeps import Row, sweep_row
+from ...library.gait import Gait
+from ...library.runner import Runner
+from ...pictures.panels import Stride
+from ...variables.parameters import read_parameters
+from ...variables.table import FRICTION
+from ..evidence import SWEPT
+from ..matched import over_friction
+
+Found = TypeVar("Found")
+EQUAL = 48
+"""Number of gaits over friction that are matched to the first one."""
+CLAMP = "hip.swing_clamp"
+
+
+class Results:
+    """Results for the paper's runner, each computed when it is first asked for."""
+
+    def __init__(self, tables: Mapping[str, Callable[["Results"], pandas.DataFrame]], measure: bool = False):
+        """Compute tables by the functions of the figures, or read the stored ones."""
+        self.runner = Runner(read_parameters("paper"))
+        self._tables, self._measure = tables, measure
+        self.table, self.stride, self._once = cache(self._table), cache(self._stride), cache(self._computed)
+
+    def _table(self, figure: str) -> pandas.DataFrame:
+        """Data of a figure."""
+        known = None if self._measure else stored(figure)
+        return self._tables[figure](self) if known is None else known
+
+    def _stride(self, friction: float, clamp: bool = False) -> Stride:
+        return Stride(self.gait(friction, {CLAMP: clamp}))
+
+    def gait(self, friction: float, values: Mapping[str, Any] | None = None) -> Gait:
+        """The gait at a friction, with other values of the runner."""
+        return periodic_gait(self.runner.replace({FRICTION: friction, **(values or {})}))
+
+    @cached_property
+    def gaits(self) -> Row:
+        """Gaits over friction."""
+        return sweep_row(self.runner, FRICTION, SWEPT)
+
+    @cached_property
+    def equal(self) -> list[Gait]:
+        """Gaits over friction, matched to the first one."""
+        return over_friction(self.gaits.gaits, EQUAL)
+
+    def once(self, compute: Callable[["Results"], Found]) -> Found:
+        """The result of a function of this object, which is called once."""
+        found: Found = self._once(compute)
+        return found
+
+    def _computed(self, compute: Callable[["Results"], Any]) -> Any:
+        return compute(self)
+
+
+def stored(figure: str) -> pandas.DataFrame | None:
+    """Stored data of a figure; None if they are not stored."""
+    file = importlib.resources.files(__package__).joinpath(f"{figure}.csv")
+    if not file.is_file():
+        return None
+    with file.open(encoding="utf-8") as text:
+        return pandas.read_csv(text, keep_default_na=False)
+
+
+def table_of(rows: Iterable[Any], *attributes: str, **columns: Callable[[Any], Any]) -> pandas.DataFrame:
+    """A row for each gait or other object: its attributes, and columns that are computed from it."""
+    rows = list(rows)
+    found = {name: [getattr(row, name) for row in rows] for name in attributes}
+    return pandas.DataFrame(found | {name: [of(row) for row in rows] for name, of in columns.items()})
+
+
+Point = tuple[float, str, Gait]
+"""Value of a branch's parameter, kind of special point (empty for other gaits), and gait."""
+
+
+def points_of(branch: Branch) -> list[Point]:
+    """Gaits and special points in the order of the branch."""
+    points: list[Point] = []
+    for index, (value, gait) in enumerate(zip(branch.values, branch.gaits, strict=True)):
+        points.append((float(value), "", gait))
+        points += [(one.value, one.kind, one.gait) for one in branch.specials if one.index == index]
+    return points
+
+
+def leading(gait: Gait) -> np.ndarray:
+    """Real parts of the two eigenvalues of largest modulus, the greater one first."""
+    return np.sort(gait.eigenvalues[:2].real)[::-1]
+
+
+LEADING: Mapping[str, Callable[[Gait], float]] = {
+    "greater_eigenvalue": lambda gait: float(leading(gait)[0]),
+    "other_eigenvalue": lambda gait: float(leading(gait)[1]),
+}
+"""Columns of the two leading eigenvalues, which keep their signs along a branch."""
