@@ -22,11 +22,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import RunError
-from .gaits import AT_BOUND, Candidate, Gaits
-from .problem import OFF_FOLD, Problem, Rows, minimize
+from .gaits import AT_BOUND, Candidate, Gaits, Rows
+from .problem import OFF_FOLD, Problem, minimize
 
 ACCURACY = 1e-10
 """Distance of the gaits on both sides, over the width of the bounds."""
+ALONG = 1e-9
+"""Accuracy of an objective along a border: the border is located to `ACCURACY`, and functions on it are as
+noisy."""
 SMOOTH = 1e-3
 """Difference of the changes on both sides, over their size, that counts as none."""
 CONTINUOUS = 1e-4
@@ -126,33 +129,14 @@ class OnBorder(Candidate):
     """Border at this point."""
     plane: NDArray[np.float64]
     """Changes of the parameters by u, shape (d, d - 1): T + n ds/du."""
+    free: NDArray[np.bool_]
+    """Which parameters vary."""
 
-
-class AlongBorder(Problem):
-    """A problem over a border; the bounds of the parameters are among the margins."""
-
-    accuracy = 1e-9
-    """Accuracy of the objective: a border is located to `ACCURACY`, and functions on it are as noisy."""
-
-    def __init__(self, problem: Problem, free: NDArray[np.bool_]) -> None:
-        """Keep the problem itself, and which of the parameters are varied."""
-        super().__init__(problem.goal, problem.scales)
-        self._problem, self._free = problem, free
-
-    def objective(self, gait: Candidate) -> tuple[float, NDArray[np.float64]]:
-        """The problem's own objective."""
-        return self._problem.objective(gait)
-
-    def equations(self, gait: Candidate) -> Rows:
-        """The problem's own equations."""
-        return self._problem.equations(gait)
-
-    def margins(self, gait: Candidate) -> Rows:
-        """Margins of the problem and of the bounds."""
-        assert isinstance(gait, OnBorder)
-        left, slopes = self._problem.margins(gait)
-        at, plane = gait.border.short.at[self._free], gait.plane[self._free]
-        return np.concatenate([left, at, 1.0 - at]), np.vstack([slopes, plane, -plane])
+    @property
+    def margins(self) -> Rows:
+        """Margins of the bounds of the parameters that vary."""
+        at, plane = self.border.short.at[self.free], self.plane[self.free]
+        return np.append(at, 1.0 - at), np.vstack([plane, -plane])
 
 
 def best_along(gaits: Gaits, problem: Problem, border: Border, region: Region, stationary: float) -> Border:
@@ -177,11 +161,11 @@ def _best_over(
     stationary: float,
 ) -> Border:
     """Best border with some parameters held: at first those at their bounds."""
-    wanted, chart = AlongBorder(problem, free), _WordChart(gaits, border, region, free)
+    chart = _WordChart(gaits, border, region, free)
     here, radius = chart.point(border, np.zeros(chart.basis.shape[1]), border.normal), RADIUS
     for _ in range(ROUNDS):
-        ended = minimize(wanted, chart.follow, here, here.at - radius, here.at + radius)
-        grows = not ended.lost and wanted.merit(ended.best) < wanted.merit(here)
+        ended = minimize(problem, chart.follow, here, here.at - radius, here.at + radius, accuracy=ALONG)
+        grows = not ended.lost and problem.merit(ended.best) < problem.merit(here)
         assert isinstance(ended.best, OnBorder)
         here = ended.best
         if (
@@ -199,7 +183,7 @@ class _Chart:
     """Coordinates u on a border: a step in the plane across a normal, and one along the normal."""
 
     def __init__(self, gaits: Gaits, normal: NDArray[np.float64], free: NDArray[np.bool_]) -> None:
-        self.gaits = gaits
+        self.gaits, self.free = gaits, free
         varied = np.where(free, normal, 0.0)
         self.normal = varied / np.linalg.norm(varied)
         self.basis = np.eye(len(free))[:, free] @ np.linalg.svd(normal[None, free])[2][1:].T
@@ -217,6 +201,7 @@ class _Chart:
             spectrum=short.spectrum.along(plane),
             border=border,
             plane=plane,
+            free=self.free,
         )
 
 
@@ -247,7 +232,6 @@ def best_on_edge(
     if len(begin.at) < 2:
         return begin
     without = Problem(replace(problem.goal, fold=False), problem.scales)
-    wanted = AlongBorder(without, np.ones(len(begin.at), dtype=bool))
     best, radius = begin, EDGE_RADIUS
     for _ in range(EDGE_ROUNDS):
         try:
@@ -256,14 +240,8 @@ def best_on_edge(
             here = chart.follow(chart.on_edge(best, origin), origin)
         except RunError:
             break
-        ended = minimize(
-            wanted,
-            chart.follow,
-            here,
-            here.at - radius,
-            here.at + radius,
-            lambda gait: gait.region in region,
-        )
+        low, high = here.at - radius, here.at + radius
+        ended = minimize(without, chart.follow, here, low, high, lambda gait: gait.region in region, ALONG)
         assert isinstance(ended.best, OnBorder)
         found = ended.best.border.short
         gained = problem.merit(best) - problem.merit(found)

@@ -64,6 +64,8 @@ ROOM, OFF_FOLDS = 0.05, 1e-2
 """Below its limit and off folds by so much, it does not matter how the spectrum changes."""
 
 
+Rows: TypeAlias = tuple[NDArray[np.float64], NDArray[np.float64]]
+"""Values, shape (m,), and their gradients in rows, shape (m, d)."""
 Known: TypeAlias = tuple[Gait, NDArray[np.float64]]
 """A gait, and the changes of its apex by the parameters."""
 
@@ -204,6 +206,11 @@ class Candidate:
     """Sizes of the leading eigenvalues with their gradients; none where they were not asked for."""
 
     @property
+    def margins(self) -> Rows:
+        """Margins of the parameters' bounds where they are not those of `at`: none."""
+        return np.zeros(0), np.zeros((0, len(self.at)))
+
+    @property
     def region(self) -> tuple[object, ...]:
         """The word and the events of the stride: all is smooth while they stay."""
         return self.gait.sequence
@@ -227,8 +234,9 @@ class Gaits:
         self.runner, self.space, self.names, self.with_spectrum = runner, space, tuple(names), spectrum
         self.radius = np.inf if radius is None else radius
 
-    def candidate(self, gait: Gait, at: NDArray[np.float64]) -> Candidate:
-        """A gait with its gradients."""
+    def candidate(self, gait: Gait, at: NDArray[np.float64] | None = None) -> Candidate:
+        """A gait with its gradients; `at` by default from its runner."""
+        at = self.space.coordinates_of(gait.runner) if at is None else at
         varied = varied_gait(gait.runner, gait.apex, self.names, list(self.space.bounds))
         apex_slopes = varied.apex_by_parameters * self.space.width
         spectrum = Spectrum.none(len(at))

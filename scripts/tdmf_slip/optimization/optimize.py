@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..analysis.search import periodic_gait
-from ..analysis.targeted import TargetNotMetError
-from ..checks import checked_whole
+from ..analysis.targeted import NO_ACTION, TargetNotMetError, checked_target
+from ..checks import checked, checked_whole
+from ..errors import InputError
 from ..given import row_of
 from ..library.gait import gaits_dataset
+from ..library.members import ranges_varied
+from ..library.quantities import allowed_quantities, checked_quantity
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..record import in_dataset
@@ -19,16 +23,10 @@ from ..terminal.progress import Bar, progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model
 from ..variables.variable import Given
-from .optimizer import Optimizer, Start
+from .gaits import Candidate, Space
+from .optimizer import Optimizer
 from .optimum import Optimum, reported
-from .problem import (
-    Goal,
-    check_action,
-    checked_objectives,
-    checked_radius,
-    checked_space,
-    checked_values,
-)
+from .problem import Goal
 
 if TYPE_CHECKING:
     import xarray
@@ -109,8 +107,70 @@ def optimize(
     signs = checked_objectives(least, largest, 1, runner.model)
     optimizer, (goal,) = _prepared(runner, vary, signs, target, stable, starts)
     with progress_bar("optimize", optimizer.count, "starts", progress) as bar:
-        found = optimizer.best(goal, bar)
-    return optimizer.optimum(goal, found)
+        return optimizer.best(goal, bar)
+
+
+FROM_ZERO = ("slip_distance",)
+"""Quantities that may be prescribed as zero."""
+MAX_PARAMETERS = 12
+LARGEST_RADIUS = 0.99
+"""Largest spectral radius of a gait that is to be stable, where no other is given."""
+
+
+def checked_objectives(
+    minimize: Sequence[str], maximize: Sequence[str], count: int, model: Model
+) -> dict[str, float]:
+    """`count` quantities with their signs: 1 to minimize, -1 to maximize."""
+    signs = {checked_quantity(name, "minimize", model): 1.0 for name in minimize}
+    signs |= {checked_quantity(name, "maximize", model): -1.0 for name in maximize}
+    given = [*minimize, *maximize]
+    if len(given) != count or len(signs) != count:
+        allowed = "one of them" if count == 1 else "two quantities that differ"
+        raise InputError(
+            f"minimize, maximize: {', '.join(map(str, given)) or 'neither'} given; allowed: {allowed}, of "
+            f"{', '.join(allowed_quantities(model))}"
+        )
+    return signs
+
+
+def checked_space(vary: object, model: Model) -> Space:
+    """The parameters that are varied, between bounds that the unit allows."""
+    allowed = f"1 to {MAX_PARAMETERS} parameters and inputs by name, each with two bounds, A below B"
+    bounds = ranges_varied(vary, range(1, MAX_PARAMETERS + 1), allowed, model)
+    for name, (low, high) in bounds.items():
+        if not low < high:
+            raise InputError(f"vary {name} = {low:g}:{high:g} is not allowed; allowed: A:B with A below B")
+    return Space(bounds)
+
+
+def checked_values(
+    target: object, objectives: tuple[str, ...], space: Space, model: Model
+) -> dict[str, float]:
+    """The quantities that are prescribed."""
+    found = checked_target(target, model, FROM_ZERO)
+    for name in found:
+        if name in objectives:
+            raise InputError(f"target {name}: is what is minimized or maximized; allowed: another quantity")
+    if len(found) > len(space.bounds):
+        raise InputError(
+            f"target: {', '.join(found)} by {', '.join(space.bounds)}; allowed: no more quantities than "
+            "parameters"
+        )
+    return found
+
+
+def checked_radius(stable: object) -> float | None:
+    """The largest spectral radius that is asked for."""
+    if isinstance(stable, bool | np.bool_):
+        return LARGEST_RADIUS if stable else None
+    return checked("stable", stable, 1e-3, 1.0)
+
+
+def check_action(gait: Candidate, space: Space) -> None:
+    """Refuse parameters that do not act on a gait."""
+    for k, name in enumerate(space.bounds):
+        if max(np.max(np.abs(gait.apex_slopes[:, k])), np.max(np.abs(gait.slopes[:, k]))) <= NO_ACTION:
+            raise InputError(f"vary {name}: has no effect on this gait; allowed: a parameter that has one")
 
 
 def _prepared(
@@ -213,23 +273,21 @@ def pareto_front(
     total = 2 * optimizer.count + 2 * (count - 2)
     with progress_bar("Pareto front", total, "searches", progress) as bar:
         ends = [optimizer.best(goal, bar) for goal in goals]
-        inside = _between(optimizer, goals, ends[0].start, ends[1].start, count, bar)
-        found = [optimizer.optimum(goals[0], ends[0]), *inside, optimizer.optimum(goals[1], ends[1])]
+        found = [ends[0], *_between(optimizer, goals, ends, count, bar), ends[1]]
     return (goals[0].objective, goals[1].objective), tuple(found)
 
 
 def _between(
-    optimizer: Optimizer, goals: Sequence[Goal], begin: Start, end: Start, count: int, bar: Bar
+    optimizer: Optimizer, goals: Sequence[Goal], ends: Sequence[Optimum], count: int, bar: Bar
 ) -> Iterator[Optimum]:
     """Optima with limits on the second quantity, each searched from the one before and from the last."""
     first, second = goals
-    low, high = (reported(start.gait)[second.objective] for start in (begin, end))
+    low, high = (reported(best.gait)[second.objective] for best in ends)
+    before = ends[0]
     for limit in np.linspace(low, high, count)[1:-1]:
-        upper_limits = {second.objective: (second.sign, float(limit))}
-        goal = Goal(first.objective, first.sign, first.at, upper_limits, first.radius)
+        goal = replace(first, upper_limits={second.objective: (second.sign, float(limit))})
         try:
-            found = optimizer.best(goal, bar, (begin, end))
+            before = optimizer.best(goal, bar, (before.gait, ends[1].gait))
         except TargetNotMetError:
             continue
-        begin = found.start
-        yield optimizer.optimum(goal, found)
+        yield before

@@ -21,7 +21,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,7 +34,7 @@ from ..library.strides import plain_stride
 from ..numerics.following import halved
 from ..terminal.progress import Bar
 from .border import Border, Region, best_along, best_on_edge, between, is_near
-from .gaits import Candidate, Gaits, Space
+from .gaits import Candidate, Gaits, Space, Spectrum
 from .optimum import FOLD, STABILITY, Optimum, reported
 from .problem import MET, OFF_FOLD, Ended, Feasibility, Goal, Problem, minimize
 
@@ -70,16 +69,6 @@ APART = 1e-2
 """Largest distance of optima that count as one, over the width of the bounds; of apices, over the scales."""
 TRIES = 4
 """Shares of the way to a start that are tried: all, a half, and so on."""
-
-
-@dataclass(frozen=True, eq=False)
-class Start:
-    """A gait where a search begins."""
-
-    at: NDArray[np.float64]
-    """Coordinates between the bounds, from 0 to 1."""
-    gait: Gait
-    """The gait."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -200,22 +189,6 @@ class Search:
         return Found(min((gait for gait, _ in sides), key=self.problem.merit), remaining, border, why)
 
 
-class Best(NamedTuple):
-    """The best of several searches."""
-
-    found: Found
-    """End of the best search."""
-    starts: int
-    """Number of searches."""
-    basins: int
-    """Number of different optima at which they ended."""
-
-    @property
-    def start(self) -> Start:
-        """The optimum as a start for other searches."""
-        return Start(self.found.gait.at, self.found.gait.gait)
-
-
 class Optimizer:
     """Optima of one runner over some parameters."""
 
@@ -223,8 +196,8 @@ class Optimizer:
         """The gait of the runner as it is given; where the searches begin, and how many."""
         self.before, self.space = before, space
         gaits = Gaits(before.runner, space, ["speed"])
-        given = Start(space.coordinates_of(before.runner), before)
-        first = _reached(gaits, given, np.clip(given.at, 0.0, 1.0), 1)
+        inside = np.clip(space.coordinates_of(before.runner), 0.0, 1.0)
+        first = _reached(gaits, before, inside, 1)
         if first is None:
             raise RunError(
                 f"no gait within the bounds of {', '.join(space.bounds)} is reached from the runner's own; "
@@ -241,31 +214,37 @@ class Optimizer:
             values: NDArray[np.float64] = low + shares * (high - low)
             return values
 
-        return settled_gaits(self.first.gait, tuple(self.space.bounds), between_bounds)
+        return settled_gaits(self.first, tuple(self.space.bounds), between_bounds)
 
-    def starts(self, problem: Problem) -> list[Start]:
-        """Starts of the searches for a problem: at the runner's own gait, and where it promises most.
+    def starts(self, problem: Problem) -> list[Gait]:
+        """Starts of the searches for a problem: the runner's own gait, and where it promises most.
 
-        Where too few runners settle, from points that are reached along the gaits from the first.
+        Where too few runners settle, gaits that are reached along the branch from the first.
         """
         more = self.count - 1
         if not more:
             return [self.first]
 
         def merit(runner: Runner, apex: NDArray[np.float64]) -> float:
-            return problem.rough_merit(plain_stride(runner, apex, problem.goal.names).quantities, VIOLATED)
+            """The merit of a gait of whose eigenvalues nothing is known."""
+            values, at = (
+                plain_stride(runner, apex, problem.goal.names).quantities,
+                self.space.coordinates_of(runner),
+            )
+            slopes, spectrum = np.zeros((len(values), len(at))), Spectrum.none(len(at))
+            rough = Candidate(at, self.first, np.zeros((len(apex), len(at))), values, slopes, spectrum)
+            return problem.objective(rough)[0] + VIOLATED * problem.violation(rough)
 
-        gaits = islice(self.settled.gaits(merit), more)
-        found = [Start(self.space.coordinates_of(gait.runner), gait) for gait in gaits]
+        found = list(islice(self.settled.gaits(merit), more))
         if not found:
             points = evenly(more, len(self.space.bounds))
             reached = (_reached(self._gaits_of, self.first, point, TRIES) for point in points)
-            found = [start for start in reached if start is not None]
+            found = [gait for gait in reached if gait is not None]
         return [self.first, *found]
 
     def scales(self, goal: Goal) -> dict[str, float]:
         """Scales of a goal's quantities: their sizes at the first start, or the prescribed values."""
-        gait = self.first.gait
+        gait = self.first
         units = {name: of.unit for name, of in gait.runner.model.quantities.items()}
         sized = ("speed", "frequency", "stance_time", "length", "slip_distance")
         natural = {name: gait.runner.scale_of(units[name]) for name in sized if name in units}
@@ -277,9 +256,9 @@ class Optimizer:
 
     def candidate(self, goal: Goal) -> Candidate:
         """The first start, with its gradients."""
-        return self._gaits(goal).candidate(self.first.gait, self.first.at)
+        return self._gaits(goal).candidate(self.first)
 
-    def best(self, goal: Goal, bar: Bar, starts: Sequence[Start] = ()) -> Best:
+    def best(self, goal: Goal, bar: Bar, starts: Sequence[Gait] = ()) -> Optimum:
         """The best gait of all searches that meets the constraints."""
         problem = Problem(goal, self.scales(goal))
         found, begun, trouble = [], starts or self.starts(problem), ""
@@ -296,28 +275,28 @@ class Optimizer:
         if not allowed:
             raise self._not_met(goal, min(found, key=lambda one: problem.violation(one.gait)))
         best = min(allowed, key=lambda one: problem.objective(one.gait)[0])
-        return Best(best, len(begun), _basins(allowed))
+        return self._optimum(goal, best, len(begun), _basins(allowed))
 
-    def _searched(self, problem: Problem, start: Start) -> Found:
+    def _searched(self, problem: Problem, start: Gait) -> Found:
         """Search from one start; if that is far from meeting the constraints, first find one that does."""
-        if problem.violation(self._gaits(problem.goal).candidate(start.gait, start.at)) > ROUGHLY:
+        if problem.violation(self._gaits(problem.goal).candidate(start)) > ROUGHLY:
             nearest = self._off_folds(Feasibility(problem.goal, problem.scales), start)
             if problem.violation(nearest.gait) > NEARLY:
                 return nearest
-            start = Start(nearest.gait.at, nearest.gait.gait)
+            start = nearest.gait.gait
         return self._off_folds(problem, start)
 
-    def _off_folds(self, problem: Problem, start: Start) -> Found:
+    def _off_folds(self, problem: Problem, start: Gait) -> Found:
         """Search from one start; where gaits were lost, search once more, kept off folds."""
         found = self._search(problem, start)
         if not found.why or problem.goal.fold:
             return found
         kept_off = type(problem)(replace(problem.goal, fold=True), problem.scales)
-        return self._search(kept_off, Start(found.gait.at, found.gait.gait))
+        return self._search(kept_off, found.gait.gait)
 
-    def _search(self, problem: Problem, start: Start) -> Found:
+    def _search(self, problem: Problem, start: Gait) -> Found:
         gaits = self._gaits(problem.goal)
-        return Search(gaits, problem).run(gaits.candidate(start.gait, start.at))
+        return Search(gaits, problem).run(gaits.candidate(start))
 
     def _gaits(self, goal: Goal) -> Gaits:
         return Gaits(self.before.runner, self.space, goal.names, goal.with_spectrum, goal.radius)
@@ -341,10 +320,9 @@ class Optimizer:
             (),
         )
 
-    def optimum(self, goal: Goal, best: Best) -> Optimum:
+    def _optimum(self, goal: Goal, found: Found, starts: int, basins: int) -> Optimum:
         """The optimum as it is reported."""
-        found, limits = best.found, []
-        spectrum = found.gait.spectrum
+        spectrum, limits = found.gait.spectrum, []
         if goal.radius is not None and goal.radius - spectrum.sizes[0] <= ACTIVE:
             limits.append(STABILITY)
         if spectrum.fold <= OFF_FOLD * (1.0 + ACTIVE):
@@ -359,8 +337,8 @@ class Optimizer:
             limits=tuple(limits),
             remaining_improvement=found.remaining_improvement,
             why=found.why,
-            starts=best.starts,
-            basins=best.basins,
+            starts=starts,
+            basins=basins,
         )
 
 
@@ -378,18 +356,13 @@ def _basins(found: Sequence[Found]) -> int:
     return len(different)
 
 
-def _reached(gaits: Gaits, begin: Start, point: NDArray[np.float64], tries: int) -> Start | None:
+def _reached(gaits: Gaits, begin: Gait, point: NDArray[np.float64], tries: int) -> Gait | None:
     """The gait at a point or, where the branch does not lead so far, on the way there."""
     try:
-        first = gaits.candidate(begin.gait, begin.at)
-    except RunError:
-        return None
-
-    def attempt(share: float) -> Start:
-        at = begin.at + share * (point - begin.at)
-        return Start(at, gaits.gait_from(first, at))
-
-    try:
-        return halved(attempt, 1.0, 0.5 ** (tries - 1))[0]
+        first = gaits.candidate(begin)
+        way = point - first.at
+        return halved(lambda share: gaits.gait_from(first, first.at + share * way), 1.0, 0.5 ** (tries - 1))[
+            0
+        ]
     except RunError:
         return None

@@ -11,83 +11,15 @@ was found, with a smaller box or on the other region.
 """
 
 import contextlib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.targeted import NO_ACTION, checked_target
-from ..checks import checked
-from ..errors import InputError, RunError
-from ..library.members import ranges_varied
-from ..library.quantities import allowed_quantities, checked_quantity
-from ..variables.table import Model
-from .gaits import Candidate, Space, Spectrum
-
-FROM_ZERO = ("slip_distance",)
-"""Quantities that may be prescribed as zero."""
-MAX_PARAMETERS = 12
-LARGEST_RADIUS = 0.99
-"""Largest spectral radius of a gait that is to be stable, where no other is given."""
-
-
-def checked_objectives(
-    minimize: Sequence[str], maximize: Sequence[str], count: int, model: Model
-) -> dict[str, float]:
-    """`count` quantities with their signs: 1 to minimize, -1 to maximize."""
-    signs = {checked_quantity(name, "minimize", model): 1.0 for name in minimize}
-    signs |= {checked_quantity(name, "maximize", model): -1.0 for name in maximize}
-    given = [*minimize, *maximize]
-    if len(given) != count or len(signs) != count:
-        allowed = "one of them" if count == 1 else "two quantities that differ"
-        raise InputError(
-            f"minimize, maximize: {', '.join(map(str, given)) or 'neither'} given; allowed: {allowed}, of "
-            f"{', '.join(allowed_quantities(model))}"
-        )
-    return signs
-
-
-def checked_space(vary: object, model: Model) -> Space:
-    """The parameters that are varied, between bounds that the unit allows."""
-    allowed = f"1 to {MAX_PARAMETERS} parameters and inputs by name, each with two bounds, A below B"
-    bounds = ranges_varied(vary, range(1, MAX_PARAMETERS + 1), allowed, model)
-    for name, (low, high) in bounds.items():
-        if not low < high:
-            raise InputError(f"vary {name} = {low:g}:{high:g} is not allowed; allowed: A:B with A below B")
-    return Space(bounds)
-
-
-def checked_values(
-    target: object, objectives: tuple[str, ...], space: Space, model: Model
-) -> dict[str, float]:
-    """The quantities that are prescribed."""
-    found = checked_target(target, model, FROM_ZERO)
-    for name in found:
-        if name in objectives:
-            raise InputError(f"target {name}: is what is minimized or maximized; allowed: another quantity")
-    if len(found) > len(space.bounds):
-        raise InputError(
-            f"target: {', '.join(found)} by {', '.join(space.bounds)}; allowed: no more quantities than "
-            "parameters"
-        )
-    return found
-
-
-def checked_radius(stable: object) -> float | None:
-    """The largest spectral radius that is asked for."""
-    if isinstance(stable, bool | np.bool_):
-        return LARGEST_RADIUS if stable else None
-    return checked("stable", stable, 1e-3, 1.0)
-
-
-def check_action(gait: Candidate, space: Space) -> None:
-    """Refuse parameters that do not act on a gait."""
-    for k, name in enumerate(space.bounds):
-        if max(np.max(np.abs(gait.apex_slopes[:, k])), np.max(np.abs(gait.slopes[:, k]))) <= NO_ACTION:
-            raise InputError(f"vary {name}: has no effect on this gait; allowed: a parameter that has one")
-
+from ..errors import RunError
+from .gaits import Candidate, Rows, Spectrum
 
 PENALTY = 100.0
 """Weight of a violated constraint against the objective, in a comparison of two gaits."""
@@ -101,9 +33,9 @@ MIN_ROOM = 1e-2
 LITTLE = 1e-3
 """Size of the linear program's box."""
 
-Rows = tuple[NDArray[np.float64], NDArray[np.float64]]
-"""Values, shape (m,), and their gradients in rows, shape (m, d)."""
 ITERATIONS = 30
+ACCURACY = 1e-12
+"""Accuracy of the objective and of the constraints' violations, at which a search in a box ends."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,9 +69,6 @@ class Goal:
 class Problem:
     """A goal as functions of a gait."""
 
-    accuracy = 1e-12
-    """Accuracy of the objective and of the constraints' violations, at which a search in a box ends."""
-
     def __init__(self, goal: Goal, scales: Mapping[str, float]) -> None:
         """The scales are those of the quantities."""
         self.goal, self.scales = goal, scales
@@ -159,7 +88,10 @@ class Problem:
         return off, gait.slopes[rows] / scales[:, None]
 
     def margins(self, gait: Candidate) -> Rows:
-        """Margins of the inequality constraints, which are to be zero or more, and their gradients."""
+        """Margins of the inequality constraints, which are to be zero or more, and their gradients.
+
+        The last ones are the gait's own.
+        """
         goal = self.goal
         rows = [goal.names.index(name) for name in goal.upper_limits]
         scales = np.array([sign / self.scales[name] for name, (sign, _) in goal.upper_limits.items()])
@@ -173,7 +105,8 @@ class Problem:
         if goal.fold:
             left = np.append(left, spectrum.fold / OFF_FOLD - 1.0)
             slopes = np.vstack([slopes, spectrum.fold_slopes / OFF_FOLD])
-        return left, slopes
+        more, more_slopes = gait.margins
+        return np.append(left, more), np.vstack([slopes, more_slopes])
 
     def violation(self, gait: Candidate) -> float:
         """Sum of the violations of all constraints."""
@@ -183,18 +116,6 @@ class Problem:
         """The objective with what a violation weighs: the less, the better is the gait."""
         violation = self.violation(gait)
         return self.objective(gait)[0] + (PENALTY * violation if violation > MET else 0.0)
-
-    def rough_merit(self, quantities: NDArray[np.float64], weight: float) -> float:
-        """The merit of a gait of which no more than its quantities is known: of its eigenvalues nothing."""
-        goal, by_name = self.goal, dict(zip(self.goal.names, quantities, strict=True))
-        off = sum(abs(by_name[name] - value) / self.scales[name] for name, value in goal.at.items())
-        over = sum(
-            max(0.0, sign * (by_name[name] - limit)) / self.scales[name]
-            for name, (sign, limit) in goal.upper_limits.items()
-        )
-        return float(
-            goal.sign * by_name[goal.objective] / self.scales[goal.objective] + weight * (off + over)
-        )
 
     def gain(self, gait: Candidate, away: NDArray[np.float64]) -> float:
         """How much steeper the merit falls away from a border than along it, at a gait beside it."""
@@ -286,6 +207,7 @@ def minimize(
     low: NDArray[np.float64],
     high: NDArray[np.float64],
     is_inside: Callable[[Candidate], bool] = lambda gait: True,
+    accuracy: float = ACCURACY,
 ) -> Ended:
     """The best gait of a region in a box around one, or how far the search came."""
     from scipy.optimize import minimize as by_scipy  # slow to load
@@ -325,6 +247,6 @@ def minimize(
             method="SLSQP",
             bounds=list(zip(low, high, strict=True)),
             constraints=constraints,
-            options={"maxiter": ITERATIONS, "ftol": problem.accuracy},
+            options={"maxiter": ITERATIONS, "ftol": accuracy},
         )
     return Ended(min(seen, key=problem.merit), **ended)

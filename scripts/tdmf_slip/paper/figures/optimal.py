@@ -15,9 +15,10 @@ from matplotlib.figure import Figure
 from ...analysis.search import periodic_gait
 from ...errors import RunError
 from ...library.fixed_point import gait_near
+from ...library.gait import Gait
 from ...library.runner import Runner
 from ...optimization.gaits import Space
-from ...optimization.optimizer import Optimizer, Start
+from ...optimization.optimizer import Optimizer
 from ...optimization.optimum import Optimum
 from ...optimization.problem import Goal
 from ...pictures import style
@@ -78,16 +79,16 @@ def best(runner: Runner, objective: str, near: Sequence[Optimum], *, begin: bool
         starts = list(_starts(optimizer.space, runner, near))
         starts += [optimizer.first] if begin or not starts else []
         with progress_bar("", len(starts), "", show=False) as bar:
-            return [optimizer.optimum(goal, optimizer.best(goal, bar, starts))]
+            return [optimizer.best(goal, bar, starts)]
     except RunError:
         return []
 
 
-def _starts(space: Space, runner: Runner, near: Sequence[Optimum]) -> Iterator[Start]:
+def _starts(space: Space, runner: Runner, near: Sequence[Optimum]) -> Iterator[Gait]:
     for optimum in near:
         at = space.coordinates_of(optimum.gait.runner)
         try:
-            yield Start(at, gait_near(space.runner_at(runner, at), optimum.gait.apex))
+            yield gait_near(space.runner_at(runner, at), optimum.gait.apex)
         except RunError:
             continue
 
