@@ -15,7 +15,9 @@ that a search in a box of parameters creeps: a straight step along the edge lead
 edge itself all is smooth, with one coordinate less than there are parameters.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TypeAlias
 
 import numpy as np
@@ -42,8 +44,6 @@ RADIUS, SMALLEST = 0.05, 1e-7
 ROUNDS = 20
 NEAR = 0.5
 """Share of `OFF_FOLD`: a gait as near to the edge is led onto it."""
-EDGE_RADIUS, EDGE_SMALLEST, EDGE_ROUNDS = 0.1, 1e-5, 12
-"""Half the width of the first box and of the last one, of the bounds' width; and boxes."""
 ON_EDGE, NEWTON = 1e-9, 12
 """Residual of the edge's equation, and steps towards it."""
 INWARDS, LONGEST = 1e-5, 0.1
@@ -106,10 +106,10 @@ def _border(short: Candidate, beyond: Candidate, way: NDArray[np.float64]) -> Bo
 
 def across(
     gaits: Gaits,
+    region: Region,
     near: Candidate,
     at: NDArray[np.float64],
     direction: NDArray[np.float64],
-    region: Region,
 ) -> Border:
     """The border where a line through a point meets it."""
     reach = max(NARROWEST, float(np.sum((at - near.at) ** 2)))
@@ -139,59 +139,27 @@ class OnBorder(Candidate):
         return np.append(at, 1.0 - at), np.vstack([plane, -plane])
 
 
-def best_along(gaits: Gaits, problem: Problem, border: Border, region: Region, stationary: float) -> Border:
-    """The best point on a border, as the region on this side has it."""
-    at = border.short.at
-    off_bounds = (at > AT_BOUND) & (at < 1.0 - AT_BOUND)
-    for free in (off_bounds, np.ones_like(off_bounds)):
-        if np.count_nonzero(free) < 2 or not np.any(border.normal[free]):
-            continue
-        border = _best_over(gaits, problem, border, region, free, stationary)
-        if problem.steepest(border.short, border.normal, along=True) <= stationary:
-            break
-    return border
+class Chart:
+    """Coordinates u on a border: a step in the plane across a normal, and one along the normal.
 
+    `locate` finds the border on a line: from a gait on it, by a point of the line and the normal.
+    """
 
-def _best_over(
-    gaits: Gaits,
-    problem: Problem,
-    border: Border,
-    region: Region,
-    free: NDArray[np.bool_],
-    stationary: float,
-) -> Border:
-    """Best border with some parameters held: at first those at their bounds."""
-    chart = _WordChart(gaits, border, region, free)
-    here, radius = chart.point(border, np.zeros(chart.basis.shape[1]), border.normal), RADIUS
-    for _ in range(ROUNDS):
-        ended = minimize(problem, chart.follow, here, here.at - radius, here.at + radius, accuracy=ALONG)
-        grows = not ended.lost and problem.merit(ended.best) < problem.merit(here)
-        assert isinstance(ended.best, OnBorder)
-        here = ended.best
-        if (
-            not ended.lost
-            and problem.steepest(here.border.short, here.border.normal, along=True) <= stationary
-        ):
-            break
-        radius *= 2.0 if grows else 0.25
-        if radius < SMALLEST:
-            break
-    return here.border
-
-
-class _Chart:
-    """Coordinates u on a border: a step in the plane across a normal, and one along the normal."""
-
-    def __init__(self, gaits: Gaits, normal: NDArray[np.float64], free: NDArray[np.bool_]) -> None:
-        self.gaits, self.free = gaits, free
-        varied = np.where(free, normal, 0.0)
+    def __init__(
+        self,
+        border: Border,
+        free: NDArray[np.bool_],
+        locate: Callable[[Candidate, NDArray[np.float64], NDArray[np.float64]], Border],
+    ) -> None:
+        varied = np.where(free, border.normal, 0.0)
+        self.free, self.locate = free, locate
         self.normal = varied / np.linalg.norm(varied)
-        self.basis = np.eye(len(free))[:, free] @ np.linalg.svd(normal[None, free])[2][1:].T
+        self.basis = np.eye(len(free))[:, free] @ np.linalg.svd(border.normal[None, free])[2][1:].T
 
-    def point(self, border: Border, u: NDArray[np.float64], across: NDArray[np.float64]) -> OnBorder:
-        """A point on the border, which is normal to `across`."""
-        plane = self.basis - np.outer(self.normal, across @ self.basis / (across @ self.normal))
-        short = border.short
+    def point(self, border: Border, u: NDArray[np.float64]) -> OnBorder:
+        """The border as a point of the chart."""
+        normal, short = border.normal, border.short
+        plane = self.basis - np.outer(self.normal, normal @ self.basis / (normal @ self.normal))
         return OnBorder(
             at=u,
             gait=short.gait,
@@ -204,91 +172,107 @@ class _Chart:
             free=self.free,
         )
 
-
-class _WordChart(_Chart):
-    """Coordinates on the border of a region."""
-
-    def __init__(self, gaits: Gaits, border: Border, region: Region, free: NDArray[np.bool_]) -> None:
-        super().__init__(gaits, border.normal, free)
-        self.region = region
-
     def follow(self, near: Candidate, u: NDArray[np.float64]) -> OnBorder:
         """The border at u, from a point on it."""
         assert isinstance(near, OnBorder)
         at = near.border.short.at + near.plane @ (u - near.at)
-        border = across(self.gaits, near.border.short, at, self.normal, self.region)
-        return self.point(border, u, border.normal)
+        return self.point(self.locate(near.border.short, at, self.normal), u)
+
+
+def _best_over(
+    problem: Problem,
+    chart: Chart,
+    border: Border,
+    is_optimum: Callable[[Border], bool],
+    is_inside: Callable[[Candidate], bool] = lambda gait: True,
+) -> Border:
+    """The best point on a border, by SLSQP in boxes of the chart."""
+    here, radius = chart.point(border, np.zeros(chart.basis.shape[1])), RADIUS
+    for _ in range(ROUNDS):
+        low, high = here.at - radius, here.at + radius
+        ended = minimize(problem, chart.follow, here, low, high, is_inside, ALONG)
+        grows = not ended.lost and problem.merit(ended.best) < problem.merit(here)
+        assert isinstance(ended.best, OnBorder)
+        here = ended.best
+        if not ended.lost and is_optimum(here.border):
+            break
+        radius *= 2.0 if grows else 0.25
+        if radius < SMALLEST:
+            break
+    return here.border
+
+
+def best_along(gaits: Gaits, problem: Problem, border: Border, region: Region, stationary: float) -> Border:
+    """The best point on a border between words, as the region on this side has it.
+
+    At first, parameters at their bounds are held there.
+    """
+
+    def is_optimum(border: Border) -> bool:
+        return problem.steepest(border.short, border.normal, along=True) <= stationary
+
+    at = border.short.at
+    off_bounds = (at > AT_BOUND) & (at < 1.0 - AT_BOUND)
+    for free in (off_bounds, np.ones_like(off_bounds)):
+        if np.count_nonzero(free) < 2 or not np.any(border.normal[free]):
+            continue
+        chart = Chart(border, free, partial(across, gaits, region))
+        border = _best_over(problem, chart, border, is_optimum)
+        if is_optimum(border):
+            break
+    return border
 
 
 def is_near(gait: Candidate) -> bool:
-    """Whether a gait is next to the edge."""
+    """Whether a gait is next to the edge off a fold."""
     return abs(gait.spectrum.fold / OFF_FOLD - 1.0) < NEAR
 
 
 def best_on_edge(
     gaits: Gaits, problem: Problem, begin: Candidate, region: Region, stationary: float
 ) -> Candidate:
-    """The best gait on the edge that is reached from one near it."""
-    if len(begin.at) < 2:
+    """The best gait on the edge off a fold that is reached from one near it."""
+    normal = begin.spectrum.fold_slopes
+    if len(normal) < 2 or not np.any(normal):
         return begin
     without = Problem(replace(problem.goal, fold=False), problem.scales)
-    best, radius = begin, EDGE_RADIUS
-    for _ in range(EDGE_ROUNDS):
+    try:
+        edge = _edge(gaits, begin, begin.at, normal / np.linalg.norm(normal))
+    except RunError:
+        return begin
+    chart = Chart(edge, np.ones(len(normal), dtype=bool), partial(_edge, gaits))
+    found = _best_over(
+        without,
+        chart,
+        edge,
+        lambda border: problem.steepest(border.short) <= stationary,
+        lambda gait: gait.region in region,
+    )
+    return min(begin, found.short, key=problem.merit)
+
+
+def _edge(gaits: Gaits, near: Candidate, at: NDArray[np.float64], normal: NDArray[np.float64]) -> Border:
+    """The edge off a fold on a line, by Newton's method."""
+    gait = _off_fold(gaits, near, at, normal)
+    for _ in range(NEWTON):
+        left, slopes = gait.spectrum.fold / OFF_FOLD - 1.0, gait.spectrum.fold_slopes
+        if abs(left) <= ON_EDGE:
+            return Border(gait, gait, is_smooth=False, normal=slopes / np.linalg.norm(slopes))
+        slope = float(slopes @ normal) / OFF_FOLD
+        if not slope > 0.0:
+            break
+        gait = gaits.follow(gait, gait.at - max(left, -NEAR) / slope * normal)
+    raise RunError("the edge of the fold is not met")
+
+
+def _off_fold(
+    gaits: Gaits, near: Candidate, at: NDArray[np.float64], normal: NDArray[np.float64]
+) -> Candidate:
+    """The gait at a point or, where none is there, as little off it as one is."""
+    step = 0.0
+    while step <= LONGEST:
         try:
-            chart = _EdgeChart(gaits, best)
-            origin = np.zeros(len(best.at) - 1)
-            here = chart.follow(chart.on_edge(best, origin), origin)
+            return gaits.follow(near, at + step * normal)
         except RunError:
-            break
-        low, high = here.at - radius, here.at + radius
-        ended = minimize(without, chart.follow, here, low, high, lambda gait: gait.region in region, ALONG)
-        assert isinstance(ended.best, OnBorder)
-        found = ended.best.border.short
-        gained = problem.merit(best) - problem.merit(found)
-        best = found if gained > 0.0 else best
-        if problem.steepest(best) <= stationary:
-            break
-        radius *= 2.0 if gained > 0.0 and not ended.lost else 0.25
-        if radius < EDGE_SMALLEST:
-            break
-    return best
-
-
-class _EdgeChart(_Chart):
-    """Coordinates on the edge off a fold."""
-
-    def __init__(self, gaits: Gaits, begin: Candidate) -> None:
-        slopes = begin.spectrum.fold_slopes
-        if not np.any(slopes):
-            raise RunError("the edge of the fold has no normal here")
-        super().__init__(gaits, slopes, np.ones(len(slopes), dtype=bool))
-
-    def on_edge(self, gait: Candidate, u: NDArray[np.float64]) -> OnBorder:
-        """A gait as a point of the edge."""
-        border = Border(gait, gait, is_smooth=False, normal=self.normal)
-        return self.point(border, u, gait.spectrum.fold_slopes)
-
-    def follow(self, near: Candidate, u: NDArray[np.float64]) -> OnBorder:
-        """The gait on the edge at u, from one that is known; by Newton's method along the normal."""
-        assert isinstance(near, OnBorder)
-        known = near.border.short
-        gait = self._off_fold(known, known.at + near.plane @ (u - near.at))
-        for _ in range(NEWTON):
-            left = gait.spectrum.fold / OFF_FOLD - 1.0
-            if abs(left) <= ON_EDGE:
-                return self.on_edge(gait, u)
-            slope = float(gait.spectrum.fold_slopes @ self.normal) / OFF_FOLD
-            if not slope > 0.0:
-                break
-            gait = self.gaits.follow(gait, gait.at - max(left, -NEAR) / slope * self.normal)
-        raise RunError("the edge of the fold is not met")
-
-    def _off_fold(self, near: Candidate, at: NDArray[np.float64]) -> Candidate:
-        """The gait at a point or, where none is there, as little off it as one is."""
-        step = 0.0
-        while step <= LONGEST:
-            try:
-                return self.gaits.follow(near, at + step * self.normal)
-            except RunError:
-                step = max(INWARDS, 4.0 * step)
-        raise RunError("there are no gaits off the fold")
+            step = max(INWARDS, 4.0 * step)
+    raise RunError("there are no gaits off the fold")
