@@ -1,7 +1,6 @@
 """Pages of equations, derived, compiled and run by the plain driver."""
 
 import ast
-import ctypes
 import functools
 import hashlib
 import importlib
@@ -13,24 +12,10 @@ import subprocess
 import sys
 import tempfile
 import types
-from ctypes import (
-    CFUNCTYPE,
-    POINTER,
-    Structure,
-    byref,
-    c_bool,
-    c_char_p,
-    c_double,
-    c_int,
-    c_int64,
-    c_long,
-    c_size_t,
-    c_uint64,
-    c_void_p,
-)
 from pathlib import Path
 
 import numpy as np
+from cffi import FFI
 from conftest import locked
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -41,87 +26,47 @@ from c_core.hybrid.limits import MARGINS  # noqa: E402
 
 COMPILER = shutil.which("cc")
 FLAGS = ["-std=c99", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-Wall", "-Wextra", "-Werror"]
-OUTCOMES = ["arrived", "stopped", "ended", "no-progress", "too-many-steps", "endless-chain"]
-OUTCOMES += ["too-many-events", "no-memory", "cancelled", "bad-order", "too-many-seeds"]
 LOG_SIZE = 500
 
 
-class Row(Structure):
-    _fields_ = [("time", c_double), ("event", c_int), ("before", c_int), ("after", c_int)]
+KERNEL = ROOT / "c_core" / "hybrid" / "kernel", ROOT / "c_core" / "kernel"
+"""Folders of the driver, of batches, and of what they include."""
 
 
-class RunStruct(Structure):
-    _fields_ = [
-        *(("p", c_void_p), ("x", c_void_p), ("memory", c_void_p), ("tables", c_void_p)),
-        *(("time", c_double), ("mode", c_int), ("tolerance", c_double)),
-        *(("order", c_int), ("stop_event", c_int), ("observes", c_int)),
-        *(("step_limit", c_long), ("event_limit", c_long)),
-        *(("seed_count", c_int), ("dp", c_void_p), ("dx", c_void_p), ("shift", c_void_p)),
-        *(("log", c_void_p), ("log_states", c_void_p), ("log_size", c_int), ("log_count", c_int)),
-        *(("sample_times", c_void_p), ("samples", c_void_p), ("d_samples", c_void_p)),
-        *(("sample_count", c_int), ("sampled", c_int)),
-        *(("steps", c_long), ("events", c_long), ("limited_steps", c_long)),
-        *(("chain", c_int), ("time_rest", c_double)),
-        *(("is_shifted", c_bool), *((name, c_uint64) for name in ("taken", "above", "late"))),
-    ]
+def declared(*headers):
+    """A cffi interface to what headers of the kernel declare, without what is for the compiler alone."""
+    text, seen = "typedef struct tdmf_motion_kind tdmf_motion_kind;", {"motion.h"}
+
+    def read(name):
+        nonlocal text
+        path = next((folder / name for folder in KERNEL if (folder / name).is_file()), None)
+        if path is None or name in seen:
+            return
+        seen.add(name)
+        own = path.read_text(encoding="utf-8")
+        for included in re.findall(r'^#include "(.*)"', own, re.MULTILINE):
+            read(included)
+        own = re.sub(r"/\*.*?\*/", "", own, flags=re.DOTALL)
+        own = re.sub(r"^static inline .*?^}|^#.*?[^\\]$", "", own, flags=re.DOTALL | re.MULTILINE)
+        text += own.replace("[TERMS]", "[1]")
+
+    for header in headers:
+        read(header)
+    made = FFI()
+    made.cdef(text)
+    return made
 
 
-class TableStruct(Structure):
-    _fields_ = [
-        *(("row_count", c_int), ("column_count", c_int), ("rows", c_void_p), ("d_rows", c_void_p)),
-        *(("entry", CFUNCTYPE(c_double, c_void_p, c_double, c_int)), ("context", c_void_p)),
-    ]
+ffi = declared("batch.h", "section.h")
+OUTCOMES = [
+    name.removeprefix("TDMF_RUN_").lower().replace("_", "-")
+    for _, name in sorted(ffi.typeof("tdmf_run_outcome").elements.items())
+]
 
 
-class ModeStruct(Structure):
-    MAPS = ("to_world", "from_world", "world_rates")
-    AT_INSTANTS = ("open", "vary_open", "outputs", "vary_outputs", "time_scale", "leave", "vary_leave")
-    FUNCTIONS = (*AT_INSTANTS, *MAPS)
-    _fields_ = [
-        *(("motion", c_void_p), ("ends", c_bool), ("guard_count", c_int), ("guards", c_void_p)),
-        *(("watch_count", c_int), ("usual_count", c_int), ("watches", c_void_p)),
-        *((name, c_void_p) for name in FUNCTIONS),
-        *((f"vary_{name}", c_void_p) for name in MAPS),
-    ]
-
-
-class ModelStruct(Structure):
-    COUNTS = ("state_count", "parameter_count", "event_count", "mode_count", "output_count", "table_count",
-              "set_count", "section_count")  # fmt: skip
-    NAMES = ("mode_names", "event_names", "state_names", "parameter_names", "output_names", "table_names",
-             "section_names")  # fmt: skip
-    _fields_ = [
-        *((name, c_int) for name in COUNTS),
-        *(("modes", POINTER(ModeStruct)), ("sets", c_void_p), ("sections", c_void_p)),
-        ("scales", c_void_p),
-        *((name, c_int) for name in ("series_count", "constant_count")),
-        *((name, POINTER(c_char_p)) for name in NAMES),
-        *(("parameter_defaults", POINTER(c_double)), ("state_defaults", POINTER(c_double))),
-    ]
-
-
-MAP_LIMIT = 8
-
-
-class SectionMap(Structure):
-    _fields_ = [
-        *(("model", c_void_p), ("section", c_int), ("run", c_void_p), ("longest", c_double)),
-        ("memory", c_void_p),
-    ]
-
-
-class Crossing(Structure):
-    _fields_ = [
-        *(("outcome", c_int), ("mode", c_int), ("time", c_double), ("next", c_double * MAP_LIMIT)),
-        ("varied", c_double * (2 * MAP_LIMIT) * MAP_LIMIT),
-    ]
-
-
-class FixedPoint(Structure):
-    _fields_ = [
-        *(("outcome", c_int), ("iterations", c_int), ("error", c_double)),
-        *(("point", c_double * MAP_LIMIT), ("slot", c_int)),
-    ]
+def numbers(array):
+    """The C pointer to an array of doubles, which the caller keeps; NULL for an empty one."""
+    return ffi.cast("double *", array.ctypes.data) if array.size else ffi.NULL
 
 
 BEHIND = 8
@@ -139,10 +84,6 @@ class StuckError(RuntimeError):
 def central_difference(ends, step):
     """The derivative by values at -2, -1, 1 and 2 steps, with an error of fourth order."""
     return (8 * (ends[1] - ends[-1]) - (ends[2] - ends[-2])) / (12 * step)
-
-
-KERNEL = ROOT / "c_core" / "hybrid" / "kernel", ROOT / "c_core" / "kernel"
-"""Folders of the driver, of batches, and of what they include."""
 
 
 LANES = {2: ("TDMF_HAS_TWO_LANES", "")}
@@ -204,7 +145,7 @@ def kernel(folders, in_lanes, macros):
 
 
 def library_of(files, name, level, folders, in_lanes, macros):
-    """Compile derived C, once for equal texts, and link it with the driver."""
+    """Path of a library: derived C, compiled once for equal texts, and the driver."""
     flags, objects = kernel(folders, in_lanes, macros)
 
     def fill(folder):
@@ -221,7 +162,7 @@ def library_of(files, name, level, folders, in_lanes, macros):
         )
 
     texts = [level, macros, [str(path) for path in objects], sorted(files.items())]
-    return ctypes.CDLL(str(built_once(name, texts, fill) / "page.so"))
+    return str(built_once(name, texts, fill) / "page.so")
 
 
 @functools.cache
@@ -281,20 +222,18 @@ class CompiledPage:
         self.model = model
         self.keys, self.files = derived(model)
         self.name = next(iter(self.files)).removesuffix(".h")
-        self.library = library_of(self.files, self.name, level, folders, in_lanes, macros)
-        self.struct = ModelStruct.in_dll(self.library, f"tdmf_{self.name}_model")
+        path = library_of(self.files, self.name, level, folders, in_lanes, macros)
+        own, variable = FFI(), f"tdmf_{self.name}_model"
+        own.include(ffi)
+        own.cdef(f"extern tdmf_model_kind {variable};")
+        self.library, self.struct = ffi.dlopen(path), own.addressof(own.dlopen(path), variable)
         self.modes, self.events, self.states, self.parameters, self.outputs, self.tables, self.sections = (
             [
-                getattr(self.struct, names)[i].decode()
-                for i in range(getattr(self.struct, names.replace("names", "count")))
+                ffi.string(getattr(self.struct, f"{kind}_names")[i]).decode()
+                for i in range(getattr(self.struct, f"{kind}_count"))
             ]
-            for names in ModelStruct.NAMES
+            for kind in ("mode", "event", "state", "parameter", "output", "table", "section")
         )
-        self.library.tdmf_run_default.restype = RunStruct
-        self.library.tdmf_run_default.argtypes = [c_void_p] * 4
-        self.library.tdmf_run_memory_size.restype = c_size_t
-        self.library.tdmf_section_memory_size.restype = c_size_t
-        self.library.tdmf_page_order.argtypes = [c_double]
 
     def names(self, values):
         """Values by the names of the page, from values by the names of a unit; "-2 deg" is an angle."""
@@ -323,7 +262,7 @@ class CompiledPage:
     def call(self, name, mode, *arrays):
         """Call a function of a mode, if it has that function."""
         if function := getattr(self.struct.modes[mode], name):
-            CFUNCTYPE(None, *[c_void_p] * len(arrays))(function)(*(array.ctypes.data for array in arrays))
+            function(*map(numbers, arrays))
 
 
 class PageSection:
@@ -332,43 +271,31 @@ class PageSection:
     def __init__(self, of, index, run, longest):
         self.of, self.given, at = of, run, of.model.marked("is_section")[of.sections[index]]
         self.count, run.run.log_size = len(at.coordinates), 0
-        size = of.library.tdmf_section_memory_size(byref(of.struct), c_int(index), c_int(len(run.seeds)))
-        self.memory = garbage(size)
-        addresses = ctypes.addressof(of.struct), index, ctypes.addressof(run.run), longest
-        self.map = SectionMap(*addresses, self.memory.ctypes.data)
-        of.library.tdmf_next_crossing.restype = Crossing
-        of.library.tdmf_find_crossing.restype = FixedPoint
+        self.memory = garbage(of.library.tdmf_section_memory_size(of.struct, index, len(run.seeds)))
+        self.map = ffi.new("tdmf_section_map *", [of.struct, index, run.run, longest, numbers(self.memory)])
         self.x = np.zeros(len(of.states))
         self.dx = np.zeros((self.count + len(run.seeds), len(of.states)))
 
     def after(self, point, varies=False):
         """The next crossing: its point, and the derivatives by the point and the seeds where it `varies`."""
-        values = np.array(point, dtype=float)
-        return self.found(
-            self.of.library.tdmf_next_crossing(
-                byref(self.map),
-                c_void_p(values.ctypes.data),
-                c_bool(varies),
-                c_void_p(self.x.ctypes.data),
-                c_void_p(self.dx.ctypes.data),
-            )
-        )
+        given = self.map, list(point), varies, numbers(self.x), numbers(self.dx)
+        return self.found(self.of.library.tdmf_next_crossing(*given))
 
     def found(self, crossing):
         self.crossing, self.outcome = crossing, OUTCOMES[crossing.outcome]
-        self.mode, self.next = self.of.modes[crossing.mode], np.array(crossing.next)[: self.count]
-        varied = np.array(crossing.varied)[: self.count]
+        self.mode, self.next = self.of.modes[crossing.mode], np.array(list(crossing.next))[: self.count]
+        varied = np.array([list(row) for row in crossing.varied])[: self.count]
         self.jacobian = varied[:, : self.count]
         self.by_seeds = varied[:, self.count : self.count + len(self.given.seeds)]
         return self
 
     def fixed_point(self, guess):
         """The fixed point by Newton's method from a guess; `outcome` says whether the last run closed."""
-        values, last = np.array(guess, dtype=float), Crossing()
-        found = self.of.library.tdmf_find_crossing(byref(self.map), c_void_p(values.ctypes.data), byref(last))
+        last = ffi.new("tdmf_crossing *")
+        found = self.of.library.tdmf_find_crossing(self.map, list(guess), last)
         self.found(last)
         assert found.outcome == 0, f"no fixed point: {found.outcome}, error {found.error}"
-        return np.array(found.point)[: self.count]
+        return np.array(list(found.point))[: self.count]
 
     def state(self, name):
         """A state at the crossing."""
@@ -381,26 +308,30 @@ class PageRun:
     def __init__(self, of, seeds, tolerance, step_limit, tables, values):
         self.of, self.seeds = of, seeds
         self.p, self.x = np.zeros(max(1, len(of.parameters))), np.zeros(max(1, len(of.states)))
-        self.memory = garbage(of.library.tdmf_run_memory_size(byref(of.struct), len(seeds)))
-        arrays = (array.ctypes.data for array in (self.p, self.x, self.memory))
-        self.run = of.library.tdmf_run_default(byref(of.struct), *arrays)
+        self.memory = garbage(of.library.tdmf_run_memory_size(of.struct, len(seeds)))
+        arrays = (numbers(array) for array in (self.p, self.x, self.memory))
+        self.run = ffi.new("tdmf_page_run *", of.library.tdmf_run_default(of.struct, *arrays))
         self.run.tolerance, self.run.order = tolerance, of.library.tdmf_page_order(tolerance)
         self.run.step_limit = step_limit
         self.tables = [np.array(tables.get(name, []), dtype=float, ndmin=2) for name in of.tables]
-        self.table_structs = (TableStruct * (len(self.tables) + 1))(
-            *(TableStruct(*t.shape, t.ctypes.data if t.size else None, None) for t in self.tables)
-        )
-        self.run.tables = ctypes.addressof(self.table_structs)
+        rows = [[*table.shape, numbers(table)] for table in self.tables]
+        self.run.tables = self.table_structs = ffi.new("tdmf_table[]", [*rows, []])
         for name, value in values.items():
-            self._place(name)[0][self._place(name)[1]] = value
+            array, place = self._place(name)
+            array[place] = value
         self.dp, self.dx = np.zeros((len(seeds) + 1, len(self.p))), np.zeros((len(seeds) + 1, len(self.x)))
         for i, name in enumerate(seeds):
             (self.dx if name in of.states else self.dp)[i, self._place(name)[1]] = 1
-        self.shift, self.rows = np.zeros(len(seeds) + 1), (Row * LOG_SIZE)()
-        self.run.seed_count, self.run.log_size = len(seeds), LOG_SIZE
-        self.run.dp, self.run.dx, self.run.shift = (a.ctypes.data for a in (self.dp, self.dx, self.shift))
-        self.run.log = ctypes.addressof(self.rows)
+        self.shift, self.run.log_size = np.zeros(len(seeds) + 1), LOG_SIZE
+        self.run.seed_count, self.run.dp, self.run.dx = len(seeds), numbers(self.dp), numbers(self.dx)
+        self.run.shift = numbers(self.shift)
+        self.run.log = self.rows = ffi.new("tdmf_event_row[]", LOG_SIZE)
         self.outcome = None
+
+    def vary_table(self, number, direction):
+        """Have a table vary with the first seed."""
+        self.varied_table = direction
+        self.table_structs[number].d_rows = numbers(direction)
 
     def _place(self, name):
         if name in self.of.states:
@@ -416,15 +347,14 @@ class PageRun:
     def set(self, **values):
         """Set quantities as an importer does, with what else changes there."""
         for name, value in values.items():
-            given = c_bool(name in self.of.states), c_int(self._place(name)[1]), c_double(value)
-            self.of.library.tdmf_page_set(byref(self.of.struct), byref(self.run), *given)
+            given = name in self.of.states, self._place(name)[1], value
+            self.of.library.tdmf_page_set(self.of.struct, self.run, *given)
         return self
 
     def to(self, until=1e6, stop=None):
         """Run until a time, or to an event."""
         self.run.stop_event = self.of.events.index(stop) if stop else -1
-        outcome = self.of.library.tdmf_page_run_to(byref(self.of.struct), byref(self.run), c_double(until))
-        self.outcome = OUTCOMES[outcome]
+        self.outcome = OUTCOMES[self.of.library.tdmf_page_run_to(self.of.struct, self.run, until)]
         if self.outcome == "endless-chain":
             raise StuckError(self.message)
         return self
@@ -432,10 +362,10 @@ class PageRun:
     @property
     def message(self):
         """The outcome in a sentence."""
-        text = ctypes.create_string_buffer(500)
-        given = byref(self.of.struct), byref(self.run), OUTCOMES.index(self.outcome)
-        self.of.library.tdmf_run_message(*given, text, c_size_t(len(text)))
-        return text.value.decode()
+        text = ffi.new("char[]", 500)
+        outcome = OUTCOMES.index(self.outcome)
+        self.of.library.tdmf_run_message(self.of.struct, self.run, outcome, text, len(text))
+        return ffi.string(text).decode()
 
     def sample_at(self, times):
         """Have the run sample its outputs at some times. Returns arrays by time and output, for their values,
@@ -443,7 +373,7 @@ class PageRun:
         times, count = np.array(times, dtype=float), len(self.of.outputs)
         self.sampled = times, np.zeros((len(times), count)), np.zeros((len(times), len(self.seeds), count))
         run = self.run
-        run.sample_times, run.samples, run.d_samples = (a.ctypes.data for a in self.sampled)
+        run.sample_times, run.samples, run.d_samples = map(numbers, self.sampled)
         run.sample_count, run.sampled = len(times), 0
         return self.sampled[1:]
 
@@ -488,48 +418,29 @@ class PageRun:
 
     @property
     def log(self):
-        rows = self.rows[: min(LOG_SIZE, self.run.log_count)]
+        rows = self.rows[0 : min(LOG_SIZE, self.run.log_count)]
         return [
             (r.time, self.of.events[r.event], self.of.modes[r.before], self.of.modes[r.after]) for r in rows
         ]
 
 
-AT_END = CFUNCTYPE(c_int, c_void_p, c_int64, POINTER(RunStruct), c_int)
-
-
-class BatchStruct(Structure):
-    _fields_ = [
-        *(("runs", POINTER(RunStruct)), ("count", c_int64), ("until", c_void_p), ("outcomes", c_void_p)),
-        *(("at_end", AT_END), ("context", c_void_p), ("cancel", POINTER(c_int)), ("width", c_int)),
-        ("threads", c_int),
-    ]
-
-
-class WorkStruct(Structure):
-    _fields_ = [(name, c_int64) for name in ("steps", "lane_steps", "single_steps")]
-
-
-def run_batch(runs, until=1e6, stop=None, width=0, threads=1, at_end=None, cancel=None):
+def run_batch(runs, until=1e6, stop=None, width=0, threads=1, at_end=None, cancel=ffi.NULL):
     """Run many runs of a page side by side. Returns the work done."""
-    of, work = runs[0].of, WorkStruct()
-    structs, outcomes = (RunStruct * len(runs))(), np.full(len(runs), -1, np.int32)
+    of, work = runs[0].of, ffi.new("tdmf_batch_work *")
+    structs, outcomes = ffi.new("tdmf_page_run[]", len(runs)), ffi.new("tdmf_run_outcome[]", len(runs))
     untils = np.full(len(runs), until, float) if np.isscalar(until) else np.asarray(until, float)
     for i, run in enumerate(runs):
         run.run.stop_event = of.events.index(stop) if stop else -1
-        structs[i] = run.run
-    batch = BatchStruct(
-        structs, len(runs), untils.ctypes.data, outcomes.ctypes.data, AT_END(at_end or 0), None, cancel,
-        width, threads,
-    )  # fmt: skip
-    is_sound = of.library.tdmf_run_batch(byref(of.struct), byref(batch), byref(work))
-    assert is_sound & 255, "the batch is refused"
+        structs[i] = run.run[0]
+    at_end = ffi.callback("tdmf_at_end", at_end) if at_end else ffi.NULL
+    batch = ffi.new("tdmf_batch *", [structs, len(runs), numbers(untils), outcomes, at_end, ffi.NULL, cancel])
+    batch.width, batch.threads = width, threads
+    assert of.library.tdmf_run_batch(of.struct, batch, work), "the batch is refused"
     for i, run in enumerate(runs):
-        run.run = RunStruct.from_buffer_copy(structs[i])
-        run.outcome = OUTCOMES[outcomes[i]]
+        run.run[0], run.outcome = structs[i], OUTCOMES[outcomes[i]]
     return work
 
 
 def widths_of(page):
     """The numbers of lanes that this machine has."""
-    has = page.library.tdmf_batch_has_width
-    return [width for width in (1, *LANES) if has(byref(page.struct), width) & 255]
+    return [width for width in (1, *LANES) if page.library.tdmf_batch_has_width(page.struct, width)]

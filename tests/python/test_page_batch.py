@@ -1,10 +1,8 @@
 """Many runs of a page side by side, in lanes and threads: each ends as the driver ends it, bit for bit."""
 
-import ctypes
-
 import numpy as np
 import pytest
-from page_runs import COMPILER, LANES, OUTCOMES, CompiledPage, StuckError, run_batch, widths_of
+from page_runs import COMPILER, LANES, OUTCOMES, CompiledPage, StuckError, ffi, run_batch, widths_of
 from runner_pages import drawn, whole_page, world_of
 
 from c_core.hybrid import Model, event, exp, mode, parameter, sin, state
@@ -58,7 +56,7 @@ def bits(run):
     """What a run has come to."""
     r, rows = run.run, min(len(run.rows), run.run.log_count)
     numbers = run.outcome, r.mode, r.time, r.time_rest, r.steps, r.events, r.chain, r.log_count, r.is_shifted
-    memory = r.taken, r.above, r.late, bytes(run.rows)[: ctypes.sizeof(run.rows[0]) * rows]
+    memory = r.taken, r.above, r.late, run.log[:rows]
     return numbers, memory, run.x.tobytes(), run.dx.tobytes(), run.shift.tobytes()
 
 
@@ -279,18 +277,18 @@ def test_a_run_that_a_callback_leaves_as_it_is_goes_on_in_its_lane(hopper):
 
 def test_a_cancelled_run_is_where_it_was_and_goes_on_from_there(hopper):
     for width in widths_of(hopper):
-        cancel = ctypes.c_int(1)
+        cancel = ffi.new("int *", 1)
         runs = [random_hopper(hopper, i) for i in range(20)]
-        run_batch(runs, 10.0, width=width, cancel=ctypes.pointer(cancel))
+        run_batch(runs, 10.0, width=width, cancel=cancel)
         assert {(run.outcome, run.time) for run in runs} == {("cancelled", 0.0)}
-        cancel.value, calls = 0, []
+        cancel[0], calls = 0, []
 
         def at_end(_context, number, _run, outcome, cancel=cancel, calls=calls):
             calls.append(number)
-            cancel.value = len(calls) > 10
+            cancel[0] = len(calls) > 10
             return OUTCOMES[outcome] == "stopped"
 
-        run_batch(runs, 10.0, "hits", width, 2, at_end, ctypes.pointer(cancel))
+        run_batch(runs, 10.0, "hits", width, 2, at_end, cancel)
         assert sum(run.outcome == "cancelled" for run in runs) > 3
         wanted = driven([random_hopper(hopper, i) for i in range(20)], 10.0)
         for run, other in zip(runs, wanted, strict=True):

@@ -64,7 +64,7 @@ def test_the_ball_of_the_guide_falls_down_its_own_stair_and_a_given_one(guide):
     assert own.d("x")[0] == pytest.approx(-fallen / 2 / 9.81, abs=1e-12)
     stair, varied = [[0, 0], [-0.1, 0], [-1, 2]], np.array([[0, 0], [1, 0], [1, 1]], dtype=float)
     given = page.start(seeds=["gravity"], tables={"steps": stair}, tolerance=1e-13)
-    given.table_structs[0].d_rows = varied.ctypes.data  # a stair that is higher from the second step on
+    given.vary_table(0, varied)  # a stair that is higher from the second step on
     given.dp[0] = 0
     given.to(0.3 + np.sqrt(0.2 / 9.81) + 1e-3)
     assert (given.vx, given.y, given.step) == (0, pytest.approx(-0.1, abs=1e-14), 1)

@@ -248,7 +248,7 @@ def test_derivatives_by_entries_of_a_table_are_those_of_differences(whole, entry
     def varied():
         run = whole.start(seeds=["friction"], tables={"ground_segment": rows}, **given)
         run.dx[0] = 0  # the table varies, and nothing else
-        run.table_structs[0].d_rows = direction.ctypes.data
+        run.vary_table(0, direction)
         return run
 
     assert_varies(
