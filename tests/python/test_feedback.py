@@ -82,12 +82,12 @@ def test_both_matrices_are_differences_of_the_return_map(name):
         moved = step * scale * np.eye(len(gait.apex))[i]
         ends = [next_apex(gait.runner, gait.apex + side * moved, {}) for side in (1, -1)]
         column = (ends[0] - ends[1]) / (2 * step) / model.scales
-        assert column == pytest.approx(model.scaled_state_matrix[:, i], rel=1e-6, abs=1e-7)
+        assert column == pytest.approx(model.state_matrix[:, i], rel=1e-6, abs=1e-7)
     for i, setting in enumerate(ALL):
         value, size = gait.runner[setting], step * model.setting_scales[i]
         ends = [next_apex(gait.runner, gait.apex, {setting: value + side * size}) for side in (1, -1)]
         column = (ends[0] - ends[1]) / (2 * step) / model.scales
-        assert column == pytest.approx(model.scaled_input_matrix[:, i], rel=1e-6, abs=1e-6), setting
+        assert column == pytest.approx(model.input_matrix[:, i], rel=1e-6, abs=1e-6), setting
 
 
 def test_a_foot_that_sticks_makes_the_stride_forget_three_modes_and_one_that_slips_two(gaits):
@@ -152,9 +152,9 @@ def test_controllability_is_told_in_numbers(gaits):
 def test_modal_controllability_is_by_left_eigenvectors_of_the_whole_jacobian(gaits):
     """An independent derivation: it is computed from the modes that last alone."""
     model = linearize(gaits[1.0], [ANGLE, TORQUE])
-    values, left = np.linalg.eig(model.scaled_state_matrix.T)
+    values, left = np.linalg.eig(model.state_matrix.T)
     left = left[:, np.argsort(-np.abs(values))[:3]]
-    expected = np.abs((left / np.linalg.norm(left, axis=0)).T @ model.scaled_input_matrix)
+    expected = np.abs((left / np.linalg.norm(left, axis=0)).T @ model.input_matrix)
     found = controllability(gaits[1.0], [ANGLE, TORQUE]).modal_controllability
     assert found == pytest.approx(expected, rel=1e-8)
 
@@ -231,7 +231,7 @@ def test_the_least_settings_reach_the_gait():
 def test_the_regulator_is_the_limit_of_the_recursion_backwards_in_time(gaits):
     """An independent derivation: dynamic programming over more and more strides."""
     model = linearize(gaits[0.2], [ANGLE, TORQUE])
-    a, b, r = model.scaled_state_matrix, model.scaled_input_matrix, np.diag([1.0, 0.1])
+    a, b, r = model.state_matrix, model.input_matrix, np.diag([1.0, 0.1])
     cost = np.eye(6)
     for _ in range(500):
         gain = -np.linalg.solve(r + b.T @ cost @ b, b.T @ cost @ a)
@@ -239,7 +239,7 @@ def test_the_regulator_is_the_limit_of_the_recursion_backwards_in_time(gaits):
     assert riccati_gain(a, b, np.eye(6), r)[0] == pytest.approx(gain, rel=1e-8, abs=1e-10)
     law = lqr(gaits[0.2], [ANGLE, TORQUE], input_weight=[1.0, 0.1])
     assert pytest.approx(cost, rel=1e-8, abs=1e-10) == law.S and np.array_equal(law.K, -np.asarray(law.gain))
-    closed = a - b @ (law.K / model.setting_scales[:, None] * model.scales)
+    closed = a - b @ model.over_scales(law.K)
     assert np.sort(np.abs(np.linalg.eigvals(closed))) == pytest.approx(np.sort(np.abs(law.E)), abs=1e-12)
 
 
@@ -360,7 +360,7 @@ REFUSED = [
             ({"limits": {ANGLE: (0.7, 0.8)}}, "(0.7, 0.8) is not allowed"),
             ({"limits": {ANGLE: (-2.0, 0.8)}}, "two numbers within"),
             ({"limits": {ANGLE: (np.nan, 0.8)}}, "is not allowed"),
-            ({"limits": {ANGLE: 0.1}}, "two numbers"),
+            ({"limits": {ANGLE: 0.1}}, "two finite numbers"),
             ({"limits": [1]}, "pairs of numbers by setting"),
             ({"state_weight": -1.0}, "state_weight = -1.0 is not allowed"),
             ({"state_weight": [1, 1]}, "6 of them, or a symmetric matrix of 6 by 6"),

@@ -19,18 +19,17 @@ values show how near they are to losing it.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..checks import is_one_of, near_matches, number_of, refusal, shown
 from ..errors import InputError
 from ..library.gait import Gait, check_is_gait
-from ..library.return_map import stride_from
 from ..library.runner import Runner
 from ..library.settings import SETTINGS
+from ..library.strides import varied_stride
 from ..record import entries
 from ..variables.table import Model, full_names
 
@@ -46,7 +45,7 @@ IDLE = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class Linearization:
-    """The return map of a gait and its settings, to first order."""
+    """The return map of a gait and its settings, to first order; both matrices are over the scales."""
 
     gait: Gait
     """The gait."""
@@ -55,67 +54,26 @@ class Linearization:
     nominal: NDArray[np.float64]
     """The settings of the gait, shape (k,), in their units."""
     state_matrix: NDArray[np.float64]
-    """A, shape (n, n): the change of the next apex by this one, in the units of the section."""
+    """A, shape (n, n): the change of the next apex by this one."""
     input_matrix: NDArray[np.float64]
     """B, shape (n, k): its change by the settings."""
     setting_scales: NDArray[np.float64]
     """Scales of the settings, shape (k,): 1 rad, sqrt(k/m), l0, k l0, k l0^2, and for gains of the hip k l0^2
     and l0^2 sqrt(k m), each per rad."""
 
-    @cached_property
+    @property
     def scales(self) -> NDArray[np.float64]:
         """Scales of the section's coordinates, shape (n,)."""
         return self.gait.runner.scales
 
-    @cached_property
-    def scaled_state_matrix(self) -> NDArray[np.float64]:
-        """A of deviations over their scales, shape (n, n)."""
-        scaled: NDArray[np.float64] = self.state_matrix * self.scales / self.scales[:, None]
-        return scaled
-
-    @cached_property
-    def scaled_input_matrix(self) -> NDArray[np.float64]:
-        """B of deviations and settings over their scales, shape (n, k)."""
-        scaled: NDArray[np.float64] = self.input_matrix * self.setting_scales / self.scales[:, None]
-        return scaled
-
-    def closed_loop(self, gain: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The state matrix of the loop that a feedback closes, of deviations over their scales."""
-        closed = self.state_matrix + self.input_matrix @ gain
-        scaled: NDArray[np.float64] = closed * self.scales / self.scales[:, None]
+    def over_scales(self, gain: ArrayLike) -> NDArray[np.float64]:
+        """A gain in the units of the section and the settings, over the scales of both."""
+        scaled: NDArray[np.float64] = np.asarray(gain) * self.scales / self.setting_scales[:, None]
         return scaled
 
 
 def linearize(gait: Gait, inputs: Sequence[str]) -> Linearization:
     """The return map of a gait to first order, by the apex and by settings."""
-    _check_gait(gait)
-    runner = gait.runner
-    names = _checked_names(inputs, runner.model)
-    for name in names:
-        _check_inside(runner, name)
-    by_setting = []
-    jacobian = gait.jacobian
-    for name in names:
-        _, jacobian, column = stride_from(runner, gait.apex, name)
-        by_setting.append(column)
-    model = Linearization(
-        gait=gait,
-        inputs=names,
-        nominal=np.array([runner[name] for name in names]),
-        state_matrix=jacobian,
-        input_matrix=np.array(by_setting).T,
-        setting_scales=np.array([runner.scale_of(runner.model.variables[name].unit) for name in names]),
-    )
-    moved = np.max(np.abs(model.scaled_input_matrix), axis=0)
-    for name, maximum in zip(names, moved, strict=True):
-        if maximum <= IDLE:
-            raise InputError(
-                f"inputs: {name} has no effect on the next apex of this gait; allowed: inputs that have one"
-            )
-    return model
-
-
-def _check_gait(gait: Gait) -> None:
     check_is_gait(gait, "gait")
     if gait.following:
         raise InputError(f"gait of {gait.strides} strides is not allowed; allowed: a gait of one stride")
@@ -124,6 +82,26 @@ def _check_gait(gait: Gait) -> None:
             f"gait whose next apex is {gait.error:.2g} of the scales away is not allowed; allowed: a gait, "
             f"which leads back to within {CLOSED:g}, as find_gait gives"
         )
+    runner = gait.runner
+    names = _checked_names(inputs, runner.model)
+    for name in names:
+        _check_inside(runner, name)
+    setting_scales = np.array([runner.scale_of(runner.model.variables[name].unit) for name in names])
+    by_settings = varied_stride(runner, gait.apex, (), names).by_all[:, len(gait.apex) :]
+    by_settings = by_settings * setting_scales / runner.scales[:, None]
+    for name, moved in zip(names, np.max(np.abs(by_settings), axis=0), strict=True):
+        if moved <= IDLE:
+            raise InputError(
+                f"inputs: {name} has no effect on the next apex of this gait; allowed: inputs that have one"
+            )
+    return Linearization(
+        gait=gait,
+        inputs=names,
+        nominal=np.array([runner[name] for name in names]),
+        state_matrix=gait.jacobian * runner.scales / runner.scales[:, None],
+        input_matrix=by_settings,
+        setting_scales=setting_scales,
+    )
 
 
 def _checked_names(given: object, model: Model) -> tuple[str, ...]:
@@ -180,11 +158,6 @@ class Modes:
         """Number of the modes."""
         return len(self.state_matrix)
 
-    def gain_of(self, model: Linearization, gain: NDArray[np.float64]) -> NDArray[np.float64]:
-        """A gain on the modes as one on the apex."""
-        on_apex: NDArray[np.float64] = gain @ self.directions.T
-        return on_apex * model.setting_scales[:, None] / model.scales
-
 
 def lasting_modes(model: Linearization, negligible: float = NEGLIGIBLE) -> Modes:
     """The modes that are to be moved."""
@@ -197,11 +170,11 @@ def lasting_modes(model: Linearization, negligible: float = NEGLIGIBLE) -> Modes
     def lasts(real: float, imaginary: float = 0.0) -> bool:
         return abs(complex(real, imaginary)) > threshold
 
-    transposed, vectors, count = schur(model.scaled_state_matrix.T, output="real", sort=lasts)
+    transposed, vectors, count = schur(model.state_matrix.T, output="real", sort=lasts)
     if not count:
         raise InputError(f"negligible = {threshold:g}: no mode of this gait lasts longer; allowed: less")
     directions = vectors[:, :count]
-    return Modes(directions, transposed[:count, :count].T, directions.T @ model.scaled_input_matrix)
+    return Modes(directions, transposed[:count, :count].T, directions.T @ model.input_matrix)
 
 
 RANK_TOLERANCE = 1e-9

@@ -10,7 +10,7 @@ S_(j-1), with the least settings that do.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..checks import is_one_of, near_matches, number_of, refusal, shown
 from ..errors import InputError
-from ..given import numbers_of, row_of
+from ..given import ends_given, numbers_of, row_of
 from ..library.gait import Gait
 from ..library.laws import AffineLaw
 from ..record import entries
@@ -132,30 +132,28 @@ class Feedback(AffineLaw):
     @property
     def closed_loop(self) -> NDArray[np.float64]:
         """A + B G over the scales, shape (n, n): the next apex's deviation by this one's."""
-        return self.linearization.closed_loop(np.asarray(self.gain))
+        model = self.linearization
+        closed: NDArray[np.float64] = model.state_matrix + model.input_matrix @ model.over_scales(self.gain)
+        return closed
 
 
-def feedback_of(
-    model: Linearization,
-    gain: NDArray[np.float64],
-    limits: Limits | None = None,
-    *,
-    strides: int | None = None,
+def _feedback(
+    model: Linearization, gain: NDArray[np.float64], limits: Limits | None, **about: Any
 ) -> Feedback:
-    """The feedback that a gain makes."""
+    """The feedback that a gain over the scales makes."""
     low, high = _checked_limits(model, limits)
-    found: NDArray[Any] = np.linalg.eigvals(model.closed_loop(gain))
+    eigenvalues = np.linalg.eigvals(model.state_matrix + model.input_matrix @ gain)
     return Feedback(
         inputs=model.inputs,
         apex=model.gait.apex,
         nominal=model.nominal,
-        gain=gain,
+        gain=gain * model.setting_scales[:, None] / model.scales,
         low=low,
         high=high,
         linearization=model,
-        eigenvalues=found[np.argsort(-np.abs(found), kind="stable")],
-        strides=strides,
+        eigenvalues=eigenvalues[np.argsort(-np.abs(eigenvalues), kind="stable")],
         model=MODELS["full"] if model.gait.runner.reduced else model.gait.runner.model,
+        **about,
     )
 
 
@@ -170,19 +168,16 @@ def _checked_limits(
             f"limits: {shown(unknown)} is not allowed; allowed: {', '.join(model.inputs)}"
             f"{near_matches(unknown, model.inputs)}"
         )
-    found = []
-    for name, nominal in zip(model.inputs, model.nominal, strict=True):
-        variable = own.variables[name]
-        asked = given.get(name, (variable.minimum, variable.maximum))
-        allowed = f"two numbers within {variable.allowed} with {nominal:g}, the gait's own, between them"
-        row = variable.without_units(row_of(asked, f"limits: {name}", allowed), f"limits: {name}")
-        pair = numbers_of(f"limits: {name}", row, allowed)
-        if pair.shape != (2,) or pair[0] == pair[1]:
+    low, high = np.empty((2, len(model.inputs)))
+    for k, (name, nominal) in enumerate(zip(model.inputs, model.nominal, strict=True)):
+        variable, asked = own.variables[name], given.get(name)
+        ends = variable.minimum, variable.maximum
+        if asked is not None:
+            ends = ends_given(f"limits: {name}", asked, read=variable.without_units)
+        low[k], high[k] = ends
+        if not variable.minimum <= low[k] <= nominal <= high[k] <= variable.maximum:
+            allowed = f"two numbers within {variable.allowed} with {nominal:g}, the gait's own, between them"
             raise refusal(f"limits: {name}", asked, allowed)
-        if not variable.minimum <= pair[0] <= nominal <= pair[1] <= variable.maximum:
-            raise refusal(f"limits: {name}", asked, allowed)
-        found.append(pair)
-    low, high = np.array(found).T
     return low, high
 
 
@@ -242,7 +237,7 @@ def dead_beat(
         gain = dead_beat_gain(modes.state_matrix, modes.input_matrix)
     except ArithmeticError:
         raise _not_movable(model, reported.eigenvalues) from None
-    return feedback_of(model, modes.gain_of(model, gain), limits, strides=reported.strides)
+    return _feedback(model, gain @ modes.directions.T, limits, strides=reported.strides)
 
 
 def place_poles(
@@ -293,7 +288,7 @@ def place_poles(
         placed = place(modes.state_matrix, modes.input_matrix, wanted)
     except ValueError as problem:
         raise InputError(f"eigenvalues = {_listed(wanted)} are not allowed: {problem}") from None
-    return feedback_of(model, modes.gain_of(model, -placed.gain_matrix), limits)
+    return _feedback(model, -placed.gain_matrix @ modes.directions.T, limits)
 
 
 def lqr(
@@ -344,9 +339,8 @@ def lqr(
     model = linearize(gait, inputs)
     state = _weight("state_weight", state_weight, len(model.scales), 0.0)
     setting = _weight("input_weight", input_weight, len(model.inputs), np.finfo(float).tiny)
-    gain, cost = riccati_gain(model.scaled_state_matrix, model.scaled_input_matrix, state, setting)
-    found = feedback_of(model, gain * model.setting_scales[:, None] / model.scales, limits)
-    return replace(found, S=cost)
+    gain, cost = riccati_gain(model.state_matrix, model.input_matrix, state, setting)
+    return _feedback(model, gain, limits, S=cost)
 
 
 def riccati_gain(

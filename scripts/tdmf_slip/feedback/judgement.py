@@ -78,8 +78,8 @@ def apex_covariance(feedback: Feedback, roughness: float = 0.0) -> NDArray[np.fl
         )
     model = feedback.linearization
     scales = model.scales
-    by_noise = model.input_matrix @ np.asarray(feedback.gain) / scales[:, None] * np.asarray(feedback.noise)
-    by_step = roughness * model.state_matrix[:, HEIGHT] / scales
+    by_noise = model.input_matrix @ model.over_scales(feedback.gain) * np.asarray(feedback.noise) / scales
+    by_step = roughness * model.state_matrix[:, HEIGHT] / scales[HEIGHT]
     driven = by_noise @ by_noise.T + np.outer(by_step, by_step)
     spread: NDArray[np.float64] = solve_discrete_lyapunov(feedback.closed_loop, driven)
     return spread * np.outer(scales, scales)
@@ -109,9 +109,7 @@ class Judgement:
 
 def judge(gait: Gait, law: Law | None = None, *, roughness: Sequence[float] = (), seed: int = 0) -> Judgement:
     """How well a feedback holds a gait, within its limits."""
-    check_is_gait(gait, "gait")
-    check_law(law, gait.runner)
-    return _judged(_grounds(roughness, seed), seed, (gait, law))
+    return judge_all([(gait, law)], roughness=roughness, seed=seed)[0]
 
 
 def judge_all(
@@ -127,18 +125,15 @@ def judge_all(
     for trial in row_of(trials, "trials", allowed):
         if not isinstance(trial, tuple) or len(trial) != 2:
             raise refusal("trials", trials, allowed)
-        check_is_gait(trial[0], "trials")
-        check_law(trial[1], trial[0].runner)
-    work = partial(_judged, _grounds(roughness, seed), seed)
+        gait, law = trial
+        check_is_gait(gait, "gait")
+        check_law(law, gait.runner)
+    grounds = [RoughGround(one, seed) for one in row_of(roughness, "roughness", "numbers in a list, m")]
     with (
         progress_bar("feedback", len(trials), "laws", progress) as bar,
-        run_blocks(work, trials, executor) as results,
+        run_blocks(partial(_judged, grounds, seed), trials, executor) as results,
     ):
         return in_order(results, lambda _: bar.update())
-
-
-def _grounds(roughness: Sequence[float], seed: int) -> list[RoughGround]:
-    return [RoughGround(one, seed) for one in row_of(roughness, "roughness", "numbers in a list, m")]
 
 
 def _judged(grounds: Sequence[RoughGround], seed: int, trial: tuple[Gait, Law | None]) -> Judgement:

@@ -45,7 +45,7 @@ def of_controllability(found: Controllability) -> Figure:
 def of_feedback(law: Feedback) -> Figure:
     """The eigenvalues with and without the law, and its gains over the scales."""
     model = law.linearization
-    gain = np.asarray(law.gain) * model.scales / model.setting_scales[:, None]
+    gain = model.over_scales(law.gain)
     figure, (left, right) = _panels()
     _paint(left, {"with the law": law.eigenvalues, "without": model.gait.eigenvalues})
     names = [name.replace("_", " ") for name in COORDINATES[: len(model.scales)]]
