@@ -125,7 +125,7 @@ def _fits() -> Iterator[_Question]:
 
 def _branches() -> Iterator[_Question]:
     for end in (0.5, 0.2):
-        follow = functools.partial(continue_branch.plain, None, {"ground.friction": (FRICTION, end)})
+        follow = functools.partial(continue_branch, None, {"ground.friction": (FRICTION, end)})
         yield _Question("continue", f"friction {FRICTION} to {end}", 1, follow)
 
 

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from branch_rows import met, rows_of, specials
 from conftest import RELEASE
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from tdmf_slip import Batch, InputError, Runner, continue_branch, find_gait, gait_at, plot
-from tdmf_slip.analysis.branch_problem import gaits_over
-from tdmf_slip.analysis.branches import branch_dataset
+from tdmf_slip.analysis.along import gaits_over
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.fixed_point import gait_near
@@ -30,13 +30,13 @@ def runner():
 @pytest.fixture(scope="module")
 def over_low_angle(runner):
     """A branch over falling angles that passes a period doubling."""
-    return continue_branch.plain(runner, {ANGLE: (0.575, 0.56)})
+    return continue_branch(runner, {ANGLE: (0.575, 0.56)})
 
 
 @pytest.fixture(scope="module")
 def over_angle(runner):
     """The branch goes from 40 degrees upwards, around two folds."""
-    return continue_branch.plain(runner, {ANGLE: (np.radians(40.0), np.radians(53.0))}, max_step=1.0)
+    return continue_branch(runner, {ANGLE: (np.radians(40.0), np.radians(53.0))}, max_step=1.0)
 
 
 def settled(runner, apex, strides=STRIDES):
@@ -51,7 +51,7 @@ def apart(runner, one, other):
 
 
 def one(branch, kind):
-    (found,) = [special for special in branch.specials if special.kind == kind]
+    (found,) = specials(rows_of(branch), kind)
     return found
 
 
@@ -60,20 +60,21 @@ def test_the_default_runner_over_the_touchdown_angle(over_angle):
 
     Between the folds the branch turns twice within a millionth of a degree, where it crosses two borders.
     """
-    bifurcations = [s for s in over_angle.specials if s.kind not in ("word border", "unclassified")]
+    rows = rows_of(over_angle)
+    bifurcations = [s for s in specials(rows) if s.kind not in ("word border", "unclassified")]
     assert [special.kind for special in bifurcations] == ["fold", "fold", "Neimark-Sacker"]
-    turns = [special for special in over_angle.specials if special.kind == "unclassified"]
+    turns = specials(rows, "unclassified")
     borders = [
-        s.value for s in over_angle.specials if s.words == ("+0-+", "+0-") and s.value < bifurcations[0].value
+        s.value for s in specials(rows) if s.words == ("+0-+", "+0-") and s.value < bifurcations[0].value
     ]
     assert len(turns) == 2 and all("the branch turns" in turn.why for turn in turns)
     assert max(abs(turn.value - borders[0]) for turn in turns) < 1e-7
     for fold in bifurcations[:2]:
         assert np.abs(fold.gait.eigenvalues - 1.0).min() < 1e-9
-    pair = one(over_angle, "Neimark-Sacker").gait.eigenvalues[:2]
+    pair = bifurcations[2].gait.eigenvalues[:2]
     assert np.abs(pair) == pytest.approx([1.0, 1.0], abs=1e-9) and abs(pair[0].imag) > 0.1
-    assert over_angle.ended == "end of the range" and over_angle.values[-1] == np.radians(53.0)
-    unstable = [gait.unstable for gait in over_angle.gaits]
+    assert over_angle.ended == "end of the range" and rows[-1].value == np.radians(53.0)
+    unstable = [row.gait.unstable for row in met(rows)]
     assert [n for n, m in zip(unstable, [None, *unstable], strict=False) if n != m] == [0, 1, 2, 0]
 
 
@@ -110,11 +111,12 @@ def test_the_fast_human_over_the_friction(command):
 def test_gaits_of_two_strides_are_those_of_plain_strides(over_low_angle):
     """Beyond the period doubling a runner settles on a gait that repeats itself after two strides."""
     doubling = one(over_low_angle, "period doubling")
-    (doubled,) = over_low_angle.branches
-    assert doubled.strides == 2 and all(gait.stable for gait in doubled.gaits)
-    assert max(doubled.values) < doubling.value and doubled.values[-1] == 0.56
+    assert over_low_angle["branch_strides"].values.tolist() == [1, 2]
+    doubled = [row for row in met(rows_of(over_low_angle)) if row.branch == 1]
+    assert all(row.gait.stable and row.value < doubling.value for row in doubled)
+    assert doubled[-1].value == 0.56
     compared = 0
-    for gait in doubled.gaits[len(doubled.gaits) // 3 :: 4]:
+    for gait in [row.gait for row in doubled[len(doubled) // 3 :: 4]]:
         apex, ran = settled(gait.runner, gait.apex + 1e-3 * gait.runner.scales)
         assert ran == STRIDES
         both = [apart(gait.runner, apex, other) for other in (gait.apex, *gait.following)]
@@ -150,9 +152,9 @@ BORDERED = [
 def test_a_word_border_is_where_plain_strides_change_their_word(preset, name, begin, end, smallest):
     """On both sides, also of words that hold over 3e-6 of the parameter: side by side in the ensemble."""
     runner = Runner(read_parameters(preset))
-    branch = continue_branch.plain(runner, {name: (begin, end)}, switch=False)
-    borders = [(special.value, special) for special in branch.specials if special.kind == "word border"]
-    values = [branch.values[0], *(value for value, _ in borders), branch.values[-1]]
+    rows = rows_of(continue_branch(runner, {name: (begin, end)}, switch=False))
+    borders = [(special.value, special) for special in specials(rows, "word border")]
+    values = [rows[0].value, *(value for value, _ in borders), rows[-1].value]
     gaits, words = [], []
     for number, (value, special) in enumerate(borders, 1):
         for way, word in zip((-1, 1), special.words, strict=True):
@@ -171,11 +173,11 @@ def test_a_word_border_is_where_plain_strides_change_their_word(preset, name, be
 
 
 def test_a_neimark_sacker_point_is_where_plain_strides_spiral_in_or_out(over_angle):
-    point = one(over_angle, "Neimark-Sacker")
-    gaits = dict(zip(over_angle.values, over_angle.gaits, strict=True))
+    rows, point = rows_of(over_angle), one(over_angle, "Neimark-Sacker")
+    index = [row.kind for row in rows].index("Neimark-Sacker")
     for value, settles in ((point.value - 5e-3, False), (point.value + 5e-3, True)):
-        near = min((v for v in list(gaits)[point.index - 5 : point.index + 6]), key=lambda v: abs(v - value))
-        gait = next(gaits_over(gaits[near].runner, ANGLE, [value], gaits[near]))
+        near = min(met(rows[index - 5 : index + 6]), key=lambda row: abs(row.value - value))
+        gait = next(gaits_over(near.gait.runner, ANGLE, [value], near.gait))
         apex, ran = settled(gait.runner, gait.apex + 1e-4 * gait.runner.scales)
         assert (ran == STRIDES and apart(gait.runner, apex, gait.apex) < 1e-6) == settles
 
@@ -219,7 +221,7 @@ def test_a_diagram_a_dataset_and_json_with_doubled_gaits_are_one_command(command
 
 
 def test_lines_are_solid_where_gaits_are_stable(over_low_angle):
-    axes = plot(branch_dataset(over_low_angle)).axes[0]
+    axes = plot(over_low_angle).axes[0]
     lines = {line.get_label(): line for line in axes.get_lines()}
     assert {"stable, 1 stride", "unstable, 1 stride", "stable, 2 strides", "period doubling"} <= set(lines)
     assert lines["stable, 1 stride"].get_linestyle() == "-"
@@ -230,11 +232,11 @@ def test_lines_are_solid_where_gaits_are_stable(over_low_angle):
     words = {" ".join(sorted(text.get_text().split())) for text in axes.texts}  # either stride may come first
     assert words == {"+0−", "+−", "+0− +0−", "+0− +−"}
     with pytest.raises(InputError, match=r"quantity 'sped' is not allowed.*speed"):
-        figure_of(branch_dataset(over_low_angle), "sped")
+        figure_of(over_low_angle, "sped")
 
 
 def test_words_are_beside_their_lines_and_hide_nothing(over_angle):
-    figure = plot(branch_dataset(over_angle))
+    figure = plot(over_angle)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     axes = figure.axes[0]

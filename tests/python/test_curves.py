@@ -5,10 +5,10 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+from branch_rows import rows_of, specials
 from closed_form_maps import MapProblem, henon
-from tdmf_slip import InputError, Runner, continue_curves, plot
-from tdmf_slip.analysis.branches import continue_branch
-from tdmf_slip.analysis.curves import BifurcationProblem, curve_through, curves_in
+from tdmf_slip import InputError, Runner, continue_branch, continue_curves, plot
+from tdmf_slip.analysis.curves import BifurcationProblem, curve_through
 from tdmf_slip.analysis.special_points import bialternate
 from tdmf_slip.numerics.following import Limits
 
@@ -116,8 +116,8 @@ def test_period_doublings_over_two_parameters(command, tmp_path):
     assert sorted(damping for _, damping in ends) == pytest.approx([0.199, 0.201], abs=1e-9)
     angle, damping = curve["points"][len(curve["points"]) // 4]
     runner = Runner({DAMPING: damping})
-    branch = continue_branch.plain(runner, {ANGLE: (angle + 2e-3, angle - 2e-3)}, switch=False)
-    (doubling,) = (special for special in branch.specials if special.kind == "period doubling")
+    branch = continue_branch(runner, {ANGLE: (angle + 2e-3, angle - 2e-3)}, switch=False)
+    (doubling,) = specials(rows_of(branch), "period doubling")
     assert doubling.value == pytest.approx(angle, rel=1e-8)
     assert (tmp_path / "curves.png").read_bytes()[:4] == b"\x89PNG"
 
@@ -125,21 +125,26 @@ def test_period_doublings_over_two_parameters(command, tmp_path):
 def test_a_word_border_crosses_the_ranges_of_two_parameters_and_has_each_word_on_its_side():
     """Whichever way the first range leads: left of the curve the word of a lower friction is written."""
     curves = continue_curves({}, {FRICTION: (1.1, 1.2), DAMPING: (0.198, 0.202)})
-    (curve,) = curves_in(curves)
-    assert (curve.kind, curve.words) == ("word border", ("+0-0+", "+0+"))
-    assert curve.began == curve.ended == "edge of the ranges" and len(curve.points) < 60
-    assert sorted(curve.points[[0, -1], 1]) == pytest.approx([0.198, 0.202])
-    friction, damping = curve.points[len(curve.points) // 4]
+    names = "kind", "before", "after", "began", "ended"
+    assert [curves[name].item() for name in names] == [
+        "word border",
+        "+0-0+",
+        "+0+",
+        *["edge of the ranges"] * 2,
+    ]
+    points = np.column_stack([curves[FRICTION], curves[DAMPING]])
+    assert len(points) < 60 and sorted(points[[0, -1], 1]) == pytest.approx([0.198, 0.202])
+    friction, damping = points[len(points) // 4]
     runner = Runner({DAMPING: damping})
-    branch = continue_branch.plain(runner, {FRICTION: (friction + 1e-4, friction - 1e-4)}, switch=False)
-    (value,) = (of.value for of in branch.specials if of.words == curve.words[::-1])
+    branch = continue_branch(runner, {FRICTION: (friction + 1e-4, friction - 1e-4)}, switch=False)
+    (value,) = (of.value for of in specials(rows_of(branch)) if of.words == ("+0+", "+0-0+"))
     assert value == pytest.approx(friction, rel=1e-8)
     figure = plot(curves)
     figure.canvas.draw()
     axes = figure.axes[0]
     texts = sorted(axes.texts, key=lambda text: text.get_window_extent().x0)
     assert [text.get_text() for text in texts] == ["+0−0+", "+0+"]
-    line = axes.transData.transform(curve.points)
+    line = axes.transData.transform(points)
     for text in texts:
         assert not any(text.get_window_extent().contains(*point) for point in line)
 

@@ -9,7 +9,7 @@ import matplotlib
 import pytest
 from tdmf_slip.cli.main import module_of
 
-WORK = ("find_gait", "fit", "simulate", "validate", "basin", "viability", "sweep_row", "continue_branch")
+WORK = ("find_gait", "fit", "simulate", "validate", "basin", "viability", "sweep", "continue_branch")
 COMMANDS = [
     ("gait", "--plot", "run.png"),
     ("simulate", "--plot", "run.png"),

@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 from PIL import Image
-from tdmf_slip.analysis.sweeps import sweep_row
+from tdmf_slip.paper.along import swept
 from tdmf_slip.paper.figures import catalogue, classic, figure_9
 from tdmf_slip.pictures import animation, style
 
@@ -49,7 +49,7 @@ def test_a_foot_that_swings_above_the_body_is_in_the_picture(command, tmp_path):
 def test_what_the_papers_text_tells_is_marked_on_the_curves_or_off_them():
     """Off them: its cost of transport at friction 0.5, and the friction that it needs at the impact."""
     results = catalogue.results()
-    results.gaits = gaits = sweep_row(results.runner, "ground.friction", [10.0, 1.2, 0.6, 0.5])
+    results.gaits = gaits = swept(results.runner, [10.0, 1.2, 0.6, 0.5])
     results.equal = []
     kept = classic.draw_friction(results), figure_9.draw(results)
     off = {}

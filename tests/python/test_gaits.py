@@ -11,14 +11,14 @@ import pytest
 from conftest import CLAMPED, reference_gaits, release
 from tdmf_slip import Batch, InputError, RunError, Runner, find_gait
 from tdmf_slip.analysis import sweeps
-from tdmf_slip.analysis.branch_problem import gaits_over
+from tdmf_slip.analysis.along import borders_between, gaits_over
 from tdmf_slip.analysis.search import periodic_gait
-from tdmf_slip.analysis.special_points import borders_between
-from tdmf_slip.analysis.sweeps import gait_at, sweep, sweep_row
+from tdmf_slip.analysis.sweeps import gait_at, sweep
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.events import LETTERS
 from tdmf_slip.library.return_map import stride_from
+from tdmf_slip.paper import along as paper_along
 from tdmf_slip.paper import reference_gaits as reference
 from tdmf_slip.record import runner_in
 from tdmf_slip.variables.parameters import read_parameters
@@ -45,7 +45,7 @@ def runner():
 
 @pytest.fixture(scope="module")
 def swept(runner):
-    return sweep_row(runner, FRICTION, np.geomspace(10.0, 0.05, 24))
+    return paper_along.swept(runner, np.geomspace(10.0, 0.05, 24))
 
 
 @pytest.mark.parametrize("known", reference.gaits(), ids=lambda gait: f"{gait.word} {gait.swing_clamp}")
@@ -109,11 +109,12 @@ def test_eigenvalues_tell_how_fast_a_disturbance_dies(runner):
 def test_borders_do_not_depend_on_the_way_they_are_met(runner, swept):
     found = {(b.before, b.after): b.value for b in swept.borders}
     assert found == pytest.approx(BORDERS, abs=1e-9)
-    upwards = sweep_row(runner, FRICTION, np.linspace(0.05, 10.0, 9))
-    assert upwards.problem is None
-    for border in upwards.borders:
-        assert found[border.after, border.before] == pytest.approx(border.value, rel=1e-9)
-    assert len(upwards.borders) == len(found)
+    gaits, borders = sweep(runner, {FRICTION: np.linspace(0.05, 10.0, 9)})
+    assert gaits["problem"].item() == "" and borders.sizes["border"] == len(found)
+    for value, before, after in zip(
+        *(borders[of].values for of in (FRICTION, "before", "after")), strict=True
+    ):
+        assert found[after, before] == pytest.approx(value, rel=1e-9)
 
 
 def test_a_word_in_a_window_of_a_few_millionths(runner, swept):
@@ -132,9 +133,7 @@ def test_every_border_lies_between_its_words(runner, swept):
         near = find_gait(runner.replace({FRICTION: border.value * (1.0 + 1e-7)}))
         beyond = next(gaits_over(runner, FRICTION, [border.value * (1.0 - 1e-7)], near))
         assert (near.word, beyond.word) == (border.before, border.after)
-        assert borders_between(runner, FRICTION, near, beyond)[0].value == pytest.approx(
-            border.value, rel=1e-9
-        )
+        assert borders_between(runner, FRICTION, near, beyond)[0][0] == pytest.approx(border.value, rel=1e-9)
 
 
 def test_the_ledger_of_a_gait_closes(swept):
@@ -236,9 +235,9 @@ def test_a_grid_keeps_the_gaits_before_its_branch_was_lost(runner):
 @release
 def test_a_sweep_goes_on_beyond_a_gap():
     """At human scale; between gaits of different words, but of no common branch, there is no border."""
-    found = sweep_row(Runner(read_parameters(FAST_HUMAN)), FRICTION, [0.6, 0.3, 0.405])
-    assert [gait and gait.word for gait in found.by_value] == ["+0+", None, "+0-0+"]
-    assert "friction 0.3" in found.problem and found.borders == ()
+    gaits, borders = sweep(Runner(read_parameters(FAST_HUMAN)), {FRICTION: [0.6, 0.3, 0.405]})
+    assert gaits["word"].values.tolist() == ["+0+", "", "+0-0+"]
+    assert "friction 0.3" in gaits["problem"].item() and borders.sizes["border"] == 0
 
 
 def test_a_border_that_is_not_located_loses_no_gait(runner, monkeypatch):
@@ -246,8 +245,8 @@ def test_a_border_that_is_not_located_loses_no_gait(runner, monkeypatch):
         raise RunError("not located")
 
     monkeypatch.setattr(sweeps, "borders_between", none)
-    found = sweep_row(runner, FRICTION, [0.6, 0.45])
-    assert len(found.gaits) == 2 and found.problem == "not located"
+    found = sweep(runner, {FRICTION: [0.6, 0.45]}).gaits
+    assert (found["word"] != "").all() and found["problem"].item() == "not located"
 
 
 def test_a_grid_over_a_mass(runner):

@@ -15,7 +15,6 @@ pytest.importorskip("flint")
 
 from click.testing import CliRunner
 from flint import arb, ctx
-from tdmf_slip.analysis.special_points import Border
 from tdmf_slip.cli.prove import prove_command
 from tdmf_slip.errors import InputError
 from tdmf_slip.library.members import MOVING
@@ -198,7 +197,7 @@ def check_border(proof, known):
 @pytest.fixture(scope="module")
 def border():
     return tdmf_slip.prove_border(
-        Border(0.26585156, "+-", "+0-"),
+        0.26585156,
         tdmf_slip.find_gait({"ground.friction": 0.25, **CLAMPED}),
         digits=5,
         sides=False,

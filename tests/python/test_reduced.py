@@ -7,13 +7,13 @@ import pickle
 import numpy as np
 import pytest
 from tdmf_slip import Batch, InputError, RunError, Runner, basin, find_gait
-from tdmf_slip.analysis import attraction, special_points
+from tdmf_slip.analysis import along, attraction
 from tdmf_slip.analysis.stability import stability
-from tdmf_slip.analysis.sweeps import sweep_row
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.library.section import COORDINATES, REDUCED
+from tdmf_slip.paper.along import swept
 
 GAITS = json.loads((pathlib.Path(__file__).parent / "reduced_gaits.json").read_text())["gaits"]
 """Fixed points in units m = k = l0 = 1, computed independently in extended precision: values to 1e-12,
@@ -102,9 +102,8 @@ def test_the_larger_eigenvalue_is_that_of_the_full_model(clamp, larger, second):
 
 
 def test_a_sweep_has_the_borders_of_the_reduced_map():
-    found = sweep_row(reduced(), "ground.friction", [1.2, 0.6, 0.5, 0.4])
-    assert [gait.word for gait in found.gaits] == ["+0+", "+0-0+", "+0-0+", "+0-"]
-    assert found.problem is None
+    found = swept(reduced(), [1.2, 0.6, 0.5, 0.4])
+    assert [gait.word for gait in found.by_value] == ["+0+", "+0-0+", "+0-0+", "+0-"]
     for border in found.borders:
         beside = [
             find_gait(reduced(friction=border.value * (1 + s)), guess=found.gaits[1].apex).word
@@ -113,8 +112,8 @@ def test_a_sweep_has_the_borders_of_the_reduced_map():
         assert beside == [border.before, border.after]
     words = [found.borders[0].before, *(border.after for border in found.borders)]
     assert words == ["+0+", "+0-0+", "+0-+", "+0-"]
-    one = special_points.borders_between(reduced(), "ground.friction", found.gaits[2], found.gaits[3])
-    assert [border.value for border in one] == [border.value for border in found.borders[1:]]
+    one = along.borders_between(reduced(), "ground.friction", found.gaits[2], found.gaits[3])
+    assert one == [tuple(border) for border in found.borders[1:]]
 
 
 def test_runners_by_the_map_end_where_strides_in_turn_lead():

@@ -24,10 +24,9 @@ from tdmf_slip import (
     sweep,
 )
 from tdmf_slip.analysis import attraction
+from tdmf_slip.analysis.along import borders_between, gaits_over
 from tdmf_slip.analysis.basin import range_around
-from tdmf_slip.analysis.branch_problem import gaits_over
 from tdmf_slip.analysis.search import periodic_gait
-from tdmf_slip.analysis.special_points import borders_between
 from tdmf_slip.analysis.stability import stability
 from tdmf_slip.cli import options
 from tdmf_slip.feedback import judgement

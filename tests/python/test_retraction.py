@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from conftest import CLAMPED
 from tdmf_slip import Batch, Runner, find_gait
-from tdmf_slip.analysis.branches import continue_branch
 from tdmf_slip.analysis.special_points import PERIOD_DOUBLING
+from tdmf_slip.paper.along import followed
 from tdmf_slip.paper.figures.data import leading
 
 RATE = "hip.retraction_rate"
@@ -15,7 +15,7 @@ RATE = "hip.retraction_rate"
 def branch():
     """With the clamp, where gaits of two strides last; without it they are soon lost."""
     runner = Runner({"ground.friction": 0.2, **CLAMPED})
-    return continue_branch.plain(find_gait(runner), {RATE: (0.0, 0.01)}, switch=False)
+    return followed(find_gait(runner), RATE, 0.0, 0.01)
 
 
 def heights(runner, apex):
@@ -29,7 +29,7 @@ def heights(runner, apex):
 
 
 def test_beyond_the_period_doubling_strides_alternate(branch):
-    (doubling,) = (special.value for special in branch.specials if special.kind == PERIOD_DOUBLING)
+    (doubling,) = (row.value for row in branch.specials(PERIOD_DOUBLING))
     apex = branch.gaits[0].apex
     once = heights(branch.gaits[0].runner.replace({RATE: 0.9 * doubling}), apex)
     twice = heights(branch.gaits[0].runner.replace({RATE: 1.2 * doubling}), apex)

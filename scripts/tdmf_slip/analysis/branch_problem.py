@@ -3,32 +3,29 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from ..errors import InputError, RunError
-from ..given import row_of
 from ..library.fixed_point import Closing
-from ..library.gait import Gait, check_is_gait
+from ..library.gait import Gait
 from ..library.members import check_varied
 from ..library.quantities import scales_of
 from ..library.runner import Runner
-from ..library.strides import strides_from
-from ..numerics.following import BEYOND, Limits, Point, Problem, walk
+from ..library.strides import BETWEEN_WORDS, strides_from
+from ..numerics.following import BEYOND, Limits, Point, Problem
 from ..numerics.newton import Matrix, Vector
-from ..variables.variable import Given, Values
+from ..variables.variable import Given
 
 OPPOSITE = -0.5
 """Cosine of the angle by which the way from one half of a gait to the other turns where they swap places."""
 ASIDE = 0.25
 """Distance of a solution from the middle between two others, over theirs, that makes it doubtful."""
-SHORTEST_WALK = 1e-9
-"""Shortest step of a walk along a parameter, over the larger of the values at both ends of the way."""
-FARTHEST_WALK = 0.7
-"""Largest distance of a gait from its prediction, over its distance from the gait before."""
-SAME = 1e-6
-"""Gaits as near, over the scales, are of one branch."""
+COARSE, BORDER_ACCURACY = 1e-6, 1e-11
+"""Lengths of branch, over the scales, within which a border is located: first by the words of plain strides,
+which may be others right beside it, then by those of strides with derivatives."""
+MAX_HALVINGS = 100
 
 
 class GaitProblem(Problem):
@@ -89,18 +86,49 @@ class GaitProblem(Problem):
         """A gait as a point whose tangent goes along a direction."""
         return self.point(self.at(gait), along)
 
-    def word_at(self, x: Vector) -> str:
-        """The word of the strides from a point, made as `describe` makes them.
+    def word_at(self, x: Vector, exact: bool = True) -> str:
+        """The word of the strides from a point, as `describe` makes them or, if not exact, of plain strides.
 
-        Plain strides take other steps, and near a border they may have another word.
+        Plain strides take other steps, and right beside a border they may have another word.
         """
-        return self.describe(x)[0].word
+        if exact:
+            return self.describe(x)[0].word
+        closing = self._closing(x)
+        apex = x[: -len(self.names)] * closing.scales
+        words: list[str] = []
+        for _ in range(self.strides):
+            stride = closing.stride(apex, False)
+            apex, words = stride.next_points[0], [*words, str(stride.words[0])]
+        return BETWEEN_WORDS.join(words)
 
-    def look(self, begin: Vector, end: Vector, across: Vector, rows: Matrix) -> tuple[Vector, str]:
-        """The solution on planes halfway between two others, and its word.
+    def border(
+        self, inside: Vector, outside: Vector, word: str, rows: Matrix, across: Vector | None = None
+    ) -> tuple[Vector, Vector]:
+        """Solutions on both sides of where a word ends, between one with the word and one with another.
 
-        `rows` are a Jacobian from nearby. Beside an event that is just touched it may lead to another stretch
-        of the curve. So a solution far off the middle is compared with that by the Jacobian there.
+        `rows` are a Jacobian from nearby. Over two parameters the solutions are on the plane `across`.
+        """
+        normal = (outside - inside) / np.linalg.norm(outside - inside)
+        planes = normal if across is None else np.array([across, normal])
+
+        def bisected(inside: Vector, outside: Vector, width: float, exact: bool) -> tuple[Vector, Vector]:
+            for _ in range(MAX_HALVINGS):
+                if (outside - inside) @ normal <= width:
+                    break
+                x = self._between_on(inside, outside, planes, rows)
+                inside, outside = (x, outside) if self.word_at(x, exact) == word else (inside, x)
+            return inside, outside
+
+        near = bisected(inside, outside, COARSE, False)
+        if not self.word_at(near[0]) == word != self.word_at(near[1]):
+            near = inside, outside
+        return bisected(*near, BORDER_ACCURACY, True)
+
+    def _between_on(self, begin: Vector, end: Vector, across: Vector, rows: Matrix) -> Vector:
+        """The solution on planes halfway between two others.
+
+        Beside an event that is just touched the Jacobian from nearby may lead to another stretch of the
+        curve. So a solution far off the middle is compared with that by the Jacobian there.
         """
         middle, reach = 0.5 * (begin + end), ASIDE * float(np.linalg.norm(end - begin))
         x = self.solution(middle, across, rows)
@@ -109,7 +137,7 @@ class GaitProblem(Problem):
                 x = min(
                     x, self.solution(middle, across, None), key=lambda x: float(np.linalg.norm(x - middle))
                 )
-        return x, self.word_at(x)
+        return x
 
     def _closing(self, x: Vector, along: str = "") -> Closing:
         """Equations at the values of the parameters, kept for the last ones."""
@@ -199,52 +227,3 @@ class BranchProblem(GaitProblem):
         before, after = last.gait.word, other.word
         words = f"from {before} to {after or 'an empty one'}" if before != after else "of the events"
         return f"the gait is lost at {where}: at the border {words} no gait goes on from it on the other side"
-
-
-def gaits_over(
-    runner: Runner | Mapping[str, Given],
-    name: str,
-    values: Values,
-    first: Gait,
-    step_finished: Callable[[], object] = lambda: None,
-) -> Iterator[Gait]:
-    """The gait at each value, each from the one before; steps in between where values are far apart."""
-    check_is_gait(first, "first")
-    row = row_of(values, "values", f"a row of values of {name}")
-    problem = BranchProblem(runner, name, first.strides)
-    point = problem.start(first, problem.towards(1.0))
-    for value in row:
-        for following in to_value(problem, point, problem.runner.replace({name: value})[name]):
-            point = following
-        yield point.gait
-        step_finished()
-
-
-def to_value(problem: BranchProblem, point: Point, value: float) -> Iterator[Point]:
-    """Points of a branch on the way to a value of its parameter, by steps that are halved where they fail."""
-
-    def advance(known: Point, at: float, to: float) -> Point:
-        goal = _predicted(problem, known, to)
-        found = problem.correct(goal, problem.towards(1.0), known)
-        off, moved = (float(np.linalg.norm((found.x - x)[:-1])) for x in (goal, known.x))
-        if off > max(FARTHEST_WALK * moved, SAME):
-            raise RunError(f"the branch ends near {problem.where(known.x)}")
-        if not problem.reaches(_predicted(problem, found, at), problem.towards(1.0), known.x, found):
-            raise RunError(
-                f"the branch ends near {problem.where(known.x)}: none leads back to it from {to:g}"
-            )
-        return found
-
-    begin = problem.value(point)
-    for _, found in walk(point, begin, value, advance, shortest=SHORTEST_WALK * max(abs(begin), abs(value))):
-        yield found
-
-
-def _predicted(problem: BranchProblem, point: Point, value: float) -> Vector:
-    """Unknowns at a value of the parameter, along the branch's tangent."""
-    if point.tangent[-1] == 0.0:
-        raise RunError(f"the branch turns at {problem.where(point.x)}")
-    x = value / problem.scales[-1]
-    goal: Vector = point.x + (x - point.x[-1]) / point.tangent[-1] * point.tangent
-    goal[-1] = x
-    return goal

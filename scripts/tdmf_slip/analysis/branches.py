@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -17,11 +16,11 @@ from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..numerics.following import SHORTEST_STEP as SHORTEST_STEP
 from ..numerics.following import Limits, Point, both_ways, follow
-from ..record import in_dataset
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model
-from .branch_problem import BranchProblem, gaits_over
+from .along import gaits_over
+from .branch_problem import BranchProblem
 from .search import first_gait
 from .special_points import PERIOD_DOUBLING, Special, special_points
 
@@ -38,54 +37,59 @@ MAX_STRIDES = 4
 """Strides of the gaits that are followed; of a period doubling of theirs no further branch is followed."""
 DEPARTURES = (1e-2, 3e-3, 1e-3, 3e-2)
 """Distances from a period doubling, over the scales, of the first gait of twice the period."""
+SAME_DOUBLING = 1e-8
+"""Relative distance of period doublings that count as one."""
 UNEVEN = 0.5
 """The halves of the first gait lie on both sides of the doubling, two departures apart up to this."""
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Branch:
-    """Gaits in the order in which they were met along a parameter."""
+class Row(NamedTuple):
+    """A point of a branch: a gait, or what happens between two gaits."""
 
-    name: str
-    """Name of the parameter or input."""
-    values: tuple[float, ...]
-    """Value of the parameter at each gait, in its unit."""
-    gaits: tuple[Gait, ...]
-    """The gaits."""
-    specials: tuple[Special, ...]
-    """Bifurcations, word borders, and unclassified points, in the branch's order."""
+    value: float
+    """Value of the parameter, in its unit."""
+    gait: Gait
+    """Gait at the value."""
+    special: Special | None
+    """What happens there; None at a gait that was met."""
+
+
+class Branch(NamedTuple):
+    """Gaits that were met along a parameter, with the special points between them."""
+
+    rows: list[Row]
+    """Gaits and special points in the branch's order."""
     began: str
-    """Why the branch has no earlier points, in the words of `ended`."""
+    """Why there are no earlier gaits, in the words of `ended`."""
     ended: str
     """Why the branch stops: at the end of the range, where it began, or in words what happened."""
-    strides: int = 1
+    strides: int
     """Number of strides after which its gaits repeat themselves."""
-    branches: tuple[Branch, ...] = ()
-    """Branches of gaits of twice as many strides, from the period doublings."""
 
 
-def branch_dataset(branch: Branch) -> xarray.Dataset:
-    """A branch and the branches of more strides that begin on it as a dataset, see `continue_branch`."""
-    branches, name = list(_with_branches(branch)), branch.name
-    rows = [(number, *row) for number, of in enumerate(branches) for row in _rows(of)]
-    numbers, values, gaits, specials = zip(*rows, strict=True)
-    runner, points = branch.gaits[0].runner, {"point": np.arange(len(rows), dtype=float)}
+def _dataset(name: str, branches: Sequence[Branch]) -> xarray.Dataset:
+    """A branch and those of more strides that begin on it, see `continue_branch`."""
+    rows = [row for of in branches for row in of.rows]
+    values, gaits, specials = zip(*rows, strict=True)
+    runner, points = gaits[0].runner, {"point": np.arange(len(rows), dtype=float)}
     data = gaits_dataset("branch", gaits, points, varied=[name], over=name)
     apexes = np.full((len(rows), max(of.strides for of in branches), len(runner.coordinates)), np.nan)
-    for row, gait in zip(apexes, gaits, strict=True):
-        row[: gait.strides] = gait.apexes
-    words = [("", "") if of is None or of.words is None else of.words for of in specials]
+    for apex, gait in zip(apexes, gaits, strict=True):
+        apex[: gait.strides] = gait.apexes
+    nothing = Special("", np.nan, gaits[0], (np.nan, np.nan))
+    found = [special or nothing for special in specials]
     texts = {
-        "special": ("point", ["" if of is None else of.kind for of in specials]),
-        "why": ("point", ["" if of is None else of.why for of in specials]),
-        "before": ("point", [before for before, _ in words]),
-        "after": ("point", [after for _, after in words]),
+        "special": ("point", [of.kind for of in found]),
+        "why": ("point", [of.why for of in found]),
+        "before": ("point", [of.words[0] for of in found]),
+        "after": ("point", [of.words[1] for of in found]),
         "branch_began": ("branch", [of.began for of in branches]),
         "branch_ended": ("branch", [of.ended for of in branches]),
     }
     variables: dict[str, Any] = {
         "unstable": ("point", [gait.unstable for gait in gaits]),
-        "branch_number": ("point", list(numbers)),
+        "between": (("point", "end"), [of.between for of in found]),
+        "branch_number": ("point", np.repeat(np.arange(len(branches)), [len(of.rows) for of in branches])),
         "branch_strides": ("branch", [of.strides for of in branches]),
         "apexes": (("point", "stride", "coordinate"), apexes),
         **{of: (over, np.array(row, dtype=object)) for of, (over, row) in texts.items()},
@@ -94,27 +98,10 @@ def branch_dataset(branch: Branch) -> xarray.Dataset:
         name: ("point", np.array(values), runner.model.variables[name].attributes),
         "coordinate": list(runner.coordinates),
     }
-    ends = {"began": branch.began, "ended": branch.ended}
+    ends = {"began": branches[0].began, "ended": branches[0].ended}
     return data.assign(variables).assign_coords(labels).assign_attrs(ends)
 
 
-def _with_branches(branch: Branch) -> Iterator[Branch]:
-    yield branch
-    for other in branch.branches:
-        yield from _with_branches(other)
-
-
-def _rows(branch: Branch) -> Iterator[tuple[float, Gait, Special | None]]:
-    """Gaits and special points in the branch's order."""
-    specials = list(branch.specials)
-    for index, (value, gait) in enumerate(zip(branch.values, branch.gaits, strict=True)):
-        yield value, gait, None
-        while specials and specials[0].index == index:
-            special = specials.pop(0)
-            yield special.value, special.gait, special
-
-
-@in_dataset(branch_dataset)
 @shares_steps
 def continue_branch(
     runner: RunnerLike,
@@ -125,7 +112,7 @@ def continue_branch(
     max_points: int = 1000,
     switch: bool = True,
     progress: bool = False,
-) -> Branch:
+) -> xarray.Dataset:
     """Follow the branch of gaits over a range of a parameter, through folds, and classify its special points.
 
     The branch begins at the first end of the range with the gait that `find_gait` gives. Where there is
@@ -153,8 +140,8 @@ def continue_branch(
         Over `point`, in the branch's order: the parameter, all quantities of a gait as in a sweep,
         `unstable`, the number of eigenvalues outside the unit circle, and `special`, empty at most points,
         else `fold`, `period doubling`, `Neimark-Sacker`, `word border` or `unclassified`. `why` says why a
-        point is unclassified, and `before` and `after` are the words where they change. At a word border or
-        an unclassified point the gait is the one just beyond.
+        point is unclassified, `between` which values it lies, and `before` and `after` are the words where
+        they change. At a word border or an unclassified point the gait is the one just beyond.
 
         Branches of more strides follow in the same table; `branch_number` is the branch of a point. Over
         `branch`: `branch_strides`, after which its gaits repeat themselves, and why it has no earlier and no
@@ -185,21 +172,20 @@ def continue_branch(
     max_points = checked_whole("max_points", max_points, 1, MAX_POINTS)
     if begin == end:
         raise InputError(f"vary {name}: {begin:g} to {end:g}; allowed: ends that differ")
+    limits = Limits(np.array([min(begin, end)]), np.array([max(begin, end)]), max_step, max_points, begin)
     with progress_bar("branch", None, "gaits", progress) as bar:
-        is_inside = min(begin, end) <= runner[name] <= max(begin, end)
-        first = known if known is not None and is_inside else _first_gait(runner, name, begin, end)
-        problem = BranchProblem(first.runner, name, first.strides)
-        limits = Limits(np.array([min(begin, end)]), np.array([max(begin, end)]), max_step, max_points, begin)
-        point = problem.correct(problem.at(first), problem.towards(end - begin))
-        branch = whole_branch(problem, point, limits, bar.update)
-        if not switch:
-            return branch
-        return with_doubled_branches(
-            branch, lambda n: BranchProblem(first.runner, name, n), limits, bar.update
-        )
+        first = known if known is not None and limits.low <= runner[name] <= limits.high else None
+        first = first or first_in_range(runner, name, begin, end)
+        branch = branch_through(first, name, begin, end, limits, bar.update)
+        branches = [branch]
+        if switch:
+            branches = with_doubled_branches(
+                branch, lambda n: BranchProblem(first.runner, name, n), limits, bar.update
+            )
+    return _dataset(name, branches)
 
 
-def _first_gait(runner: Runner, name: str, begin: float, end: float) -> Gait:
+def first_in_range(runner: Runner, name: str, begin: float, end: float) -> Gait:
     """A gait in a range of a parameter: at its first end, or as near to it as one is found."""
     home = runner[name]
     inside = [home] if min(begin, end) <= home <= max(begin, end) else []
@@ -218,24 +204,37 @@ def _nearer(found: Gait, name: str, begin: float) -> Gait:
         return found
 
 
+def branch_through(
+    first: Gait,
+    name: str,
+    begin: float,
+    end: float,
+    limits: Limits,
+    step_finished: Callable[[], object] = lambda: None,
+) -> Branch:
+    """The branch through a gait, from one end of a range of a parameter to the other."""
+    problem = BranchProblem(first.runner, name, first.strides)
+    point = problem.correct(problem.at(first), problem.towards(end - begin))
+    return whole_branch(problem, point, limits, step_finished)
+
+
 def whole_branch(
     problem: BranchProblem, first: Point, limits: Limits, step_finished: Callable[[], object] = lambda: None
 ) -> Branch:
     """The branch through a point, in its direction, and back from it unless at the range's beginning."""
     points, began, ended = both_ways(problem, first, limits, step_finished)
     began = BEGINNING if not began or began.startswith("back at") else began
-    return reported_branch(problem, points, began, ended)
+    return _reported(problem, points, began, ended)
 
 
-def reported_branch(problem: BranchProblem, points: Sequence[Point], began: str, ended: str) -> Branch:
+def _reported(problem: BranchProblem, points: Sequence[Point], began: str, ended: str) -> Branch:
     """Points as a branch, with all that happens between them."""
-    specials = [
-        replace(special, index=index)
-        for index, (before, after) in enumerate(pairwise(points))
-        for special in special_points(problem, before, after)
-    ]
-    values, gaits = (problem.value(point) for point in points), (point.gait for point in points)
-    return Branch(problem.name, tuple(values), tuple(gaits), tuple(specials), began, ended, problem.strides)
+    rows = [Row(problem.value(points[0]), points[0].gait, None)]
+    for before, after in pairwise(points):
+        found = special_points(problem, before, after)
+        rows += [Row(special.value, special.gait, special) for special in found]
+        rows.append(Row(problem.value(after), after.gait, None))
+    return Branch(rows, began, ended, problem.strides)
 
 
 def with_doubled_branches(
@@ -243,33 +242,33 @@ def with_doubled_branches(
     problem_of: Callable[[int], BranchProblem],
     limits: Limits,
     step_finished: Callable[[], object] = lambda: None,
-) -> Branch:
-    """A branch with those of twice the period from its period doublings, each once, and with theirs.
+) -> list[Branch]:
+    """A branch, and those of twice the period from its period doublings, each once and followed by its own.
 
     On such a branch the period may double again: its gaits of four strides are followed likewise. A doubling
     whose gaits are not followed says why.
     """
-    strides = 2 * branch.strides
+    strides, found = 2 * branch.strides, list[Branch]()
     met: list[float] = []
-    found: list[Branch] = []
-    specials = list(branch.specials)
-    for number, special in enumerate(branch.specials):
-        if special.kind != PERIOD_DOUBLING or any(abs(special.value - v) <= 1e-8 * abs(v) for v in met):
+    doublings = [row.value for row in branch.rows if row.special and row.special.kind == PERIOD_DOUBLING]
+    for number, (value, gait, special) in enumerate(branch.rows):
+        if special is None or special.kind != PERIOD_DOUBLING:
             continue
-        if strides > MAX_STRIDES:
-            specials[number] = replace(special, why=f"gaits of {strides} strides are not followed")
+        if any(abs(value - other) <= SAME_DOUBLING * abs(other) for other in met):
             continue
-        problem = problem_of(strides)
-        problem.doublings = [other.value for other in branch.specials if other.kind == PERIOD_DOUBLING]
-        first = departure(problem, special)
+        first, why = None, f"gaits of {strides} strides are not followed"
+        if strides <= MAX_STRIDES:
+            problem = problem_of(strides)
+            problem.doublings = doublings
+            first, why = departure(problem, special), f"no gait of {strides} strides was found beside it"
         if first is None:
-            specials[number] = replace(special, why=f"no gait of {strides} strides was found beside it")
+            branch.rows[number] = Row(value, gait, special._replace(why=why))
             continue
         points, ended = follow(problem, first, 1.0, limits, step_finished=step_finished)
-        other = reported_branch(problem, points, problem.at_doubling(special.value), ended)
-        met += [value for value in problem.doublings if ended == problem.at_doubling(value)]
-        found.append(with_doubled_branches(other, problem_of, limits, step_finished))
-    return replace(branch, specials=tuple(specials), branches=tuple(found))
+        met += [other for other in doublings if ended == problem.at_doubling(other)]
+        doubled = _reported(problem, points, problem.at_doubling(value), ended)
+        found += with_doubled_branches(doubled, problem_of, limits, step_finished)
+    return [branch, *found]
 
 
 def departure(problem: BranchProblem, doubling: Special) -> Point | None:

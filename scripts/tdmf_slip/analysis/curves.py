@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,9 +22,9 @@ from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model
 from .branch_problem import GaitProblem
-from .branches import continue_branch
+from .branches import branch_through, first_in_range
 from .special_points import (
-    BORDER_ACCURACY,
+    CORNER,
     NEIMARK_SACKER,
     UNCLASSIFIED,
     WORD_BORDER,
@@ -51,20 +51,19 @@ FIRST_STEPS = (1e-4, 1e-5, 1e-6)
 """Steps along the second parameter to the second point of a border."""
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Curve:
+class Curve(NamedTuple):
     """Special points of one kind over two parameters."""
 
     kind: str
     """fold, period doubling, Neimark-Sacker, or word border."""
+    words: tuple[str, str]
+    """Words on both sides of a word border; else empty."""
     points: NDArray[np.float64]
     """Both parameters at each point, in their units, shape (points, 2), in the curve's order."""
     began: str
     """Why it has no earlier points."""
     ended: str
     """Why it has no more."""
-    words: tuple[str, str] | None = None
-    """Words on both sides of a word border."""
 
 
 class BifurcationProblem(GaitProblem):
@@ -165,7 +164,7 @@ class BorderProblem(GaitProblem):
     def __init__(self, runner: Runner, names: Sequence[str], special: Special) -> None:
         """The border through a special point of a branch over the first parameter."""
         super().__init__(runner, names)
-        assert special.words is not None and special.short is not None
+        assert special.short is not None
         self.words, self._begin = special.words, (special.short, special.gait)
 
     def first(self) -> Point:
@@ -225,18 +224,15 @@ class BorderProblem(GaitProblem):
         return x, self.word_at(x)
 
     def _located(self, ends: Sequence[Vector], inner: int, across: Vector, near: Point) -> Point:
-        """The border between two gaits, located by bisection; the inner gait has the word of this side."""
-        inside, outside, rows = ends[inner], ends[1 - inner], near.gait[inner].rows
-        while (width := float(np.linalg.norm(outside - inside))) > BORDER_ACCURACY:
-            planes = np.array([across, (outside - inside) / width])
-            x, word = self.look(inside, outside, planes, rows)
-            if min(np.linalg.norm(x - end) for end in (inside, outside)) > width:
-                raise RunError("the gaits of both words are apart")
-            inside, outside = (x, outside) if word == self.words[inner] else (inside, x)
-        found = [self.describe(x) for x in (inside, outside)]
+        """The border between two gaits; the inner gait has the word of its side."""
+        word, rows = self.words[inner], near.gait[inner].rows
+        pair = self.border(ends[inner], ends[1 - inner], word, rows, across)
+        if np.linalg.norm(pair[1] - pair[0]) > CORNER:
+            raise RunError("the gaits of both words are apart")
+        found = [self.describe(x) for x in pair]
         if found[1][0].word != self.words[1 - inner]:
             raise RunError(f"between {self.words[0]} and {self.words[1]} comes {found[1][0].word}")
-        sides = [Side(x, rows) for x, (_, rows) in zip((inside, outside), found, strict=True)]
+        sides = [Side(x, rows) for x, (_, rows) in zip(pair, found, strict=True)]
         return self._between(sides[inner], sides[1 - inner], across, near)
 
     def _between(self, short: Side, beyond: Side, across: Vector, near: Point | None) -> Point:
@@ -310,36 +306,19 @@ def continue_curves(
     return _dataset(runner, names, spans, _curves(runner, names, spans, max_points, progress))
 
 
-def curves_in(data: xarray.Dataset) -> list[Curve]:
-    """Curves of a dataset that `continue_curves` gives."""
-    first, second = str(data.over).split(", ")
-    points = np.column_stack([data[first].values, data[second].values])
-    texts = [[str(of) for of in data[name].values] for name in ("kind", "began", "ended", "before", "after")]
-    return [
-        Curve(
-            kind,
-            points[data["curve_number"].values == number],
-            began,
-            ended,
-            (before, after) if before else None,
-        )
-        for number, (kind, began, ended, before, after) in enumerate(zip(*texts, strict=True))
-    ]
-
-
 def _dataset(
     runner: Runner, names: tuple[str, str], spans: NDArray[np.float64], curves: Sequence[Curve]
 ) -> xarray.Dataset:
     points = np.concatenate([np.empty((0, 2)), *(curve.points for curve in curves)])
-    numbers = np.repeat(np.arange(len(curves)), [len(curve.points) for curve in curves])
-    texts: dict[str, list[str]] = {
+    texts = {
         "kind": [curve.kind for curve in curves],
         "began": [curve.began for curve in curves],
         "ended": [curve.ended for curve in curves],
-        "before": [curve.words[0] if curve.words else "" for curve in curves],
-        "after": [curve.words[1] if curve.words else "" for curve in curves],
+        "before": [curve.words[0] for curve in curves],
+        "after": [curve.words[1] for curve in curves],
     }
     variables: dict[str, Any] = {name: ("curve", np.array(of, dtype=object)) for name, of in texts.items()}
+    numbers = np.repeat(np.arange(len(curves)), [len(curve.points) for curve in curves])
     variables["curve_number"] = "point", numbers
     coordinates = {
         name: ("point", column, runner.model.variables[name].attributes)
@@ -363,15 +342,17 @@ def _curves(
     home = runner[second]
     if not spans[1].min() <= home <= spans[1].max():
         runner = runner.replace({second: float(spans[1, 0])})
-    branch = continue_branch.plain(runner, {first: (float(spans[0, 0]), float(spans[0, 1]))}, switch=False)
+    begin, end = map(float, spans[0])
+    along = Limits(np.array([min(begin, end)]), np.array([max(begin, end)]), begin=begin)
     limits = Limits(spans.min(axis=1), spans.max(axis=1), MAX_STEP, max_points, parts=PARTS)
     found: list[Curve] = []
     with progress_bar("curves", None, "points", progress) as bar:
-        for special in branch.specials:
+        branch = branch_through(first_in_range(runner, first, begin, end), first, begin, end, along)
+        for special in (row.special for row in branch.rows if row.special is not None):
             at = np.array([special.value, runner[second]])
             if special.kind == UNCLASSIFIED or _is_on(found, special, at, limits):
                 continue
-            if special.kind == WORD_BORDER or special.words is None:  # else on a border, whose curve has it
+            if special.kind == WORD_BORDER or not any(special.words):  # else on a border, whose curve has it
                 found.append(curve_of(runner, names, special, at, limits, bar.update))
     return found
 
@@ -379,7 +360,7 @@ def _curves(
 def _is_on(found: Sequence[Curve], special: Special, at: Vector, limits: Limits) -> bool:
     """Whether a curve that has been followed goes through a special point."""
     for curve in found:
-        same = curve.kind == special.kind and {*(curve.words or ())} == {*(special.words or ())}
+        same = curve.kind == special.kind and {*curve.words} == {*special.words}
         if not same or len(curve.points) < 2:
             continue
         points = (curve.points - at) / (limits.high - limits.low)
@@ -408,7 +389,7 @@ def curve_of(
             problem = BifurcationProblem(runner, names, special.kind)
             start = problem.start(special.gait, np.eye(len(problem.scales))[-1])
     except (InputError, RunError) as why:
-        return Curve(special.kind, at[None, :], str(why), str(why), special.words)
+        return Curve(special.kind, special.words, at[None, :], str(why), str(why))
     return curve_through(problem, start, limits, special.kind, special.words, step_finished)
 
 
@@ -417,10 +398,10 @@ def curve_through(
     start: Point,
     limits: Limits,
     kind: str,
-    words: tuple[str, str] | None = None,
+    words: tuple[str, str] = ("", ""),
     step_finished: Callable[[], object] = lambda: None,
 ) -> Curve:
     """The curve of a problem through a point, both ways."""
     points, began, ended = both_ways(problem, start, limits, step_finished)
     values = np.array([problem.values(point.x) for point in points])
-    return Curve(kind, values, began, ended, words)
+    return Curve(kind, words, values, began, ended)

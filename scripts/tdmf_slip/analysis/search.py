@@ -25,7 +25,7 @@ from ..numerics.newton import solve
 from ..variables.parameters import RunnerLike
 from ..variables.table import FRICTION, VARIABLES, Model
 from ..variables.variable import Values
-from .branch_problem import gaits_over
+from .along import gaits_over
 
 MAX_STRIDES = 150_000
 """Strides of all runners of a search, about a second of two processors."""

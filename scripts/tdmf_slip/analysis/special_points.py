@@ -11,20 +11,18 @@ marked `unclassified`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import combinations
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError, RunError
-from ..library.gait import Gait, check_is_gait
-from ..library.runner import Runner
+from ..library.gait import Gait
 from ..numerics.following import Point
 from ..numerics.newton import Matrix
-from ..variables.variable import Given
-from .branch_problem import BranchProblem
+from .branch_problem import BORDER_ACCURACY, BranchProblem
 
 FOLD, PERIOD_DOUBLING, NEIMARK_SACKER = "fold", "period doubling", "Neimark-Sacker"
 WORD_BORDER, UNCLASSIFIED = "word border", "unclassified"
@@ -34,8 +32,6 @@ LOCATED = 1e-11
 """Share of the way between two gaits to which a zero of a test function is located."""
 ON_CIRCLE = 1e-6
 """Distance of eigenvalues from where a bifurcation has them."""
-BORDER_ACCURACY = 1e-11
-"""Length of branch, over the scales, within which a border is located."""
 CORNER = 1e-9
 """Points on both sides of a border that are farther apart are at a corner that the chord does not show."""
 ACUTE = 100.0
@@ -44,24 +40,7 @@ MAX_LOOKS = 100
 MAX_BORDERS = 100
 
 
-@dataclass(frozen=True)
-class Border:
-    """A change of a gait's word."""
-
-    value: float
-    """Value of the parameter."""
-    before: str
-    """Word before the border, in the order of the branch."""
-    after: str
-    """Word after it."""
-
-    def as_json(self, name: str = "friction") -> dict[str, object]:
-        """The border as a plain object."""
-        return {name: self.value, "from": self.before, "to": self.after}
-
-
-@dataclass(frozen=True, eq=False)
-class Special:
+class Special(NamedTuple):
     """A point of a branch where its stability, its direction or its word changes."""
 
     kind: str
@@ -74,18 +53,10 @@ class Special:
     """Values of the parameter at two gaits around it, in their order along the branch."""
     why: str = ""
     """Why the point is unclassified, or why the gaits of a period doubling are not followed."""
-    words: tuple[str, str] | None = None
-    """Gait words before and after the point, if they differ."""
-    index: int = 0
-    """Index of the branch's gait just before the point."""
+    words: tuple[str, str] = ("", "")
+    """Gait words before and after the point, if they differ; else empty."""
     short: Gait | None = None
     """Gait just before a word border."""
-
-    def as_json(self) -> dict[str, object]:
-        """The point as a plain object; `from` and `to` are the words where they change."""
-        known: dict[str, object] = {"kind": self.kind, "value": self.value}
-        words = {"from": self.words[0], "to": self.words[1]} if self.words else {}
-        return known | words | ({"between": list(self.between), "why": self.why} if self.why else {})
 
 
 def special_points(problem: BranchProblem, before: Point, after: Point) -> list[Special]:
@@ -134,14 +105,13 @@ def _at_border(
     problem: BranchProblem, short: Point, beyond: Point, around: tuple[float, float]
 ) -> Iterator[Special]:
     """The border, and by the maps of both sides whether the branch turns there or the period doubles."""
-    border = border_of(problem, short, beyond)
-    words = (border.before, border.after)
-    yield Special(WORD_BORDER, border.value, beyond.gait, around, words=words, short=short.gait)
+    value, words = border_between(problem, short, beyond), (short.gait.word, beyond.gait.word)
+    yield Special(WORD_BORDER, value, beyond.gait, around, words=words, short=short.gait)
     changes = _changes(short, beyond)
     turns = FOLD in changes and _passes_one(short, beyond)
     real = [FOLD] * turns + [PERIOD_DOUBLING] * (PERIOD_DOUBLING in changes)
     for kind in real:
-        yield Special(kind, border.value, beyond.gait, around, words=words)
+        yield Special(kind, value, beyond.gait, around, words=words)
     more = abs(beyond.gait.unstable - short.gait.unstable)
     explained = more <= len(real) and (more - len(real)) % 2 == 0
     if not explained or turns != (FOLD in changes):
@@ -151,7 +121,7 @@ def _at_border(
 def _unclassified(problem: BranchProblem, before: Point, after: Point, why: str) -> Special:
     around = problem.value(before), problem.value(after)
     words = (before.gait.word, after.gait.word)
-    kept = words if words[0] != words[1] else None
+    kept = words if words[0] != words[1] else ("", "")
     return Special(UNCLASSIFIED, 0.5 * sum(around), after.gait, around, why, kept)
 
 
@@ -263,19 +233,9 @@ def _zero(problem: BranchProblem, before: Point, after: Point, test: Callable[[P
         raise RunError(f"not located between {where}") from None
 
 
-def borders_between(runner: Runner | Mapping[str, Given], name: str, first: Gait, last: Gait) -> list[Border]:
-    """All changes of the word from one gait to another of the same branch."""
-    check_is_gait(first, "first")
-    check_is_gait(last, "last")
-    problem = BranchProblem(runner, name)
-    way = problem.at(last) - problem.at(first)
-    found = crossings(problem, problem.start(first, way), problem.start(last, way))
-    return [border_of(problem, *sides) for sides in found]
-
-
-def border_of(problem: BranchProblem, short: Point, beyond: Point) -> Border:
-    """The border between two points that are next to it."""
-    return Border(0.5 * (problem.value(short) + problem.value(beyond)), short.gait.word, beyond.gait.word)
+def border_between(problem: BranchProblem, short: Point, beyond: Point) -> float:
+    """Value of the parameter at the border between two points that are next to it."""
+    return 0.5 * (problem.value(short) + problem.value(beyond))
 
 
 def crossings(problem: BranchProblem, first: Point, last: Point) -> Iterator[tuple[Point, Point]]:
@@ -298,12 +258,8 @@ def crossings(problem: BranchProblem, first: Point, last: Point) -> Iterator[tup
 
 def _border(problem: BranchProblem, inside: Point, last: Point) -> tuple[Point, Point]:
     """The points just short of where the word of `inside` ends on the way to `last`, and just beyond."""
-    length = float(np.linalg.norm(last.x - inside.x))
-    normal = (last.x - inside.x) / length
-    word, low, high = inside.gait.word, inside.x, last.x
-    while (high - low) @ normal > BORDER_ACCURACY:
-        x, found = problem.look(low, high, normal, inside.rows)
-        low, high = (x, high) if found == word else (low, x)
+    normal, word = last.x - inside.x, inside.gait.word
+    low, high = problem.border(inside.x, last.x, word, inside.rows)
     short = inside if low is inside.x else problem.point(low, normal)
     beyond = last if high is last.x else problem.point(high, normal)
     if not short.gait.word == word != beyond.gait.word:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Executor
-from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise, product
 from pathlib import Path
@@ -25,97 +24,23 @@ from ..library.members import check_has_gaits, check_varied
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..library.strides import BETWEEN_WORDS, strides_from
-from ..numerics.following import Limits, Point, follow
 from ..record import dataset, runner_in
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import FRICTION, Model, by_full_name, model_named
 from ..variables.variable import Given, Values
-from .branch_problem import BranchProblem, gaits_over
+from .along import borders_between, gaits_over
 from .search import first_gait
-from .special_points import FOLD, Border, borders_between, special_points
 
 if TYPE_CHECKING:
     import xarray
 
 MAX_GAITS, MAX_GAITS_OF_ROW = 1_000_000, 100_000
 """Largest numbers of gaits in a sweep and in one of its rows; each gait takes 400 bytes."""
-LARGEST_STEP = 0.2
-"""Longest step along a branch that is followed to learn why it ends, over the scales."""
-MAX_POINTS = 200
-"""Largest number of its gaits."""
 HAVE_GAITS = ("sweep", "branch", "comparison", "front", "gait")
 """Kinds of datasets of which single gaits are given."""
 NAMES = "values by the names of parameters or inputs"
 """Names that `vary` accepts."""
-
-
-@dataclass(frozen=True)
-class Segment:
-    """Part of a range: values whose gaits are of one branch."""
-
-    begin: int
-    """Number of the first value."""
-    end: int
-    """Number after that of the last value."""
-    began: str
-    """Why the branch has no gait at the value before; empty at the beginning of the range."""
-    ended: str
-    """Why it has none at the next; empty at the end of the range."""
-
-    def as_json(self, values: Sequence[float]) -> dict[str, object]:
-        """The segment as a plain object; the values are those of the range."""
-        ends = {"from": values[self.begin], "to": values[self.end - 1]}
-        return {**ends, "began": self.began or None, "ended": self.ended or None}
-
-
-@dataclass(frozen=True, eq=False)
-class Row:
-    """Gaits at the values of one parameter, where they were found."""
-
-    name: str
-    """Name of the parameter or input."""
-    values: tuple[float, ...]
-    """Values of the parameter."""
-    by_value: tuple[Gait | None, ...]
-    """Gaits by value; None where there is none, or it was not found."""
-    borders: tuple[Border, ...]
-    """Changes of the word along a branch, in the order of the range."""
-    segments: tuple[Segment, ...]
-    """Parts of the range in its order, each with gaits of one branch and why that branch ends."""
-    problem: str | None
-    """Why gaits are missing, and what kept a border from being located; or None."""
-
-    @property
-    def branches(self) -> list[float]:
-        """Number of the segment of each value; NaN where there is no gait."""
-        numbers = [np.nan] * len(self.values)
-        for number, segment in enumerate(self.segments):
-            numbers[segment.begin : segment.end] = [float(number)] * (segment.end - segment.begin)
-        return numbers
-
-    @property
-    def gaits(self) -> tuple[Gait, ...]:
-        """The gaits that were found, in the order of the range."""
-        return tuple(gait for gait in self.by_value if gait is not None)
-
-    def as_json(self) -> dict[str, object]:
-        """The sweep as a plain object; `missing` are the values without a gait."""
-        found = zip(self.values, self.by_value, strict=True)
-        return {
-            **self.gaits[0].runner.record(self.name),
-            "over": self.name,
-            "gaits": [gait.as_json() | {"value": value} for value, gait in found if gait is not None],
-            "transitions": [border.as_json(short(self.name)) for border in self.borders],
-            "branches": [segment.as_json(self.values) for segment in self.segments],
-            "missing": [v for v, gait in zip(self.values, self.by_value, strict=True) if gait is None],
-            "problem": self.problem,
-        }
-
-
-def short(name: str) -> str:
-    """How results name a parameter: the friction by that word alone."""
-    return "friction" if name == FRICTION else name
 
 
 class Sweep(NamedTuple):
@@ -167,7 +92,8 @@ def sweep(
     -------
     Sweep
         The gaits as a dataset over the names, NaN where there is no gait, and the borders as a second one.
-        `branch` numbers the branches of each row, and `problem` says why gaits of a row are missing.
+        `branch` numbers the branches of each row. `began` and `ended` say at the first and the last gait of
+        a branch why it has none before and after, and `problem` why gaits of a row are missing.
 
     Raises
     ------
@@ -206,7 +132,8 @@ def sweep(
     values = tuple(axes[along])
     if len(places) == 1:
         for block in blocks:
-            made.write({}, _columns(sweep_row(block, along, values, progress)))
+            with progress_bar("sweep", len(values), "gaits", progress) as bar:
+                made.write({}, _row(block, along, values, bar.update))
     else:
         with (
             progress_bar("sweep", len(rows), "rows", progress) as bar,
@@ -222,13 +149,6 @@ def sweep(
     if not (words != "").any():
         raise RunError(f"{found.gaits['problem'].values.flat[0]}; 0 of {words.size} gaits were found")
     return found
-
-
-def sweep_of_row(runner: Runner, row: Row) -> Sweep:
-    """A row as a sweep over its name."""
-    made = Resumed(None, _blank(runner, {row.name: np.array(row.values)}, row.name), "sweep")
-    made.write({}, _columns(row))
-    return Sweep(made.data.drop_vars("borders"), _borders_dataset(runner, made.data, row.name))
 
 
 def gait_at(gaits: xarray.Dataset, **where: Given) -> Gait:
@@ -280,10 +200,27 @@ def gait_at(gaits: xarray.Dataset, **where: Given) -> Gait:
         raise InputError(f"gait_at: give a value of {', '.join(map(str, point['word'].dims))}, too")
     if not point["word"].item():
         raise InputError(f"gait_at: the {kind} has no gait there")
-    strides = point["word"].item().count(BETWEEN_WORDS) + 1
-    values = {str(name): point[name].item() for name in point.coords if name in model.variables}
-    apex = [point[f"apex_{name}"].item() for name in model.coordinates]
-    return strides_from(Runner({**runner_in(gaits), **values}, model=model), apex, strides)
+    (found,) = gaits_in(point)
+    return found
+
+
+def gaits_in(gaits: xarray.Dataset) -> list[Gait]:
+    """All gaits of a dataset, in its order."""
+    model = model_named(gaits.attrs["model"])
+    words, over = gaits["word"], gaits["word"].dims
+    varied = [str(name) for name in gaits.coords if name in model.variables]
+    columns = {name: gaits[name].broadcast_like(words).transpose(*over).values.ravel() for name in varied}
+    apices = np.array([gaits[f"apex_{name}"].values.ravel() for name in model.coordinates]).T
+    runner = Runner(runner_in(gaits), model=model)
+    return [
+        strides_from(
+            runner.replace({name: float(column[number]) for name, column in columns.items()}),
+            apices[number],
+            word.count(BETWEEN_WORDS) + 1,
+        )
+        for number, word in enumerate(map(str, words.values.ravel()))
+        if word
+    ]
 
 
 def checked_axes(vary: object, model: Model) -> dict[str, NDArray[np.float64]]:
@@ -310,30 +247,14 @@ def _blank(runner: Runner, axes: Mapping[str, NDArray[np.float64]], along: str) 
     data = gaits_dataset("sweep", nothing, axes, runner, along=along)
     if runner.reduced:
         data = data.isel(mode=slice(len(runner.coordinates)))
+    along_name = {"long_name": "number of the branch in its row"}
     return data.assign(
-        branch=(over, np.full(shape, np.nan), {"long_name": "number of the branch in its row"}),
+        branch=(over, np.full(shape, np.nan), along_name),
+        began=(over, np.full(shape, "", dtype=object)),
+        ended=(over, np.full(shape, "", dtype=object)),
         problem=(others, texts),
         borders=(others, texts.copy()),
     )
-
-
-def columns_of_row(along: str, values: tuple[float, ...], runner: Runner) -> dict[str, Any]:
-    """Arrays of a row of a sweep by the names of its variables: a block of work."""
-    try:
-        return _columns(sweep_row(runner, along, values))
-    except TdmfSlipError as problem:  # also start values that go with other rows only
-        return {"problem": str(problem)}
-
-
-def _columns(row: Row) -> dict[str, Any]:
-    data = gaits_dataset("sweep", row.by_value, {row.name: np.array(row.values)})
-    borders = [[border.value, border.before, border.after] for border in row.borders]
-    return {
-        **{str(name): array.values for name, array in data.data_vars.items()},
-        "branch": row.branches,
-        "problem": row.problem or "",
-        "borders": json.dumps(borders),
-    }
 
 
 def _borders_dataset(runner: Runner, data: xarray.Dataset, along: str) -> xarray.Dataset:
@@ -355,111 +276,69 @@ def _borders_by_row(texts: xarray.DataArray) -> Iterator[tuple[dict[str, float],
         yield from ((where, border) for border in json.loads(str(texts.values[place]) or "[]"))
 
 
+def columns_of_row(along: str, values: Values, runner: Runner) -> dict[str, Any]:
+    """Arrays of a row of a sweep by the names of its variables: a block of work."""
+    try:
+        return _row(runner, along, values)
+    except TdmfSlipError as problem:  # also start values that go with other rows only
+        return {"problem": str(problem)}
+
+
 @shares_steps
-def sweep_row(runner: Runner, name: str, values: Values, progress: bool = False) -> Row:
-    """Gaits along one name, at values that are checked already."""
+def _row(
+    runner: Runner, name: str, values: Values, step_finished: Callable[[int], object] = lambda _: None
+) -> dict[str, Any]:
+    """Arrays of a row: its branches one after the other, each with its gaits and borders."""
     gaits: list[Gait | None] = [None] * len(values)
-    borders: list[Border] = []
-    problems: list[str] = []
-    segments: list[Segment] = []
-    end = 0
-    with progress_bar("sweep", len(values), "gaits", progress) as bar:
-        while end < len(values):
-            # A branch that comes from outside of the range is met at its ends.
-            thorough = {0, len(values) - 1} if end == 0 else ()
-            skipped, first, why = first_gait(runner, name, values[end:], thorough)
-            bar.update(skipped)
-            begin = end + skipped
-            if first is None:
-                problems.append(why)
-                break
-            preceding, began = followed(runner, name, values[end:begin][::-1], first, bar.update)
-            following, ended = followed(runner, name, values[begin:], first, bar.update)
-            branch = [*preceding[::-1], *following]
-            problems += [why, *began] if end < begin - len(preceding) else []
-            problems += ended
-            end = begin + len(following)
-            gaits[end - len(branch) : end] = branch
-            segments.append(Segment(end - len(branch), end, "; ".join(began), "; ".join(ended)))
-            found, unknown = _borders(runner, name, branch)
-            borders += found
-            problems += unknown
+    branches, problems, borders = np.full(len(values), np.nan), [], []
+    began, ended = (np.full(len(values), "", dtype=object) for _ in range(2))
+    end = number = 0
+    while end < len(values):
+        # A branch that comes from outside of the range is met at its ends.
+        thorough = {0, len(values) - 1} if end == 0 else ()
+        skipped, first, why = first_gait(runner, name, values[end:], thorough)
+        step_finished(skipped)
+        start = end + skipped
+        if first is None:
+            problems.append(why)
+            break
+        back, why_not_before = _followed(runner, name, values[end:start][::-1], first, step_finished)
+        forth, why_not_after = _followed(runner, name, values[start:], first, step_finished)
+        branch = [*back[::-1], *forth]
+        problems += [why, why_not_before] if len(back) < skipped else []
+        problems += [why_not_after]
+        end = start + len(forth)
+        here = slice(end - len(branch), end)
+        gaits[here], branches[here], number = branch, number, number + 1
+        began[here.start], ended[end - 1] = why_not_before, why_not_after
+        for before, after in pairwise(branch):
+            try:
+                borders += borders_between(runner, name, before, after) if before.word != after.word else []
+            except RunError as problem:
+                problems.append(str(problem))
     if not any(gaits):
         raise RunError("; ".join([*problems[:1], *["nor is there any further on"] * (len(values) > 1)]))
-    return Row(
-        name,
-        tuple(float(value) for value in values),
-        tuple(gaits),
-        tuple(borders),
-        tuple(segments),
-        "; ".join(dict.fromkeys(problems)) or None,
-    )
+    data = gaits_dataset("sweep", gaits, {name: np.asarray(values)})
+    return {
+        **{str(name): array.values for name, array in data.data_vars.items()},
+        **{"branch": branches, "began": began, "ended": ended},
+        "problem": "; ".join(dict.fromkeys(filter(None, problems))),
+        "borders": json.dumps(borders),
+    }
 
 
-def _borders(runner: Runner, name: str, gaits: Sequence[Gait]) -> tuple[list[Border], list[str]]:
-    """All changes of the word, and why some are missing."""
-    borders: list[Border] = []
-    problems: list[str] = []
-    for before, after in pairwise(gaits):
-        try:
-            borders += borders_between(runner, name, before, after) if before.word != after.word else []
-        except RunError as problem:
-            problems.append(str(problem))
-    return borders, problems
-
-
-def followed(
-    runner: Runner,
-    name: str,
-    values: Values,
-    first: Gait,
-    step_finished: Callable[[], object] = lambda: None,
-) -> tuple[list[Gait], list[str]]:
-    """Gaits at values in turn from one on, as far as the branch could be followed, and what stopped it."""
+def _followed(
+    runner: Runner, name: str, values: Values, first: Gait, step_finished: Callable[[int], object]
+) -> tuple[list[Gait], str]:
+    """Gaits at values in turn, as far as the branch leads, and why it leads no farther."""
     found: list[Gait] = []
-    while len(found) < len(values):
-        last = found[-1] if found else first
-        try:
-            for gait in gaits_over(runner, name, values[len(found) :], last):
-                found.append(gait)
-                step_finished()
-        except RunError as problem:
-            last = found[-1] if found else first
-            reached, why = _beyond(BranchProblem(runner, name), last, float(values[len(found)]))
-            if reached is None:
-                return found, [why or str(problem)]
-            found.append(reached)
-            step_finished()
-    return found, []
-
-
-def _beyond(problem: BranchProblem, last: Gait, value: float) -> tuple[Gait | None, str]:
-    """The gait at a value where the branch leads there, by steps along it; else why it does not."""
-    at = last.runner[problem.name]
-    back = 2.0 * at - value
-    ends = np.array([[value, back]])
-    limits = Limits(ends.min(axis=1), ends.max(axis=1), LARGEST_STEP, MAX_POINTS, back)
     try:
-        points, ended = follow(problem, problem.start(last, problem.towards(value - at)), 1.0, limits)
-    except (InputError, RunError):
-        return None, ""
-    fold = _fold(problem, points)
-    if fold is not None:
-        return None, f"the branch ends in a fold at {problem.name} = {fold:.10g}"
-    if problem.value(points[-1]) == value:
-        return points[-1].gait, ""
-    return None, f"the branch ends at {problem.name} = {problem.value(points[-1]):.10g}: {ended}"
-
-
-def _fold(problem: BranchProblem, points: Sequence[Point]) -> float | None:
-    """Value of the parameter at which the branch turns back first."""
-    for before, after in pairwise(points):
-        if before.rises != after.rises:
-            folds = [
-                special.value for special in special_points(problem, before, after) if special.kind == FOLD
-            ]
-            return folds[0] if folds else 0.5 * (problem.value(before) + problem.value(after))
-    return None
+        for gait in gaits_over(runner, name, values, first):
+            found.append(gait)
+            step_finished(1)
+    except RunError as problem:
+        return found, str(problem)
+    return found, ""
 
 
 def check_values(runner: Runner, name: str, values: Values) -> None:

@@ -1,19 +1,14 @@
 """The command `continue`: a branch of gaits along a parameter, with all that happens on it."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from ..analysis.branches import (
-    LARGEST_STEP,
-    MAX_POINTS,
-    SHORTEST_STEP,
-    Branch,
-    branch_dataset,
-    continue_branch,
-)
-from ..analysis.curves import Curve, continue_curves, curves_in
-from ..analysis.special_points import Special
+import numpy as np
+
+from ..analysis.branches import LARGEST_STEP, MAX_POINTS, SHORTEST_STEP, continue_branch
+from ..analysis.curves import continue_curves
+from ..analysis.sweeps import gaits_in
 from ..checks import near_matches, shown
 from ..errors import InputError
 from ..library.quantities import reported_quantities
@@ -23,6 +18,9 @@ from ..variables.display_units import DisplayUnits
 from .command import Answer, command, option
 from .options import NewFile, Number, pairs_given, span_of
 from .runner import Asked
+
+if TYPE_CHECKING:
+    import xarray
 
 
 @command(
@@ -85,13 +83,18 @@ def continue_command(
 
         refuse_resumable(output)
     limits: dict[str, Any] = {"max_step": max_step, "max_points": max_points}
-    branch = continue_branch.plain(runner, spans, **limits, switch=not no_switch, progress=True)
+    branch = continue_branch(runner, spans, **limits, switch=not no_switch, progress=True)
     if output is not None:
         from ..files.netcdf import write_dataset
 
-        write_dataset(output, branch_dataset(branch))
+        write_dataset(output, branch)
     look = {"quantity": quantity, "display": display}
-    return Answer(_branch_object(branch), _branch_text(branch, display), lambda: branch_dataset(branch), look)
+    parts = [
+        branch.isel(point=branch["branch_number"].values == number, branch=number)
+        for number in range(branch.sizes["branch"])
+    ]
+    text = "\n".join(_branch_text(part, display) for part in parts)
+    return Answer(_branch_object(runner, parts), text, lambda: branch, look)
 
 
 def _curves(
@@ -99,57 +102,85 @@ def _curves(
 ) -> Answer:
     """Curves of special points over two parameters."""
     found = continue_curves(runner, spans, max_points=max_points, progress=True)
-    curves = curves_in(found)
-    plain = {
-        **runner.record(*spans),
-        "over": list(spans),
-        "curves": [_curve_object(curve, spans) for curve in curves],
-    }
-    header, lines = [headed(name, display.unit(name)) for name in spans], []
-    for curve in curves:
-        words = f" {' to '.join(curve.words)}" if curve.words else ""
-        lines.append(f"{curve.kind}{words}: {len(curve.points)} points ({curve.began}; {curve.ended})")
-        points = curve.points * [display.factor(name) for name in spans]
+    header, lines, curves = [headed(name, display.unit(name)) for name in spans], [], []
+    for number in range(found.sizes["curve"]):
+        part = found.isel(point=found["curve_number"].values == number, curve=number)
+        kind, began, ended, before, after = (
+            part[name].item() for name in ("kind", "began", "ended", "before", "after")
+        )
+        points = np.column_stack([part[name].values for name in spans])
+        words = {"from": before, "to": after} if before else {}
+        ends = {"began": began, "ended": ended}
+        curves.append({"over": list(spans), "kind": kind, **words, "points": points.tolist(), **ends})
+        named = " ".join(filter(None, (kind, " to ".join(words.values()))))
+        lines.append(f"{named}: {len(points)} points ({began}; {ended})")
+        points *= [display.factor(name) for name in spans]
         lines.append(table(header, [[f"{value:.10g}" for value in point] for point in points]))
+    plain = {**runner.record(*spans), "over": list(spans), "curves": curves}
     return Answer(plain, "\n".join(lines), lambda: found, {"display": display})
 
 
-def _curve_object(curve: Curve, over: Iterable[str]) -> dict[str, object]:
-    """A curve as a plain object; a point is a pair in the order of `over`."""
-    words = {"from": curve.words[0], "to": curve.words[1]} if curve.words else {}
-    ends = {"began": curve.began, "ended": curve.ended}
-    return {"over": list(over), "kind": curve.kind, **words, "points": curve.points.tolist(), **ends}
+def _branch_object(runner: Runner, parts: "list[xarray.Dataset]") -> dict[str, Any]:
+    """A branch as a plain object, with the branches of more strides that begin on it.
 
-
-def _branch_object(branch: Branch) -> dict[str, object]:
-    """A branch as a plain object; a point is a gait's `as_json` with its `value`."""
-    found = zip(branch.values, branch.gaits, strict=True)
+    A point is a gait's `as_json` with its `value`.
+    """
+    branch, name = parts[0], parts[0].over
+    gaits, specials = (branch.isel(point=(branch["special"] == "") == is_gait) for is_gait in (True, False))
+    strides = int(branch["branch_strides"])
     return {
-        **branch.gaits[0].runner.record(branch.name),
-        "over": branch.name,
-        "strides": branch.strides,
-        "points": [{"value": value, "unstable": gait.unstable, **gait.as_json()} for value, gait in found],
-        "specials": [special.as_json() for special in branch.specials],
-        "began": branch.began,
-        "ended": branch.ended,
-        "branches": [_branch_object(other) for other in branch.branches],
+        **runner.record(name),
+        "over": name,
+        "strides": strides,
+        "points": [
+            {"value": gait.runner[name], "unstable": gait.unstable, **gait.as_json()}
+            for gait in gaits_in(gaits)
+        ],
+        "specials": [
+            _special_object(specials.isel(point=number)) for number in range(specials.sizes["point"])
+        ],
+        "began": branch["branch_began"].item(),
+        "ended": branch["branch_ended"].item(),
+        "branches": [
+            _branch_object(runner, parts[number:])
+            for number in range(1, len(parts))
+            if _begins_on(parts, number)
+        ],
     }
 
 
-def _branch_text(branch: Branch, display: DisplayUnits) -> str:
-    """Special points as a table, and where the branch begins and ends; then the branches of more strides."""
-    header = ("special point", headed(branch.name, display.unit(branch.name)), "word", "unstable beyond")
-    rows = [_row(branch, special, display) for special in branch.specials]
-    stable = sum(gait.stable for gait in branch.gaits)
-    strides = f"{branch.strides} stride{'s' if branch.strides > 1 else ''}"
-    first, last = (display.value(branch.name, value) for value in (branch.values[0], branch.values[-1]))
-    ends = f"from {first:.8g} ({branch.began}) to {last:.8g} ({branch.ended})"
-    line = f"{len(branch.gaits)} gaits of {strides}, {stable} of them stable, {ends}"
-    return "\n".join([line, table(header, rows), *(_branch_text(one, display) for one in branch.branches)])
+def _begins_on(parts: "list[xarray.Dataset]", number: int) -> bool:
+    """Whether a branch begins on the first one: it has twice its strides, and none as short is between."""
+    first, *others = (int(part["branch_strides"]) for part in parts[: number + 1])
+    return others[-1] == 2 * first and min(others) > first
 
 
-def _row(branch: Branch, special: Special, display: DisplayUnits) -> tuple[str, str, str, str]:
-    words = " to ".join(special.words) if special.words else special.gait.word
-    after = branch.gaits[special.index + 1]
-    kind = f"{special.kind} ({special.why})" if special.why else special.kind
-    return kind, f"{display.value(branch.name, special.value):.10g}", words, str(after.unstable)
+def _special_object(special: "xarray.Dataset") -> dict[str, object]:
+    """A special point as a plain object; `from` and `to` are the words where they change."""
+    before, after, why = (special[name].item() for name in ("before", "after", "why"))
+    known: dict[str, object] = {"kind": special["special"].item(), "value": special[special.over].item()}
+    words = {"from": before, "to": after} if before or after else {}
+    return known | words | ({"between": special["between"].values.tolist(), "why": why} if why else {})
+
+
+def _branch_text(branch: "xarray.Dataset", display: DisplayUnits) -> str:
+    """Special points as a table, and where the branch begins and ends."""
+    name, specials = branch.over, branch["special"].values
+    header = ("special point", headed(name, display.unit(name)), "word", "unstable beyond")
+    gaits = np.flatnonzero(specials == "")
+    rows = []
+    for row in np.flatnonzero(specials != ""):
+        before, after, why = (branch[of].values[row] for of in ("before", "after", "why"))
+        words = f"{before} to {after}" if before or after else branch["word"].values[row]
+        kind = f"{specials[row]} ({why})" if why else specials[row]
+        beyond = branch["unstable"].values[gaits[gaits > row][0]]
+        rows.append((kind, f"{display.value(name, branch[name].values[row]):.10g}", words, str(beyond)))
+    stable = int(np.count_nonzero(branch["unstable"].values[gaits] == 0))
+    strides = int(branch["branch_strides"])
+    first, last = (display.value(name, value) for value in branch[name].values[gaits[[0, -1]]])
+    began, ended = branch["branch_began"].item(), branch["branch_ended"].item()
+    line = (
+        f"{len(gaits)} gaits of {strides} stride{'s' if strides > 1 else ''}, {stable} of them stable, "
+        f"from {first:.8g} ({began}) to {last:.8g} ({ended})"
+    )
+    return "\n".join([line, table(header, rows)])

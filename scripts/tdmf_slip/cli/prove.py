@@ -124,11 +124,11 @@ def _answer(plain: dict[str, Any], text: str, proved: bool) -> Answer:
 
 def _borders(runner: Runner, values: dict[str, object], border: str, digits: int) -> Answer:
     """Proofs of all borders in a range of friction."""
-    from ..analysis.sweeps import sweep_row
+    from ..analysis.sweeps import sweep
     from ..proof.prove_border import prove_border
 
     ends = ends_of(border, VARIABLES[FRICTION], "--border")
-    borders = sweep_row(runner, FRICTION, list(ends)).borders
+    borders = sweep(runner, {FRICTION: list(ends)}).borders[FRICTION].values.tolist()
     if not borders:
         raise RunError(f"--border {border}: the gaits at both ends have the same word")
     proofs = [prove_border(one, values, digits=digits) for one in borders]

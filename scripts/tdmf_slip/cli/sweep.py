@@ -2,12 +2,13 @@
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.sweeps import Row, check_values, short, sweep, sweep_of_row, sweep_row
+from ..analysis.sweeps import Sweep, gaits_in, sweep
 from ..errors import InputError, RunError
 from ..files.whole import check_destination, whole
 from ..library.members import check_varied
@@ -20,10 +21,15 @@ from .options import SPACINGS, pairs_given, values_of
 from .runner import MODEL_OPTION, PARAMETERS_OPTION, SET_OPTION, Asked, refuse_given, values_given
 from .workers import Workers
 
+if TYPE_CHECKING:
+    import xarray
+
 NETCDF, CSV = ".nc", ".csv"
 FORMATS = (NETCDF, ".json", CSV)
 """Formats of --output."""
 STDOUT = Path("-")
+QUANTITIES = ("period", "speed", "cost_of_transport")
+"""Quantities in the printed table."""
 
 
 @command(
@@ -109,35 +115,73 @@ def sweep_command(
         from ..files.resume import refuse_resumable  # xarray is slow to load
 
         refuse_resumable(output)
-    ((name, along),) = values.items()
-    check_values(runner, name, along)
-    found = sweep_row(runner, name, along, progress=True)
+    found = sweep(runner, values, progress=True)
+    plain, problem = _object(runner, found), found.gaits["problem"].item()
     if output is not None:
-        _write(output, runner, found)
-    display, plain = DisplayUnits(texts, runner), found.as_json()
+        _write(output, found, plain)
+    display = DisplayUnits(texts, runner)
     failure = None
-    if found.problem is not None:
-        failure = RunError(f"{found.problem}; {len(found.gaits)} of {len(along)} gaits were found")
+    if problem:
+        count = len(plain["gaits"])
+        failure = RunError(f"{problem}; {count} of {count + len(plain['missing'])} gaits were found")
     text = json_text(plain) if to_stdout else _text(found, display)
-    look = {"display": display}
-    return Answer(plain, text, lambda: sweep_of_row(runner, found), look, failure=failure)
+    return Answer(plain, text, lambda: found, {"display": display}, failure=failure)
 
 
-def _write(path: Path, runner: Runner, found: Row) -> None:
+def _object(runner: Runner, found: Sweep) -> dict[str, Any]:
+    """A sweep over one name as a plain object; `missing` are the values without a gait."""
+    gaits, borders = found
+    name = str(gaits.along)
+    values, there = gaits[name].values, gaits["word"].values != ""
+    return {
+        **runner.record(name),
+        "over": name,
+        "gaits": [
+            gait.as_json() | {"value": value}
+            for gait, value in zip(gaits_in(gaits), values[there].tolist(), strict=True)
+        ],
+        "transitions": [
+            {_short(name): value, "from": before, "to": after}
+            for value, before, after in zip(
+                *(borders[of].values.tolist() for of in (name, "before", "after")), strict=True
+            )
+        ],
+        "branches": [_segment(gaits.isel({name: gaits["branch"] == number})) for number in _branches(gaits)],
+        "missing": values[~there].tolist(),
+        "problem": gaits["problem"].item() or None,
+    }
+
+
+def _branches(gaits: "xarray.Dataset") -> NDArray[np.float64]:
+    numbers: NDArray[np.float64] = np.unique(gaits["branch"].values)
+    return numbers[np.isfinite(numbers)]
+
+
+def _segment(branch: "xarray.Dataset") -> dict[str, object]:
+    """The values of a branch, and why it has no gaits before and after them."""
+    values = branch[branch.along].values.tolist()
+    began, ended = branch["began"].values[0], branch["ended"].values[-1]
+    return {"from": values[0], "to": values[-1], "began": began or None, "ended": ended or None}
+
+
+def _short(name: str) -> str:
+    """How results name a parameter: the friction by that word alone."""
+    return "friction" if name == FRICTION else name
+
+
+def _write(path: Path, found: Sweep, plain: dict[str, Any]) -> None:
     """Into a file whose suffix is one of `FORMATS`."""
     suffix = path.suffix.lower()
     if suffix == NETCDF:
         from ..files.netcdf import write_dataset  # xarray is slow to load
 
-        gaits, borders = sweep_of_row(runner, found)
-        write_dataset(path, gaits, {"borders": borders})
+        write_dataset(path, found.gaits, {"borders": found.borders})
         return
     with whole(path) as beside:
         if suffix == CSV:
-            gaits = sweep_of_row(runner, found).gaits.drop_dims("mode")
-            gaits.to_dataframe().to_csv(beside)
+            found.gaits.drop_dims("mode").to_dataframe().to_csv(beside)
         else:
-            beside.write_text(json_text(found.as_json()) + "\n", encoding="utf-8")
+            beside.write_text(json_text(plain) + "\n", encoding="utf-8")
 
 
 def _grid(
@@ -159,26 +203,27 @@ def _grid(
     return Answer(runner.record(*vary) | plain, text, failure=failure)
 
 
-def _text(found: Row, display: DisplayUnits) -> str:
+def _text(found: Sweep, display: DisplayUnits) -> str:
+    gaits, borders = found
+    name = str(gaits.along)
+    shown = gaits.isel({name: gaits["word"] != ""})
+    columns = (shown[of].values for of in (name, "word", *QUANTITIES, "lambda_max"))
     rows = [
         (
-            f"{display.value(found.name, value):.6g}",
-            gait.word,
-            *(f"{gait.stride[name]:.8g}" for name in ("period", "speed", "cost_of_transport")),
-            f"{gait.lambda_max:.8f}",
-            "yes" if gait.stable else "no",
+            f"{display.value(name, value):.6g}",
+            word,
+            *(f"{number:.8g}" for number in quantities),
+            f"{largest:.8f}",
+            "yes" if largest < 1.0 else "no",
         )
-        for value, gait in zip(found.values, found.by_value, strict=True)
-        if gait is not None
+        for value, word, *quantities, largest in zip(*columns, strict=True)
     ]
-    unit = display.unit(found.name)
-    varied = short(found.name) if unit in ("", "1") else f"{found.name} ({unit})"
+    unit = display.unit(name)
+    varied = _short(name) if unit in ("", "1") else f"{name} ({unit})"
     period, speed = (
         f"{name} ({display.label(VARIABLES[f'stride.{name}'].unit)})" for name in ("period", "speed")
     )
     header = (varied, "word", period, speed, "cost of transport", "lambda_max", "stable")
-    borders = [
-        f"{border.before} to {border.after} at {display.value(found.name, border.value):.10g}"
-        for border in found.borders
-    ]
-    return "\n".join([table(header, rows), *borders])
+    changes = zip(*(borders[of].values for of in (name, "before", "after")), strict=True)
+    lines = [f"{before} to {after} at {display.value(name, value):.10g}" for value, before, after in changes]
+    return "\n".join([table(header, rows), *lines])

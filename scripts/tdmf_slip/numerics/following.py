@@ -28,6 +28,8 @@ FARTHEST, NEAR = 0.5, 10.0
 """Largest distance of a point from its prediction, over the step: in a longer step, and at a corner."""
 RETURNED = 1e-3
 """Share of a step: Newton's method that comes as near to a known point would find it."""
+ON_EDGE = 1e-9
+"""Share of a range: a point so near to an end of it is on the edge."""
 BESIDE = 0.5
 """Share of a step: points farther from the straight way are not passed."""
 BEYOND = (1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2)
@@ -88,12 +90,32 @@ class Limits:
     """Value of the only parameter that is reported as the beginning of its range."""
     parts: float = 50.0
     """No step changes a parameter by more than this part of its range, to first order."""
+    first_step: float | None = None
+    """Length of the first step, by default a tenth of the longest."""
 
     def longest(self, problem: Problem, last: Point) -> float:
         """The longest step from a point."""
         rates = np.abs(last.tangent * problem.scales)[-len(self.low) :] * self.parts
         with np.errstate(divide="ignore"):
             return float(min(self.max_step, np.min((self.high - self.low) / rates)))
+
+    def edge(self, problem: Problem, last: Point) -> tuple[float, int, float]:
+        """The step along the tangent to the next edge, the number of its parameter, and its value.
+
+        The step is zero on an edge that the curve leads beyond.
+        """
+        rates = (last.tangent * problem.scales)[-len(self.low) :]
+        edges = np.where(rates > 0.0, self.high, self.low)
+        way = edges - problem.values(last.x)
+        way[np.abs(way) <= ON_EDGE * (self.high - self.low)] = 0.0
+        steps = np.divide(way, rates, out=np.full(len(way), np.inf), where=rates != 0.0)
+        number = int(np.argmin(steps))
+        return float(steps[number]), number, float(edges[number])
+
+    def include(self, problem: Problem, point: Point) -> bool:
+        """Whether a point is in the ranges."""
+        values, more = problem.values(point.x), ON_EDGE * (self.high - self.low)
+        return bool(np.all((self.low - more <= values) & (values <= self.high + more)))
 
 
 class Problem:
@@ -244,26 +266,31 @@ def follow(
     where the curve has been already. Returns the points in their order, and why there are no more.
     """
     start = start if direction > 0.0 else start.reversed()
-    points, step = [start], limits.max_step / 10.0
+    points, step = [start], limits.first_step or limits.max_step / 10.0
     track = Track(problem, [*known, start])
     while len(points) < limits.max_points:
         last = points[-1]
+        to_edge, _, edge = limits.edge(problem, last)
+        if to_edge <= 0.0:
+            return points, problem.at_edge(edge, limits)
         try:
-            following, step = next_point(problem, last, step, limits.longest(problem, last))
+            following, step = next_point(problem, last, step, limits.longest(problem, last), limits)
             further = [following]
         except (InputError, RunError) as why:
-            further = _past_corner(problem, last, track)
+            further = _past_corner(problem, last, track, limits)
             if not further:
                 return points, problem.lost(last, why)
             step = float(np.linalg.norm(further[-1].x - [last, *further][-2].x))
         for following in further:
-            end, ended = _end_between(problem, points[-1], following, limits, track)
-            for point in end if ended else [following]:
-                points.append(point)
-                track.add(point)
-                step_finished()
+            ended = problem.ends_between(points[-1], following)
             if ended:
                 return points, ended
+            met = track.met(points[-1], following)
+            points.append(following if met is None else met[0])
+            track.add(points[-1])
+            step_finished()
+            if met is not None:
+                return points, met[1]
     return points, f"number of points: {limits.max_points}"
 
 
@@ -280,57 +307,34 @@ def both_ways(
     return [*(point.reversed() for point in back[:0:-1]), *points], began, ended
 
 
-def next_point(problem: Problem, last: Point, step: float, longest: float) -> tuple[Point, float]:
-    """The next point by a step along the tangent, and how long the next step may be."""
+def next_point(
+    problem: Problem, last: Point, step: float, longest: float, limits: Limits | None = None
+) -> tuple[Point, float]:
+    """The next point by a step along the tangent, and how long the next step may be.
+
+    A step that leads beyond an edge of the limits is shortened, and its point is on the edge.
+    """
+    to_edge, number, edge = (np.inf, 0, 0.0) if limits is None else limits.edge(problem, last)
 
     def attempt(step: float) -> tuple[Point, float]:
-        goal = last.x + step * last.tangent
-        following = problem.correct(goal, last.tangent, last)
+        goal, across = last.x + step * last.tangent, last.tangent
+        if step == to_edge:
+            position = number - len(problem.names)
+            goal[position] = edge / problem.scales[position]
+            across = np.sign(last.tangent[position]) * np.eye(len(goal))[position]
+        following = problem.correct(goal, across, last).along(last.tangent)
         off = float(np.linalg.norm(following.x - goal))
         turns = following.tangent @ last.tangent < STRAIGHT
+        if limits is not None and not limits.include(problem, following):
+            raise RunError(f"the branch leaves the range near {problem.where(last.x)}")
         if off > NEAR * step or (step > SHARP and (turns or off > FARTHEST * step)):
             raise RunError(f"the branch turns sharply at {problem.where(last.x)}")
         if not problem.leads_back(following, last):
             raise RunError(f"from {problem.where(last.x)} no gait is found that leads back to it")
         return following, off
 
-    (following, off), step = halved(attempt, min(step, longest), 0.5 * SHORTEST_STEP)
+    (following, off), step = halved(attempt, min(step, longest, to_edge), 0.5 * SHORTEST_STEP)
     return following, min(longest, (1.5 if off < 0.1 * step else 1.0) * step)
-
-
-def _end_between(
-    problem: Problem, last: Point, following: Point, limits: Limits, track: Track
-) -> tuple[list[Point], str]:
-    """The last points of the curve if it ends before the next one, and why; or nothing."""
-    ended = problem.ends_between(last, following)
-    if ended:
-        return [], ended
-    values = problem.values(following.x)
-    beyond = np.maximum(limits.low - values, values - limits.high) / (limits.high - limits.low)
-    number = int(np.argmax(beyond))
-    if beyond[number] > 0.0:
-        edge = float(limits.low[number] if values[number] < limits.low[number] else limits.high[number])
-        position = number - len(values)
-        is_there = problem.values(last.x)[number] == edge
-        points = [] if is_there else [_on_edge(problem, last, following, position, edge)]
-        return points, problem.at_edge(edge, limits)
-    met = track.met(last, following)
-    return ([], "") if met is None else ([met[0]], met[1])
-
-
-def _on_edge(problem: Problem, last: Point, following: Point, position: int, edge: float) -> Point:
-    """The curve's point at a value of a parameter; the point beyond it where that is not found."""
-    x = edge / problem.scales[position]
-    way = following.x - last.x
-    goal = last.x + (x - last.x[position]) / way[position] * way
-    goal[position] = x
-    across = np.zeros(len(goal))
-    across[position] = np.sign(way[position])
-    try:
-        point = problem.correct(goal, across, last).along(way)
-        return point if problem.leads_back(point, last) else following
-    except (InputError, RunError):
-        return following
 
 
 class Track:
@@ -381,7 +385,7 @@ class Track:
         return all(self.problem.leads_back(found, other) for other in (last, following))
 
 
-def _past_corner(problem: Problem, last: Point, track: Track) -> list[Point]:
+def _past_corner(problem: Problem, last: Point, track: Track, limits: Limits) -> list[Point]:
     """Points of the curve beyond a change of the label at which it turns; none if there are none."""
     here = problem.label(last.gait)
     for distance in BEYOND if here is not None else ():
@@ -391,7 +395,8 @@ def _past_corner(problem: Problem, last: Point, track: Track) -> list[Point]:
                 continue
             for way in (last.tangent, other.tangent, -other.tangent):
                 found = _on_other_side(problem, last, distance * way)
-                if found and track.is_new([last, *found]):
+                inside = all(limits.include(problem, point) for point in found)
+                if found and inside and track.is_new([last, *found]):
                     return found
         except (InputError, RunError):
             continue

@@ -10,13 +10,13 @@ from scipy.optimize import brentq
 
 from ..analysis.search import Spread, periodic_gait, search_from_spread
 from ..analysis.stride_map import stride_map
-from ..analysis.sweeps import Row, sweep_row
 from ..library import classic_slip
 from ..library.binding import c
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..variables.table import FRICTION, STATES
+from .along import Swept, swept
 from .claims import WORDS
 
 SWEPT = np.geomspace(10.0, 0.05, 200)
@@ -39,7 +39,7 @@ BRACKET = (math.radians(30.0), math.radians(33.0))
 class Evidence:
     """Computed results about the paper's runner for one reading."""
 
-    sweep: Row
+    sweep: Swept
     """Gaits at many values of friction."""
     five: Sequence[Gait]
     """Gaits at the frictions of the paper's figures 5 to 8."""
@@ -69,7 +69,7 @@ class ClassicEvidence:
 
 def gather(runner: Runner, progress: bool = False) -> Evidence:
     """Compute the evidence on the statements about the paper's runner."""
-    found = sweep_row(runner, FRICTION, SWEPT, progress)
+    found = swept(runner, SWEPT, progress)
     five = [periodic_gait(runner.replace({FRICTION: friction})) for friction in WORDS]
     perturbed, further = _perturb(runner)
     return Evidence(

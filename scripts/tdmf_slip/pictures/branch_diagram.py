@@ -13,7 +13,6 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from ..analysis.curves import Curve, curves_in
 from ..analysis.special_points import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING, UNCLASSIFIED, WORD_BORDER
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
@@ -186,50 +185,51 @@ BESIDE, ASLANT = 6.0, 0.35
 
 def of_curves(data: xarray.Dataset, display: DisplayUnits | None = None) -> Figure:
     """The curves in the plane of the parameters: borders thin, with each word on its side."""
-    curves, names = curves_in(data), str(data.over).split(", ")
+    names = str(data.over).split(", ")
+    curves = [
+        data.isel(point=data["curve_number"].values == number, curve=number)
+        for number in range(data.sizes["curve"])
+    ]
     display = display or DisplayUnits(values=Runner(runner_in(data), model=data.model))
     figure, axes = style.subplots(figsize=(7.6, 5.4))
     pairs = zip((axes.xaxis, axes.yaxis), names, strict=True)
     labels = [style.mark_in_display_unit(axis, name, display) for axis, name in pairs]
     shown = set()
     for curve in curves:
-        border = curve.kind == WORD_BORDER
+        kind = curve["kind"].item()
         axes.plot(
-            *curve.points.T,
-            color=MARKS[curve.kind]["color"],
-            linewidth=1.0 if border else 1.8,
-            label="_" if curve.kind in shown else curve.kind,
+            *(curve[name].values for name in names),
+            color=MARKS[kind]["color"],
+            linewidth=1.0 if kind == WORD_BORDER else 1.8,
+            label="_" if kind in shown else kind,
         )
-        shown.add(curve.kind)
+        shown.add(kind)
     style.label(axes, *labels)
     if shown:
         axes.legend()
     begin, end = data.first_range
     for curve in curves:
-        _write_words_beside(axes, curve, begin < end)
+        points = np.column_stack([curve[name].values for name in names])
+        words = [style.word(curve[side].item()) for side in ("before", "after")]
+        if any(words) and len(points) > 1:
+            _write_words_beside(axes, points, words if begin < end else words[::-1])
     return figure
 
 
-def _write_words_beside(axes: Axes, curve: Curve, rises: bool) -> None:
-    """Each word on its side of the curve's middle; both beside it, where the curve turns back.
-
-    The first of the two holds towards the beginning of the first parameter's range.
-    """
-    if curve.words is None or len(curve.points) < 2:
-        return
-    words = [style.word(word) for word in curve.words]
-    after = len(curve.points) // 2
-    begin, end = axes.transData.transform(curve.points[after - 1 : after + 1])
+def _write_words_beside(axes: Axes, points: NDArray[np.float64], words: list[str]) -> None:
+    """The words left and right of the curve's middle; both beside it, where the curve turns back."""
+    after = len(points) // 2
+    begin, end = axes.transData.transform(points[after - 1 : after + 1])
     across = np.array([end[1] - begin[1], begin[0] - end[0]]) / (float(np.hypot(*(end - begin))) or 1.0)
     across *= 1.0 if across[0] >= 0.0 else -1.0
-    left, right = words if rises else reversed(words)
-    steps = np.diff(curve.points[:, 1])
+    left, right = words
+    steps = np.diff(points[:, 1])
     one_way = bool(np.all(steps > 0.0) or np.all(steps < 0.0))
     texts = ((left, -across), (right, across)) if one_way else ((" | ".join(words), across),)
     for text, way in texts:
         axes.annotate(
             text,
-            curve.points[after - 1 : after + 1].mean(axis=0),
+            points[after - 1 : after + 1].mean(axis=0),
             xytext=tuple(BESIDE * way),
             textcoords="offset points",
             ha="left" if way[0] > 0.0 else "right",

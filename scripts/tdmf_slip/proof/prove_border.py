@@ -10,7 +10,6 @@ from fractions import Fraction
 from flint import arb, ctx
 
 from ..analysis.search import periodic_gait
-from ..analysis.special_points import Border
 from ..checks import checked_flag, checked_whole, number_of, refusal
 from ..library.gait import Gait
 from ..library.members import check_varied
@@ -113,7 +112,7 @@ class BorderProof(Proved):
 
 @shares_steps
 def prove_border(
-    border: Border | float,
+    border: float,
     runner: RunnerLike = None,
     *,
     vary: str = FRICTION,
@@ -124,8 +123,8 @@ def prove_border(
 
     Parameters
     ----------
-    border : Border or float
-        Value of the parameter at the border, as a sweep's `borders` has it.
+    border : float
+        Value of the parameter at the border, as the borders of a sweep have it.
     runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
         Runner of the gaits; exact as in `prove`.
     vary : str, default "ground.friction"
@@ -156,9 +155,9 @@ def prove_border(
     vary = full_name(vary)
     check_varied(vary, "vary")
     digits = checked_whole("digits", digits, 5, MAX_DIGITS)
-    value = border.value if isinstance(border, Border) else number_of(border)
+    value = number_of(border)
     if value is None:
-        raise refusal("border", border, "one of a sweep's borders, or its value")
+        raise refusal("border", border, "its value, as the borders of a sweep have it")
     with_sides = checked_flag("sides", sides)
     found, given = runner_of(runner)
     values = exact_runner(found, {name: number for name, number in given.items() if name != vary})

@@ -12,14 +12,13 @@ from typing import Any, TypeVar
 import numpy as np
 import pandas
 
-from ...analysis.branches import Branch
 from ...analysis.search import periodic_gait
-from ...analysis.sweeps import Row, sweep_row
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures.panels import Stride
 from ...variables.parameters import read_parameters
 from ...variables.table import FRICTION
+from ..along import Swept, swept
 from ..evidence import SWEPT
 from ..matched import over_friction
 
@@ -51,9 +50,9 @@ class Results:
         return periodic_gait(self.runner.replace({FRICTION: friction, **(values or {})}))
 
     @cached_property
-    def gaits(self) -> Row:
+    def gaits(self) -> Swept:
         """Gaits over friction."""
-        return sweep_row(self.runner, FRICTION, SWEPT)
+        return swept(self.runner, SWEPT)
 
     @cached_property
     def equal(self) -> list[Gait]:
@@ -83,19 +82,6 @@ def table_of(rows: Iterable[Any], *attributes: str, **columns: Callable[[Any], A
     rows = list(rows)
     found = {name: [getattr(row, name) for row in rows] for name in attributes}
     return pandas.DataFrame(found | {name: [of(row) for row in rows] for name, of in columns.items()})
-
-
-Point = tuple[float, str, Gait]
-"""Value of a branch's parameter, kind of special point (empty for other gaits), and gait."""
-
-
-def points_of(branch: Branch) -> list[Point]:
-    """Gaits and special points in the order of the branch."""
-    points: list[Point] = []
-    for index, (value, gait) in enumerate(zip(branch.values, branch.gaits, strict=True)):
-        points.append((float(value), "", gait))
-        points += [(one.value, one.kind, one.gait) for one in branch.specials if one.index == index]
-    return points
 
 
 def leading(gait: Gait) -> np.ndarray:

@@ -8,16 +8,15 @@ import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ...analysis.branch_problem import gaits_over
-from ...analysis.branches import Branch, continue_branch
+from ...analysis.along import gaits_over
 from ...analysis.search import periodic_gait
 from ...analysis.special_points import FOLD, WORD_BORDER
-from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.style import CurveLabel
 from ...variables.table import FRICTION
-from .data import Point, Results, points_of, table_of
+from ..along import Row, followed
+from .data import Results, table_of
 
 SLOPE, RATIO, VELOCITY = "ground.slope", "ground.static_friction_ratio", "ground.stribeck_velocity"
 LEVEL, DOWNHILL = 0.0, -3.0
@@ -49,28 +48,23 @@ def runner_of(runner: Runner, slope: float, ratio: float, velocity: float) -> Ru
     return runner.replace({**ground, RATIO: ratio, VELOCITY: velocity})
 
 
-def level(runner: Runner, ratio: float) -> list[Point]:
+def level(runner: Runner, ratio: float) -> list[Row]:
     """Rows along the branch on level ground, decade by decade."""
-    rows: list[Point] = []
+    rows: list[Row] = []
     for begin, end in pairwise(DECADES):
         its = runner_of(runner, LEVEL, ratio, begin)
-        rows += points_of(_branch(periodic_gait(its), end))
+        rows += followed(periodic_gait(its), VELOCITY, begin, end).rows
     return rows
 
 
-def downhill(runner: Runner, ratio: float) -> list[Point]:
+def downhill(runner: Runner, ratio: float) -> list[Row]:
     """Rows along the branch downhill, through its fold to gaits whose foot never sticks."""
     its = runner_of(runner, DOWNHILL, RATIOS[DOWNHILL][0], BEGIN)
     first = periodic_gait(its)
     if ratio != RATIOS[DOWNHILL][0]:
         first = next(gaits_over(its, RATIO, [ratio], first))
     low, high = RANGE
-    span = {VELOCITY: (high, low)}
-    return points_of(continue_branch.plain(first, span, max_points=POINTS, switch=False))
-
-
-def _branch(first: Gait, end: float) -> Branch:
-    return continue_branch.plain(first, {VELOCITY: (first.runner[VELOCITY], end)}, switch=False)
+    return followed(first, VELOCITY, high, low, max_points=POINTS).rows
 
 
 def table(results: Results) -> pandas.DataFrame:

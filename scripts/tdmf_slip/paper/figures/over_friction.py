@@ -6,10 +6,10 @@ import numpy as np
 import pandas
 from matplotlib.axes import Axes
 
-from ...analysis.sweeps import Row
 from ...pictures import style
 from ...pictures.style import CurveLabel
 from ...variables.variable import Values
+from ..along import Swept
 
 CONTROL = {
     "color": "#7a5195",
@@ -25,7 +25,7 @@ NARROW = 1.02
 TICKS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 
 
-def mark_words(panels: Any, sweep: Row) -> None:
+def mark_words(panels: Any, sweep: Swept) -> None:
     """Draw the borders between words in all panels, and write the words above the first one.
 
     The word of a narrow range stands inside the first panel.

@@ -15,11 +15,11 @@ from numpy.typing import NDArray
 
 from ...analysis.basin import basin
 from ...analysis.stability import stability
-from ...analysis.sweeps import sweep_row
 from ...library.runner import Runner
 from ...library.section import REDUCED
 from ...pictures import basin_map, style
 from ...variables.table import FRICTION
+from ..along import swept
 from ..evidence import SWEPT
 from .data import Results
 from .over_friction import TICKS, friction_axis, mark_words
@@ -72,7 +72,7 @@ def draw_regions(results: Results) -> Figure:
 
 def eigenvalue_table(results: Results) -> pandas.DataFrame:
     """The two largest eigenvalues of both models by friction."""
-    reduced = sweep_row(Runner(results.runner, model="reduced"), FRICTION, SWEPT)
+    reduced = swept(Runner(results.runner, model="reduced"), SWEPT)
     columns: dict[str, Any] = {"friction": [gait.friction for gait in results.gaits.gaits]}
     for name, sweep in {"full": results.gaits, "reduced": reduced}.items():
         columns[f"word_{name}"] = [gait.word for gait in sweep.gaits]

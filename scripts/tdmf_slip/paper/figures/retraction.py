@@ -8,12 +8,12 @@ import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ...analysis.branches import continue_branch
 from ...analysis.special_points import FOLD, PERIOD_DOUBLING
 from ...library.gait import Gait
 from ...pictures import style
+from ..along import Row, followed
 from ..matched import changed, like
-from .data import LEADING, Point, Results, points_of, table_of
+from .data import LEADING, Results, table_of
 
 RATE = "hip.retraction_rate"
 FRICTIONS = (0.2, 0.6, 10.0)
@@ -34,30 +34,23 @@ MARKS: Mapping[str, tuple[str, float]] = {FOLD: ("o", 1.0), PERIOD_DOUBLING: ("s
 """Marker of each kind of special point, and the eigenvalue there."""
 
 
-def along(first: Gait) -> list[Point]:
+def along(first: Gait) -> list[Row]:
     """Gaits and special points of the branch from its fold to the largest rate."""
     back, forth = (
-        points_of(
-            continue_branch.plain(
-                *(first, {RATE: (first.runner[RATE], end)}),
-                max_step=LARGEST_STEP,
-                max_points=POINTS,
-                switch=False,
-            )
-        )
+        followed(first, RATE, first.runner[RATE], end, max_step=LARGEST_STEP, max_points=POINTS).rows
         for end in (2.0 * SHOWN[0], SHOWN[1])
     )
     return [*back[:0:-1], *forth]
 
 
-def matched(reference: Gait) -> list[Point]:
+def matched(reference: Gait) -> list[Row]:
     """Gaits with retraction that are matched to the one without."""
     one, found = reference, []
     for rate in RATES:
         near = changed(one, {RATE: rate}, 2)
         one = (near and like(reference, near)) or one
         if one.runner[RATE] == rate:
-            found.append((rate, "", one))
+            found.append(Row(rate, "", one))
     return found
 
 

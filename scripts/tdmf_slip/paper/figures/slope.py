@@ -7,13 +7,13 @@ import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ...analysis.branches import Branch, continue_branch
 from ...analysis.search import periodic_gait
 from ...analysis.special_points import FOLD
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
 from ...variables.table import FRICTION
+from ..along import Followed, followed
 from ..matched import changed, like
 from .data import LEADING, Results, table_of
 
@@ -43,10 +43,9 @@ def own(runner: Runner) -> Gaits:
     for friction in COLOURS:
         its = runner.replace({FRICTION: friction})
         first = periodic_gait(its)
-        spans = [{SLOPE: (first.runner[SLOPE], end)} for end in (LOWEST, HIGHEST)]
         down, up = (
-            continue_branch.plain(first, span, max_step=LARGEST_STEP, max_points=POINTS, switch=False)
-            for span in spans
+            followed(first, SLOPE, first.runner[SLOPE], end, max_step=LARGEST_STEP, max_points=POINTS)
+            for end in (LOWEST, HIGHEST)
         )
         below = tuple(zip(down.values, down.gaits, strict=True))[:0:-1]
         found[friction] = below + _to_the_top(up)
@@ -74,9 +73,9 @@ def _stepped(gait: Gait, step: float) -> Iterator[tuple[float, Gait]]:
         one = changed(one, {SLOPE: slope})
 
 
-def _to_the_top(branch: Branch) -> tuple[tuple[float, Gait], ...]:
+def _to_the_top(branch: Followed) -> tuple[tuple[float, Gait], ...]:
     """Part of a branch up to its first fold."""
-    top = next((special for special in branch.specials if special.kind == FOLD), None)
+    top = next(iter(branch.specials(FOLD)), None)
     last = int(np.argmax(np.diff(branch.values) < 0.0))
     climb = tuple(zip(branch.values, branch.gaits, strict=True))
     if top is None:

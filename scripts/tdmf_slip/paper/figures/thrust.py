@@ -7,9 +7,9 @@ import numpy as np
 import pandas
 from matplotlib.figure import Figure
 
-from ...analysis.branches import Branch, continue_branch
 from ...library.gait import Gait
 from ...pictures import style
+from ..along import Followed, followed
 from ..matched import changed, like
 from .data import LEADING, Results, table_of
 
@@ -76,10 +76,10 @@ def _leg_alone(first: Gait) -> Iterator[Gait]:
         yield from _branch(freed.gaits[-1], THRUST, HIGHEST_THRUST, 0.0).gaits
 
 
-def _branch(first: Gait, name: str, end: float, begin: float | None = None) -> Branch:
+def _branch(first: Gait, name: str, end: float, begin: float | None = None) -> Followed:
     """Branch of gaits from the first one's value, or from another one, to an end."""
-    span = {name: (first.runner[name] if begin is None else begin, end)}
-    return continue_branch.plain(first, span, max_step=LARGEST_STEP, max_points=POINTS, switch=False)
+    begin = first.runner[name] if begin is None else begin
+    return followed(first, name, begin, end, max_step=LARGEST_STEP, max_points=POINTS)
 
 
 def actuated(data: pandas.DataFrame) -> dict[str, Any]:

@@ -6,7 +6,6 @@ from functools import cache
 
 import numpy as np
 
-from ...analysis.sweeps import Row, sweep_row
 from ...analysis.targeted import find_gait
 from ...errors import GaitNotFoundError, RunError
 from ...library.fixed_point import gait_near
@@ -15,6 +14,8 @@ from ...library.runner import Runner
 from ...optimization.optimize import optimize
 from ...optimization.optimum import Optimum
 from ...variables.table import FRICTION
+from .. import along
+from ..along import Swept
 from .claim import (
     ALL_BUT_HUMAN,
     ANGLE,
@@ -52,9 +53,9 @@ NEAR_OPTIMUM, LOW = 0.5, 0.25
 
 
 @cache
-def swept(regime: Regime, model: str = "full") -> Row:
+def swept(regime: Regime, model: str = "full") -> Swept:
     """Gaits at all frictions, from the greatest on."""
-    return sweep_row(Runner(regime.values, model=model), FRICTION, FRICTIONS)
+    return along.swept(Runner(regime.values, model=model), FRICTIONS)
 
 
 @cache
@@ -63,7 +64,7 @@ def fastest(regime: Regime) -> Gait:
     found = swept(regime).gaits
     number = int(np.argmax([one.stride["speed"] for one in found]))
     ends = found[max(number - 1, 0)].friction, found[min(number + 1, len(found) - 1)].friction
-    near = sweep_row(Runner(regime.values), FRICTION, np.geomspace(*ends, REFINED)).gaits
+    near = along.swept(Runner(regime.values), np.geomspace(*ends, REFINED)).gaits
     best: Gait = max(near, key=lambda one: one.stride["speed"])
     return best
 

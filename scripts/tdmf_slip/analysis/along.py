@@ -1,0 +1,90 @@
+"""Gaits along a parameter: a branch followed at given values, and the borders between their words."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from itertools import pairwise
+
+import numpy as np
+
+from ..errors import RunError
+from ..given import row_of
+from ..library.gait import Gait, check_is_gait
+from ..library.runner import Runner
+from ..numerics.following import Limits, Point, follow
+from ..variables.variable import Given, Values
+from .branch_problem import BranchProblem
+from .special_points import FOLD, border_between, crossings, special_points
+
+MAX_STEP = 0.2
+"""Longest step over the scales, where the parameter itself does not change by more."""
+MAX_POINTS = 200
+"""Largest number of gaits between two values."""
+
+
+def gaits_over(
+    runner: Runner | Mapping[str, Given],
+    name: str,
+    values: Values,
+    first: Gait,
+    step_finished: Callable[[], object] = lambda: None,
+) -> Iterator[Gait]:
+    """The gait at each value, each from the one before, by steps along the branch where they are far apart.
+
+    Raises RunError at a value to which the branch does not lead; the message says where and why it ends.
+    """
+    check_is_gait(first, "first")
+    row = row_of(values, "values", f"a row of values of {name}")
+    problem = BranchProblem(runner, name, first.strides)
+    point = problem.start(first, problem.towards(1.0))
+    for value in row:
+        point = to_value(problem, point, problem.runner.replace({name: value})[name])
+        yield point.gait
+        step_finished()
+
+
+def to_value(problem: BranchProblem, point: Point, value: float) -> Point:
+    """The point of a branch at a value of its parameter. The first step tried is the whole way."""
+    at = problem.value(point)
+    if at == value:
+        return point
+    back = 2.0 * at - value
+    limits = Limits(
+        np.array([min(value, back)]),
+        np.array([max(value, back)]),
+        max(MAX_STEP, 2.0 * abs(value - at) / problem.scales[-1]),
+        MAX_POINTS,
+        begin=back,
+        parts=1.0,
+        first_step=np.inf,
+    )
+    points, ended = follow(problem, point.along(problem.towards(value - at)), 1.0, limits)
+    fold = _fold(problem, points)
+    if fold is not None:
+        raise RunError(f"the branch ends in a fold at {problem.name} = {fold:.10g}")
+    if problem.value(points[-1]) != value:
+        raise RunError(f"the branch ends at {problem.name} = {problem.value(points[-1]):.10g}: {ended}")
+    return points[-1]
+
+
+def _fold(problem: BranchProblem, points: list[Point]) -> float | None:
+    """Value of the parameter at which the branch turns back first."""
+    for before, after in pairwise(points):
+        if before.rises != after.rises:
+            folds = [one.value for one in special_points(problem, before, after) if one.kind == FOLD]
+            return folds[0] if folds else 0.5 * (problem.value(before) + problem.value(after))
+    return None
+
+
+def borders_between(
+    runner: Runner | Mapping[str, Given], name: str, first: Gait, last: Gait
+) -> list[tuple[float, str, str]]:
+    """All changes of the word from one gait to another of the same branch: value, word before, word after."""
+    check_is_gait(first, "first")
+    check_is_gait(last, "last")
+    problem = BranchProblem(runner, name)
+    way = problem.at(last) - problem.at(first)
+    return [
+        (border_between(problem, short, beyond), short.gait.word, beyond.gait.word)
+        for short, beyond in crossings(problem, problem.start(first, way), problem.start(last, way))
+    ]
