@@ -25,7 +25,7 @@ import math
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from functools import partial
+from functools import partial, reduce
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -177,21 +177,15 @@ def strides_of(
     count, columns = grid.action_count, grid.columns(runner)
     along, across = grid.edges.values()
     nodes = np.array([(first, second) for first in along[list(rows)] for second in across])
-    actions = grid.all_actions()
-    fates = np.empty((len(nodes), count), np.int8)
-    nexts = np.empty((2, len(nodes), count), np.float32)
-    at_once = max(1, STRIDES_IN_A_CALL // count)
-    for first in range(0, len(nodes), at_once):
-        some = slice(first, first + at_once)
-        starts = starts_at(point, columns, nodes[some])
-        settings = {name: np.tile(values, len(starts))[:, None] for name, values in actions.items()}
-        batch = Batch(runner, np.repeat(starts, count, axis=0), inputs=settings)
-        run = batch.run(1)
+    fates, nexts = np.empty((len(nodes), count), np.int8), np.empty((2, len(nodes), count), np.float32)
+    for some in np.array_split(np.arange(len(nodes)), -(-len(nodes) * count // STRIDES_IN_A_CALL)):
+        starts = np.repeat(starts_at(point, columns, nodes[some]), count, axis=0)
+        settings = {name: np.tile(of, len(some))[:, None] for name, of in grid.all_actions().items()}
+        run = Batch(runner, starts, inputs=settings).run(1)
         closed = run.strides == 1
-        apices = np.where(closed[:, None], run.apex[:, columns], np.nan)
-        fates[some] = np.where(closed, CLOSED, run.fate).reshape(len(starts), count)
-        nexts[:, some] = apices.T.reshape(2, len(starts), count)
-    shape = (len(rows), len(across), count)
+        fates[some] = np.where(closed, CLOSED, run.fate).reshape(len(some), count)
+        nexts[:, some] = np.where(closed, run.apex[:, columns].T, np.nan).reshape(2, len(some), count)
+    shape = (len(rows), len(across), *grid.action_shape)
     return fates.reshape(shape), nexts.reshape(2, *shape)
 
 
@@ -231,16 +225,14 @@ def fill_transitions(
     row_size = math.prod(fate.shape[1:])
     at_once = max(1, STRIDES_IN_A_BLOCK // row_size)
     blocks = [missing[first : first + at_once] for first in range(0, len(missing), at_once)]
-    names = ("fate", *(f"next_{axis}" for axis in grid.edges))
     with (
         progress_bar("strides", fate.size, "strides", progress) as bar,
         run_blocks(partial(strides_of, runner, grid, point), blocks, executor) as results,
     ):
         bar.update((len(fate) - len(missing)) * row_size)
         for number, (fates, nexts) in results:
-            shape = (len(blocks[number]), *fate.shape[1:])
-            arrays = {of: a.reshape(shape) for of, a in zip(names, (fates, *nexts), strict=True)}
-            file.write({corner: blocks[number]}, arrays)
+            images = {f"next_{axis}": image for axis, image in zip(grid.edges, nexts, strict=True)}
+            file.write({corner: blocks[number]}, {"fate": fates} | images)
             bar.update(fates.size)
 
 
@@ -299,12 +291,16 @@ def _block(
     inner: bool,
 ) -> Boxes:
     """Boxes of the cells of some rows; `off` is the largest error of an image."""
-    around = slice(max(0, rows.start - 1), rows.stop + 2)
-    images = images[:, around]
-    here = slice(rows.start - around.start, rows.stop - around.start)
-    there = np.isfinite(images[0, here.start : here.stop + 1])
-    middle, corners, shares = _means(images[:, here.start : here.stop + 1], there)
-    half = _reach(images, here, shares, factor) + off
+    corners = _corners(images[:, rows.start : rows.stop + 1])
+    there = [np.isfinite(image[0]).astype(np.int8) for image in corners]
+    found = np.asarray(sum(there), np.int8)
+    known = np.maximum(found, 1)
+    total = sum(np.where(of, image, 0.0) for of, image in zip(there, corners, strict=True))
+    middle = np.asarray(total, float) / known
+    upper = np.stack([there[2] + there[3], there[1] + there[3]]) / known
+    shares = np.maximum(upper, 1.0 - upper)  # the larger share of the corners on a side of each axis
+    by_row, by_column = _largest_differences(images, rows)  # derivatives times sides
+    half = factor * (by_row * shares[0] + by_column * shares[1]) + off
     with np.errstate(invalid="ignore"):
         low, high = (
             np.floor((end - grid.origin[:, None, None, None]) / grid.sizes[:, None, None, None])
@@ -312,10 +308,10 @@ def _block(
         )
     maximum = np.array(grid.cells)[:, None, None, None] - 1
     if inner:
-        chosen = (corners == 4) & ((low >= 0) & (high <= maximum)).all(axis=0)
+        chosen = (found == 4) & ((low >= 0) & (high <= maximum)).all(axis=0)
     else:
         low, high = (np.where(np.isfinite(half), end, beyond) for end, beyond in ((low, 0), (high, maximum)))
-        chosen = (corners > 0) & ((low <= maximum) & (high >= 0)).all(axis=0)
+        chosen = (found > 0) & ((low <= maximum) & (high >= 0)).all(axis=0)
         low, high = np.maximum(low, 0), np.minimum(high, maximum)
     row, column, action = np.nonzero(chosen)
     return Boxes(
@@ -326,50 +322,25 @@ def _block(
     )
 
 
-def _four(of_nodes: NDArray[Any]) -> tuple[NDArray[Any], ...]:
+def _corners(of_nodes: NDArray[np.float32]) -> list[NDArray[np.float32]]:
     """Values at each cell's corners: low and low, low and high, high and low, high and high."""
-    return tuple(
-        of_nodes[..., rows, columns, :]
-        for rows in (slice(None, -1), slice(1, None))
-        for columns in (slice(None, -1), slice(1, None))
-    )
+    sides = slice(None, -1), slice(1, None)
+    return [of_nodes[:, rows, columns] for rows in sides for columns in sides]
 
 
-def _means(
-    images: NDArray[np.float32], there: NDArray[np.bool_]
-) -> tuple[NDArray[np.float64], NDArray[np.int8], NDArray[np.float64]]:
-    """Mean image of the corners that have one, their number, and the larger share on a side of each axis."""
-    at = _four(there.astype(np.int8))
-    corners = np.asarray(sum(at), np.int8)
-    known = np.maximum(corners, 1)
-    images_there = _four(np.where(there, images, 0.0))
-    middle = np.asarray(sum(images_there), float) / known
-    upper = np.stack([at[2] + at[3], at[1] + at[3]]) / known
-    return middle, corners, np.maximum(upper, 1.0 - upper)
-
-
-def _reach(
-    images: NDArray[np.float32], here: slice, shares: NDArray[np.float64], factor: float
-) -> NDArray[np.float64]:
-    """Distance of a cell's image from the mean at the most, NaN where no derivative is known."""
-    down = np.abs(np.diff(images, axis=1))
-    along_rows = np.fmax(down[:, :, :-1], down[:, :, 1:])
-    by_row = _largest_of_three(along_rows, 1)[:, here]
-    rows = slice(here.start, here.stop + 1)
-    across = np.abs(np.diff(images[:, rows], axis=2))
-    by_column = _largest_of_three(np.fmax(across[:, :-1], across[:, 1:]), 2)
-    # These are derivatives times sides already.
-    reach: NDArray[np.float64] = factor * (by_row * shares[0] + by_column * shares[1])
-    return reach
-
-
-def _largest_of_three(values: NDArray[np.float32], axis: int) -> NDArray[np.float32]:
-    """Largest of each value and its two neighbours along an axis; NaN counts only if all three are NaN."""
-    from scipy.ndimage import maximum_filter1d  # slow to load
-
-    known = np.where(np.isnan(values), -1.0, values)  # differences are not negative
-    largest: NDArray[np.float32] = maximum_filter1d(known, 3, axis, mode="nearest")
-    return np.where(largest < 0.0, np.nan, largest)
+def _largest_differences(
+    images: NDArray[np.float32], rows: range
+) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Largest differences of images along both axes, at each cell's sides and next to them; NaN for none."""
+    first, last = max(0, rows.start - 1), min(images.shape[1], rows.stop + 2)
+    beside = (first - rows.start + 1, rows.stop + 2 - last), (1, 1)
+    around = np.pad(images[:, first:last], ((0, 0), *beside, (0, 0)), constant_values=np.nan)
+    count, across = len(rows), images.shape[2] - 1
+    down, right = (np.abs(np.diff(around, axis=axis)) for axis in (1, 2))
+    near = [(three, side) for three in range(3) for side in (1, 2)]
+    by_row = (down[:, three : three + count, side : side + across] for three, side in near)
+    by_column = (right[:, side : side + count, three : three + across] for three, side in near)
+    return reduce(np.fmax, by_row), reduce(np.fmax, by_column)
 
 
 def _accuracy(grid: Grid, scales: NDArray[np.float64]) -> NDArray[np.float64]:

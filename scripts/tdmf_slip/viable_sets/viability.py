@@ -85,8 +85,6 @@ class ViableController:
             {str(axis): viable[f"{axis}_edge"].values for axis in (first, second)},
             {str(name): viable[name].values for name in names},
         )
-        levels = pairs.reshape(*self.grid.cells, self.grid.action_count)
-        self.inner, self.outer = levels == 2, levels > 0
         runner = Runner(runner_in(viable), model=viable.attrs["model"])
         self.columns = self.grid.columns(runner)
         given = by_full_name(wish, "wish", "a mapping of settings to numbers", runner.model.aliases)
@@ -99,6 +97,14 @@ class ViableController:
             float(runner.model.variables[name].value_of(given.get(name, runner[name]), "wish"))
             for name in self.grid.actions
         )
+        distances = sum(
+            ((values - wished) / (np.ptp(values) or 1.0)) ** 2
+            for values, wished in zip(self.grid.all_actions().values(), self.wish, strict=True)
+        )
+        levels = pairs.reshape(-1, self.grid.action_count)
+        self.levels = levels.max(axis=1)
+        nearest_first = np.argsort(distances, kind="stable")
+        self._choices = nearest_first[(levels == self.levels[:, None])[:, nearest_first].argmax(axis=1)]
 
     def inputs_at(self, apex: ArrayLike) -> dict[str, float]:
         """Settings at one apex.
@@ -128,27 +134,18 @@ class ViableController:
         str
             `viable`, `open` or `not viable`.
         """
-        return self._grade(int(self.grid.cell_of(np.asarray(apex, float)[None, self.columns])[0]))
-
-    def _grade(self, cell: int) -> str:
-        """The grade of a cell, -1 for a place outside of the grid."""
-        if cell < 0:
-            return GRADES[0]
-        row, column = divmod(cell, self.grid.cells[1])
-        return GRADES[int(self.inner[row, column].any()) + int(self.outer[row, column].any())]
+        cell = int(self.grid.cell_of(np.asarray(apex, float)[None, self.columns])[0])
+        return GRADES[self.levels[cell] if cell >= 0 else 0]
 
     def __call__(self, apices: NDArray[np.float64], stride_number: int = 0) -> dict[str, NDArray[np.float64]]:
         """Actions at the apices of many runners, by name: the controller is a law for a `Batch`."""
         return self._settings(self.grid.cell_of(apices[:, self.columns]))
 
     def _settings(self, cells: NDArray[np.intp]) -> dict[str, NDArray[np.float64]]:
-        """Actions in cells, by name."""
-        best = np.full(len(cells), -1)
-        for number in np.unique(cells[cells >= 0]):
-            best[cells == number] = self._choice(int(number))
-        actions = self.grid.all_actions()
+        """Actions in cells, by name; -1 is a place outside of the grid."""
+        is_known, actions = (cells >= 0) & (self.levels[cells] > 0), self.grid.all_actions()
         return {
-            name: np.where(best >= 0, actions[name][best], wished)
+            name: np.where(is_known, actions[name][self._choices[cells]], wished)
             for name, wished in zip(self.grid.actions, self.wish, strict=True)
         }
 
@@ -162,28 +159,11 @@ class ViableController:
         """
         rows, columns = (self.grid.centers(axis) for axis in self.grid.edges)
         middles = np.stack(np.meshgrid(rows, columns, indexing="ij"), axis=-1).reshape(-1, 2)
-        cells = np.arange(len(middles))
-        chosen = np.stack([values.tolist() for values in self._settings(cells).values()], axis=-1)
+        chosen = np.stack([*self._settings(np.arange(len(middles))).values()], axis=-1)
         table: list[tuple[str | float, ...]] = [(*self.grid.edges, "grade", *self.grid.actions)]
-        for cell, middle, values in zip(cells, middles, chosen, strict=True):
-            table.append((*middle.tolist(), self._grade(int(cell)), *values.tolist()))
+        for middle, level, values in zip(middles, self.levels, chosen, strict=True):
+            table.append((*middle.tolist(), GRADES[level], *values.tolist()))
         return table
-
-    def _choice(self, cell: int) -> int:
-        """The number of the action for a cell, -1 for none."""
-        row, column = divmod(cell, self.grid.cells[1])
-        viable = next((of[row, column] for of in (self.inner, self.outer) if of[row, column].any()), None)
-        if viable is None:
-            return -1
-        return int(np.argmin(np.where(viable, self._distances(), np.inf)))
-
-    def _distances(self) -> NDArray[np.float64]:
-        """Squared distance of each action from the wish, over the ranges."""
-        distances = np.zeros(self.grid.action_count)
-        for (name, values), wished in zip(self.grid.all_actions().items(), self.wish, strict=True):
-            width = np.ptp(self.grid.actions[name]) or 1.0
-            distances += ((values - wished) / width) ** 2
-        return distances
 
 
 FACTOR = 1.5
@@ -291,12 +271,10 @@ def viability(
     grid = grid_of(runner, axes, vary, n)
     target = None if gait is None else _cells_about(runner, grid, gait)
     point = point_of(runner, tuple(grid.edges), gait)
-    file = Resumed(path, no_transitions(runner, grid, point), "viable set")
+    blank = no_transitions(runner, grid, point)
+    file = Resumed(path, blank, "viable set")
     fill_transitions(runner, grid, point, file, executor, progress)
-    data = no_transitions(runner, grid, point)
-    for name in data.data_vars:
-        data[name].values[...] = file.data[name].values
-    found = _with_sets(data, runner, grid, factor, target)
+    found = _with_sets(file.data[[*blank.data_vars]], runner, grid, factor, target)
     file.finish(found)
     return found
 
