@@ -1,6 +1,5 @@
 """A region of attraction: how many strides each start takes to settle on the gait, or until it falls."""
 
-import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -186,8 +185,7 @@ def _label(data: "xarray.Dataset", axis: str) -> str:
     has_scales = set(paper_units.SCALES) <= values.keys()
     if unit == "rad" or paper_units.are_in_use(values) or not has_scales:
         return label
-    mass = values["body.mass"]
-    size = scale(unit, values["leg.free_length"], math.sqrt(mass / values["leg.stiffness"]), mass)
+    size = scale(unit, *paper_units.scales_of(values))
     return f"{label[:-1]};  {style.printed(paper_unit(unit))} = {size:.4g} {unit})"
 
 

@@ -1,6 +1,5 @@
 """One stride of a gait, normalised as in the paper, and cut into contact modes: what the pictures draw."""
 
-import math
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,14 +10,17 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
+from ..analysis.trajectories import trajectory
 from ..errors import InputError
 from ..fmu.run import MODE
 from ..library.gait import Gait
+from ..variables.paper_units import scales_of
 from ..variables.table import Model, scale
 from . import style
+from .overview import of_trajectory
 
-POINTS = 6000
-"""Recorded points in the stride; each event adds two."""
+POINTS, TRAJECTORY_POINTS = 6000, 1001
+"""Recorded points in the stride, to which each event adds two; times of the gait of a model of one's own."""
 
 
 DRAWN = "body.x", "contact.mode", "hip.phase"
@@ -58,15 +60,12 @@ class Stride:
         run = run_unit(gait, strides=1, output_interval=gait.period / POINTS)
         self.events = run.events
         self._table, self._variables = run.table, run.variables
-        values = gait.runner
-        self._length = values["leg.free_length"]
-        self._mass = values["body.mass"]
-        self._time = math.sqrt(self._mass / values["leg.stiffness"])
+        self._scales = scales_of(gait.runner)
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """A recorded variable, one value per row."""
         rows: NDArray[np.float64] = self._table[name]
-        return rows / scale(self._variables[name].unit or "1", self._length, self._time, self._mass)
+        return rows / scale(self._variables[name].unit or "1", *self._scales)
 
     @cached_property
     def time(self) -> NDArray[np.float64]:
@@ -94,7 +93,7 @@ class Stride:
 
     def times_of(self, what: str) -> list[float]:
         """Times of the events of one kind."""
-        return [event.time / self._time for event in self.events if event.what == what]
+        return [event.time / self._scales[1] for event in self.events if event.what == what]
 
     @cached_property
     def stance_times(self) -> tuple[float, float]:
@@ -242,7 +241,9 @@ def near_stance(axes: Axes, stride: Stride) -> None:
 
 
 def of_gait(gait: Gait) -> Figure:
-    """The two panels of a gait's stride."""
+    """The two panels of a gait's stride; of a model of one's own, its outputs and states over time."""
+    if gait.runner.model.is_own:
+        return of_trajectory(trajectory(gait, times=np.linspace(0.0, gait.period, TRAJECTORY_POINTS)))
     return velocity_and_ratio(Stride(gait))
 
 

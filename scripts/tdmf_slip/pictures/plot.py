@@ -5,7 +5,7 @@ import sys
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from matplotlib.figure import Figure
 
@@ -13,47 +13,46 @@ from ..checks import is_one_of, shown
 from ..errors import InputError
 from . import style
 
-PICTURES: Mapping[str, str] = {
-    "Attraction": "quantity_diagram.of_attraction",
-    "BorderProof": "eigenvalue_diagram.of_border",
-    "Controllability": "eigenvalue_diagram.of_controllability",
-    "Feedback": "eigenvalue_diagram.of_feedback",
-    "FirstPassage": "quantity_diagram.of_falls",
-    "Fit": "fit_diagram.figure_of",
-    "Gait": "panels.of_gait",
-    "Optimum": "quantity_diagram.of_optimum",
-    "Proof": "eigenvalue_diagram.of_proof",
-    "RareFalls": "quantity_diagram.of_falls",
-    "Sweep": "sweep_diagram.of_sweep",
-    "Validation": ".paper.drift_diagram.of_validation",
-    "basin": "basin_map.figure_of",
-    "branch": "branch_diagram.figure_of",
-    "comparison": "quantity_diagram.of_comparison",
-    "curves": "branch_diagram.of_curves",
-    "front": "quantity_diagram.of_front",
-    "run": "overview.figure_of",
-    "runs": "basin_map.of_runs",
-    "strides": "basin_map.of_strides",
-    "sweep": "sweep_diagram.figure_of",
-    "viability": "basin_map.of_viable_set",
-    "trajectory": "overview.of_trajectory",
-    "gait of a model of one's own": "overview.of_own_gait",
+
+class Picture(NamedTuple):
+    """How a kind of result is drawn."""
+
+    draw: str
+    """Module and function."""
+    variable: str = ""
+    """One of the variables of a dataset."""
+    dimensions: Sequence[int] = ()
+    """Numbers of dimensions that this variable may have."""
+
+
+PICTURES: Mapping[str, Picture] = {
+    "Attraction": Picture("quantity_diagram.of_attraction"),
+    "BorderProof": Picture("eigenvalue_diagram.of_border"),
+    "Controllability": Picture("eigenvalue_diagram.of_controllability"),
+    "Feedback": Picture("eigenvalue_diagram.of_feedback"),
+    "FirstPassage": Picture("quantity_diagram.of_falls"),
+    "Fit": Picture("fit_diagram.figure_of"),
+    "Gait": Picture("panels.of_gait"),
+    "Optimum": Picture("quantity_diagram.of_optimum"),
+    "Proof": Picture("eigenvalue_diagram.of_proof"),
+    "RareFalls": Picture("quantity_diagram.of_falls"),
+    "Sweep": Picture("sweep_diagram.of_sweep"),
+    "Validation": Picture(".paper.drift_diagram.of_validation"),
+    "basin": Picture("basin_map.figure_of", "fate", (2,)),
+    "branch": Picture("branch_diagram.figure_of", "special", (1,)),
+    "comparison": Picture("quantity_diagram.of_comparison", "word", (2,)),
+    "curves": Picture("branch_diagram.of_curves", "curve_number", (1,)),
+    "front": Picture("quantity_diagram.of_front", "word", (1,)),
+    "run": Picture("overview.figure_of", "time", (1,)),
+    "runs": Picture("basin_map.of_runs", "fallen", (1,)),
+    "strides": Picture("basin_map.of_strides", "fate", (2,)),
+    "sweep": Picture("sweep_diagram.figure_of", "word", (1, 2)),
+    "trajectory": Picture("overview.of_trajectory", "time", (1,)),
+    "viability": Picture("basin_map.of_viable_set", "viable", (2,)),
 }
-"""Module and function by the kind of a result: the name of its class, or a dataset's attribute `result`."""
-DATASETS: Mapping[str, tuple[str, Sequence[int]]] = {
-    "basin": ("fate", (2,)),
-    "branch": ("special", (1,)),
-    "comparison": ("word", (2,)),
-    "curves": ("curve_number", (1,)),
-    "front": ("word", (1,)),
-    "run": ("time", (1,)),
-    "runs": ("fallen", (1,)),
-    "strides": ("fate", (2,)),
-    "sweep": ("word", (1, 2)),
-    "viability": ("viable", (2,)),
-    "trajectory": ("time", (1,)),
-}
-"""Datasets that have a picture: one of their variables, and how many dimensions it may have."""
+"""Pictures by the kind of a result: the name of its class, or a dataset's attribute `result`."""
+DATASETS = [kind for kind, picture in PICTURES.items() if picture.variable]
+"""Kinds of datasets that have a picture."""
 
 
 def plot(result: Any) -> Figure:
@@ -102,7 +101,7 @@ def write_picture(path: Path, result: Any, **options: Any) -> None:
 
 def _figure_of(result: Any, **options: Any) -> Figure:
     kind = _kind_of(result)
-    module, _, function = PICTURES[kind].rpartition(".")
+    module, _, function = PICTURES[kind].draw.rpartition(".")
     home = f"{__package__}.{module}" if not module.startswith(".") else f"{__package__.split('.')[0]}{module}"
     draw: Callable[[Any], Figure] = partial(getattr(importlib.import_module(home), function), **options)
     with style.styled():
@@ -127,13 +126,12 @@ def _kind_of(result: Any) -> str:
     name = next((kind for kind in kinds if kind in PICTURES and kind not in DATASETS), None)
     if name is None:
         raise InputError(f"plot: {type(result).__name__} has no picture; allowed: results of this package")
-    is_own = name == "Gait" and result.runner.model.is_own
-    return "gait of a model of one's own" if is_own else name
+    return name
 
 
 def _of_dataset(data: Any, kind: str, draw: Callable[[Any], Figure]) -> Figure:
     """Draw a dataset, or refuse a selection of it that is too small."""
-    variable, dimensions = DATASETS[kind]
+    _, variable, dimensions = PICTURES[kind]
     try:
         count = data[variable].ndim
         if count in dimensions:

@@ -43,7 +43,7 @@ def mixture(values: Mapping[str, Any]) -> str:
         return ""
     own = {name: float(values[name]) for name in COMPARED}
     paper = {name: VARIABLES.start_of(name) for name in own}
-    scales = _scales(own)
+    scales = scales_of(own)
     ratios = {
         name: own[name] / scale(VARIABLES[name].unit, *scales) / paper[name]
         for name in MEASURED
@@ -67,7 +67,8 @@ def mixture(values: Mapping[str, Any]) -> str:
     )
 
 
-def _scales(values: Mapping[str, float]) -> tuple[float, float, float]:
+def scales_of(values: Mapping[str, float]) -> tuple[float, float, float]:
+    """The runner's units of length, time and mass: l0, sqrt(m/k) and m."""
     mass, stiffness, length = (values[name] for name in SCALES)
     return length, math.sqrt(mass / stiffness), mass
 
