@@ -9,13 +9,13 @@ import pytest
 from conftest import reference_gaits
 from scipy.integrate import solve_ivp
 from tdmf_slip import Runner, find_gait, stride_map
-from tdmf_slip.paper import papers_page, published
+from tdmf_slip.paper import published, results_page
 from tdmf_slip.paper.claims import CLAMP, FREE, READINGS, Claim, Finding, Group
 from tdmf_slip.paper.evidence import SETTLED, gather, gather_classic
 
 MASS, STIFFNESS, LENGTH, GRAVITY, ENERGY = 80.0, 20000.0, 1.0, 9.81, 6000.0
 """The paper's classic SLIP."""
-STORED = papers_page.read(Path(__file__).parents[2] / "documentation/data/results/papers.json")
+STORED = results_page.read(Path(__file__).parents[2] / "documentation/data/results", results_page.PAPERS)
 
 
 @pytest.fixture(scope="module")

@@ -103,6 +103,7 @@ def command(
     name: str,
     *options: Option,
     runner: bool = True,
+    friction: bool = True,
     model: bool = True,
     workers: bool = False,
     plot: str = "",
@@ -111,13 +112,14 @@ def command(
     """Make a command of a function that returns an `Answer`; the function's docstring is its help.
 
     With `runner` the function is passed `asked`, an `Asked`, with `workers` also `workers`, a `Workers`.
+    Without `friction` or `model`, `asked` has none: the command has such an option of its own.
     `plot` says in the help of --plot what is drawn.
     """
     shared = [JSON_OPTION] if as_json else []
     if plot:
         text = f"Draw {plot}: .png, .svg or .pdf."
         shared.append(click.option("--plot", "picture", type=NewPicture(), metavar="FILE", help=text))
-    shared += [*(WORKERS_OPTIONS if workers else ()), *(runner_options(model) if runner else ())]
+    shared += [*(WORKERS_OPTIONS if workers else ()), *(runner_options(friction, model) if runner else ())]
 
     def decorate(function: Callable[..., Answer]) -> click.Command:
         @functools.wraps(function)
@@ -125,7 +127,7 @@ def command(
             if workers:
                 given["workers"] = Workers(given["workers"], given.pop("scheduler"))
             if runner:
-                values = values_given(given.pop("friction"), given.pop("settings"))
+                values = values_given(given.pop("friction") if friction else None, given.pop("settings"))
                 named = given.pop("model") if model else None
                 given["asked"] = Asked(given.pop("parameters"), values, named)
             function(**given).show(as_json, picture)

@@ -12,7 +12,7 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import checked, checked_whole, number_in
+from ..checks import checked, checked_whole
 from ..errors import InputError, reason
 from ..files.whole import check_destination
 from ..library.members import check_varied
@@ -41,10 +41,7 @@ def program() -> str:
 
 def ends_of(text: str, variable: Variable, where: str) -> tuple[float, float]:
     """Both ends of a range A:B of a variable, in its unit."""
-    parts = text.split(":")
-    if len(parts) != 2:
-        raise InputError(f"{where} {text}: allowed: A:B, as in {_example(variable)}")
-    first, last = _ends(parts, variable, f"{where} {text}")
+    first, last, _ = range_of(text, variable, where, "A:B")
     if first == last:
         raise InputError(f"{where} {text}: allowed: two ends that differ")
     return first, last
@@ -52,38 +49,33 @@ def ends_of(text: str, variable: Variable, where: str) -> tuple[float, float]:
 
 def values_of(text: str, spacing: str, variable: Variable, where: str) -> NDArray[np.float64]:
     """The values of a variable that A:B:N stands for, in its unit."""
-    parts = text.split(":")
-    if len(parts) != 3:
-        raise InputError(
-            f"{where} {text}: allowed: A:B:N, two ends and how many values, as in {_example(variable)}:5"
-        )
-    try:
-        count = number_in(parts[2])
-        number = int(count) if count.is_integer() else 0
-    except ValueError:
-        number = 0
-    if not 1 <= number <= MAX_VALUES:
-        raise InputError(f"{where} {text}: N = {parts[2]}; allowed: a whole number from 1 to {MAX_VALUES}")
-    first, last = _ends(parts[:2], variable, f"{where} {text}")
-    if number == 1 and first != last:
+    first, last, count = range_of(text, variable, where, "A:B:N")
+    if count == 1 and first != last:
         raise InputError(
             f"{where} {text}: one value cannot be A and B; allowed: N from 2 on, or B equal to A"
         )
     if spacing == "log" and min(first, last) <= 0.0:
         raise InputError(f"{where} {text}: allowed with logarithmic spacing: A and B above 0")
-    return SPACINGS[spacing](first, last, number)
+    return SPACINGS[spacing](first, last, count or 0)
 
 
-def _ends(parts: list[str], variable: Variable, where: str) -> tuple[float, float]:
-    first_unit, last_unit = (bool(units.split(part)[1]) for part in parts)
-    if first_unit != last_unit:
-        raise InputError(f"{where}: a unit at one end only; allowed: at both or at none")
-    first, last = (variable.value_of(part, where) for part in parts)
-    return first, last
-
-
-def _example(variable: Variable) -> str:
-    return "'35 deg:45 deg'" if "deg" in variable.display_units else "0.1:1"
+def range_of(text: str, variable: Variable, where: str, *forms: str) -> tuple[float, float, int | None]:
+    """Both ends of a range of a variable, in its unit, and N, or None where the text has no N."""
+    first, *further = parts = text.split(":")
+    if len(parts) not in {len(form.split(":")) for form in forms}:
+        degrees = "deg" in variable.display_units
+        example = ("'35 deg:45 deg'" if degrees else "0.1:1") + (":5" if forms == ("A:B:N",) else "")
+        raise InputError(f"{where} {text}: allowed: {' or '.join(forms)}, as in {example}")
+    ends = first, further[0]
+    if bool(units.split(ends[0])[1]) != bool(units.split(ends[1])[1]):
+        raise InputError(f"{where} {text}: a unit at one end only; allowed: at both or at none")
+    low, high = (variable.value_of(end, f"{where} {text}") for end in ends)
+    if len(parts) == 2:
+        return low, high, None
+    count = parts[2].strip()
+    if not count.isdecimal() or not 1 <= float(count) <= MAX_VALUES:
+        raise InputError(f"{where} {text}: N = {count}; allowed: a whole number from 1 to {MAX_VALUES}")
+    return low, high, int(count)
 
 
 def span_of(name: str, span: str) -> tuple[float, float]:

@@ -12,37 +12,38 @@ from ..terminal.text import columns, table
 from ..variables.parameters import read_parameters
 from ..variables.table import FRICTION, VARIABLES
 from .command import Answer, command, option
-from .options import ends_of
-from .runner import PARAMETERS_OPTION, SET_OPTION, Asked, refuse_given, values_given
+from .options import ends_of, pairs_given
+from .runner import Asked, refuse_given
 from .workers import Workers
 
 if TYPE_CHECKING:
     from ..proof.proof import Proof
 
+EXCLUSIVE = (
+    *(("--border", "--vary"), ("--border", "--box"), ("--border", "--compare")),
+    *(("--vary", "--box"), ("--vary", "--compare")),
+)
+"""Pairs of options that exclude each other: the boxes of borders and ranges are chosen automatically."""
 SHOWN = ("period", "length", "speed", "cost_of_transport", "slip_distance", "liftoff_angle")
 
 
 @command(
     "prove",
-    click.option(
-        "--friction", metavar="MU", help=f"Friction coefficient of the ground; short for {FRICTION}."
-    ),
-    SET_OPTION,
-    PARAMETERS_OPTION,
+    option("--friction", metavar="MU"),
     option("--box", metavar="RADIUS"),
     option("--digits", kind=int, default=20, metavar="N"),
     option("--border", metavar="A:B"),
     option("--vary", metavar="NAME=A:B"),
     option("--output", kind=click.Path(path_type=Path), metavar="FILE"),
     option("--compare", is_flag=True),
-    runner=False,
+    friction=False,
+    model=False,
     workers=True,
 )
 def prove_command(
+    asked: Asked,
     workers: Workers,
     friction: str | None,
-    settings: tuple[str, ...],
-    parameters: str | None,
     box: str | None,
     digits: int,
     border: str | None,
@@ -58,6 +59,8 @@ def prove_command(
 
     Parameters
     ----------
+    friction
+        Friction coefficient of the ground; short for ground.friction.
     box
         Radius of the box of apices in which exactly one gait is proved, in units of the coordinates'
         scales, as in 1e-10.  [default: the largest of several that can be proved]
@@ -73,22 +76,21 @@ def prove_command(
     compare
         Also bound how far the stride of each solver is from the proved gait.
     """
-    given = values_given(None, settings)
-    if friction is not None:
-        given[FRICTION] = "--friction", friction
-    if border is not None:
-        refuse_given(given, FRICTION, "--border")
-        if box is not None:
-            raise InputError(f"--box {box}: a border's is chosen by itself; allowed: without --border")
-        if vary is not None:
-            raise InputError("--border, --vary: are two ways of asking; allowed: one of them")
-    runner = Asked(parameters, given).runner()
-    values = {} if parameters is None else {n: _as_written(v) for n, v in read_parameters(parameters).items()}
-    values |= {name: value for name, (_, value) in given.items()}
-    if compare and (border is not None or vary is not None):
-        raise InputError("--compare: is of one gait; allowed: without --border and --vary")
+    options = {"--border": border, "--vary": vary, "--box": box, "--compare": compare or None}
+    for pair in EXCLUSIVE:
+        if all(options[name] is not None for name in pair):
+            raise InputError(f"{' and '.join(pair)} are both given; allowed: one of them")
     if vary is None and (output is not None or workers.are_given):
         raise InputError("--output, --workers and --scheduler are for a range only; allowed: with --vary")
+    if friction is not None:
+        asked = asked.at_friction(friction)
+    if border is not None:
+        refuse_given(asked.given, FRICTION, "--border")
+    ranges = {} if vary is None else pairs_given([vary], "--vary", "NAME=A:B")
+    runner = asked.runner(ranges)
+    written = {} if asked.parameters is None else read_parameters(asked.parameters)
+    values = {name: _as_written(value) for name, value in written.items()}
+    values |= {name: value for name, (_, value) in asked.given.items()}
     if border is not None:
         return _borders(runner, values, border, digits)
     from ..proof.prove import prove  # FLINT is slow to load
@@ -104,11 +106,9 @@ def prove_command(
             text += f"\n\nErrors of the solvers at the most:\n{table(heading, rows)}"
             plain = {**plain, "solvers": errors}
         return _answer(plain, text, proof.proved)
-    if box is not None:
-        raise InputError(f"--box {box}: with --vary it is chosen by itself; allowed: without --vary")
-    name, equals, span = (part.strip() for part in vary.partition("="))
+    ((name, span),) = ranges.items()
     begin, colon, end = (part.strip() for part in span.partition(":"))
-    if not (equals and colon):
+    if not colon:
         raise InputError(f"--vary {vary}: allowed: NAME=A:B")
     with workers.executor(processes=True) as executor:
         over = prove(values, vary={name: (begin, end)}, output=output, executor=executor, progress=True)

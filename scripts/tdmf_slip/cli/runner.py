@@ -2,7 +2,7 @@
 
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import click
@@ -68,13 +68,19 @@ class Asked:
                 warnings.warn(f"{option} {name}: has no effect in the reduced map", Note, stacklevel=2)
         return runner
 
+    def at_friction(self, friction: str) -> "Asked":
+        """The same options with a friction, which may not be given already."""
+        refuse_given(self.given, FRICTION, "--friction")
+        return replace(self, given={**self.given, FRICTION: ("--friction", friction)})
 
-def runner_options(model: bool) -> list[Callable[[Any], Any]]:
-    """Options that describe a runner: --friction, --set, --parameters and, on request, --model."""
-    return [FRICTION_OPTION, SET_OPTION, PARAMETERS_OPTION, *([MODEL_OPTION] if model else [])]
+
+def runner_options(friction: bool, model: bool) -> list[Callable[[Any], Any]]:
+    """Options that describe a runner: --set, --parameters and, on request, --friction and --model."""
+    first, last = [FRICTION_OPTION] if friction else [], [MODEL_OPTION] if model else []
+    return [*first, SET_OPTION, PARAMETERS_OPTION, *last]
 
 
-def values_given(friction: float | None, settings: Sequence[str]) -> dict[str, tuple[str, Given]]:
+def values_given(friction: Given | None, settings: Sequence[str]) -> dict[str, tuple[str, Given]]:
     """Option, --friction or --set, and its value, for each variable that is given."""
     given: dict[str, tuple[str, Given]] = {} if friction is None else {FRICTION: ("--friction", friction)}
     for name, value in pairs_given(settings, "--set", "NAME=VALUE").items():

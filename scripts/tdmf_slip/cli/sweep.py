@@ -18,7 +18,7 @@ from ..variables.display_units import DisplayUnits
 from ..variables.table import FRICTION, VARIABLES
 from .command import Answer, command, json_text, option
 from .options import SPACINGS, pairs_given, values_of
-from .runner import MODEL_OPTION, PARAMETERS_OPTION, SET_OPTION, Asked, refuse_given, values_given
+from .runner import Asked, refuse_given
 from .workers import Workers
 
 if TYPE_CHECKING:
@@ -38,22 +38,17 @@ QUANTITIES = ("period", "speed", "cost_of_transport")
     option("--vary", multiple=True, metavar="NAME=A:B:N"),
     option("--spacing", kind=click.Choice(list(SPACINGS)), default="linear"),
     option("--output", kind=click.Path(path_type=Path), metavar="FILE"),
-    SET_OPTION,
-    PARAMETERS_OPTION,
-    MODEL_OPTION,
-    runner=False,
+    friction=False,
     workers=True,
     plot="the gaits",
 )
 def sweep_command(
+    asked: Asked,
     workers: Workers,
     friction: str | None,
     vary: tuple[str, ...],
     spacing: str,
     output: Path | None,
-    settings: tuple[str, ...],
-    parameters: str | None,
-    model: str,
 ) -> Answer:
     """Find gaits over a range of one or two parameters, and the borders between gait words.
 
@@ -81,24 +76,18 @@ def sweep_command(
         output = None
     if output is not None:
         check_destination(output, FORMATS, "--output")
-    given = values_given(None, settings)
     texts = pairs_given(vary, "--vary", "NAME=A:B:N")
     if not texts and friction is None:
         raise InputError("neither --friction nor --vary: allowed: one of the two, or both")
-    for name in texts:
-        refuse_given(given, name, "--vary")
     if friction is not None:
-        refuse_given(given, FRICTION, "--friction")
-        if FRICTION in texts:
-            raise InputError(f"--vary {FRICTION}: --friction gives it, too; allowed: one of the two")
+        refuse_given({**asked.given, **dict.fromkeys(texts, ("--vary", ""))}, FRICTION, "--friction")
         if texts and ":" not in friction:
-            given = {**given, FRICTION: ("--friction", friction)}
-            friction = None
+            asked, friction = asked.at_friction(friction), None
         else:
             texts = {FRICTION: friction, **texts}
     if len(texts) > 2:
         raise InputError(f"--vary: {', '.join(texts)} are varied; allowed: one of them, or two for a grid")
-    runner = Asked(parameters, given, model).runner()
+    runner = asked.runner(texts)
     values = {}
     for name, text in texts.items():
         check_varied(name, "--vary")

@@ -9,7 +9,7 @@ import click
 from ..errors import InputError
 from ..files.whole import check_folder
 from ..fmu.simulation import TOLERANCES
-from ..paper.results_page import LAST_SEED
+from ..paper.statements.own_claims import LAST_SEED
 from ..paper.validation import validate
 from .command import Answer, command, option
 from .options import Number, program
@@ -35,7 +35,7 @@ def validate_command(
     Parameters
     ----------
     pictures
-        Also draw figures 5 to 9 of the paper, one stride, and the model.
+        Also draw figures 5 to 9 of the paper, and one stride.
     """
     if only_gaits and own:
         raise InputError("--gaits and --long: allowed: one of the two")

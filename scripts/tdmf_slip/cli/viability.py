@@ -22,7 +22,7 @@ from ..variables.table import MODELS, VARIABLES
 from ..viable_sets.grid import MAX_CELLS, VALUES
 from ..viable_sets.viability import LARGEST_FACTOR, ViableController, viability
 from .command import Answer, command, option
-from .options import NewFile, Number, ends_of, pairs_given
+from .options import NewFile, Number, ends_of, pairs_given, range_of
 from .runner import Asked
 from .workers import Workers
 
@@ -134,12 +134,8 @@ def _vary_given(texts: Sequence[str]) -> dict[str, tuple[float, ...]]:
     ranges: dict[str, tuple[float, ...]] = {}
     for name, span in pairs_given(texts, "--vary", "NAME=A:B or NAME=A:B:N").items():
         setting_number(name, "--vary")
-        parts = span.split(":")
-        ends = ends_of(":".join(parts[:2]), VARIABLES[name], f"--vary {name}")
-        counts = parts[2:]
-        if len(counts) > 1 or not all(part.strip().isdecimal() for part in counts):
-            raise InputError(f"--vary {name}={span}: allowed: A:B or A:B:N, N being how many values")
-        ranges[name] = (*ends, *map(int, counts))
+        first, last, count = range_of(span, VARIABLES[name], f"--vary {name} =", "A:B", "A:B:N")
+        ranges[name] = (first, last, *([] if count is None else [count]))
     return ranges
 
 

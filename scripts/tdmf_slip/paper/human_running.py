@@ -5,7 +5,6 @@ The sources stand in `variables/presets/human.toml` and `fitting/data/human_runn
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
-from typing import NamedTuple
 
 import numpy as np
 
@@ -124,19 +123,6 @@ def _of_fit(found: Fit) -> list[Claim]:
     ]
 
 
-class FitRow(NamedTuple):
-    """One claim about the fit on the page of results, as texts."""
-
-    claim: str
-    """One sentence about the fit."""
-    value: str
-    """The numbers that the sentence rests on."""
-    control: str
-    """The number with other possible causes varied."""
-    command: str
-    """The command that computes it."""
-
-
 ASSUMED: Mapping[str, tuple[float, float]] = {
     "leg.free_length": (0.9, 1.03),
     "foot.mass": (3.0, 5.0),
@@ -156,8 +142,8 @@ OF_GAITS = (
 )
 
 
-def fit_rows() -> list[FitRow]:
-    """Claims about the fit of one stiffness at eight speeds."""
+def fit_rows() -> list[dict[str, str]]:
+    """Claims about the fit of one stiffness at eight speeds: claim, value, control and command."""
     found = fitted()
     stiffness, gait = found.parameters[STIFFNESS], found.gaits[0]
     length, mass = gait.runner["leg.free_length"], weight_of(gait.runner) / gait.runner["gravity"]
@@ -168,8 +154,8 @@ def fit_rows() -> list[FitRow]:
     changes = [100.0 * (one / stiffness.value - 1.0) for one in refitted]
     values = [one.lambda_max for one in found.gaits]
     slips = [100.0 * one.stride["slip_distance"] for one in found.gaits]
-    return [
-        FitRow(
+    rows = [
+        (
             "One leg stiffness fits a human runner at eight speeds, 2.6 to 4.0 m/s; weights per leg length.",
             f"{relative * stiffness.value:.1f} ({low:.1f} to {high:.1f}); chi square "
             f"{found.chi_square:.1f} with {found.degrees_of_freedom} degrees of freedom",
@@ -177,26 +163,27 @@ def fit_rows() -> list[FitRow]:
             f"{max(changes):+.1f} %",
             COMMAND,
         ),
-        FitRow(
+        (
             "In kN/m it is proportional to the runner's mass, which is assumed.",
             ", ".join(by_mass),
             "",
             COMMAND,
         ),
-        FitRow(
+        (
             "All eight fitted gaits are unstable in the reduced map: largest eigenvalues.",
             f"{min(values):.2f} to {max(values):.2f}",
             f"by the full model: {_full_gaits(found)} of 8 runners have a gait with the free swing, "
             f"{_full_gaits(found, clamp=True)} with the clamp",
             OF_GAITS,
         ),
-        FitRow(
+        (
             "The fitted runner slips in every step, cm; slip of the person was not measured.",
             f"{min(slips):.1f} to {max(slips):.1f}",
             "at the assumed friction of 0.6",
             OF_GAITS,
         ),
     ]
+    return [dict(zip(("claim", "value", "control", "command"), row, strict=True)) for row in rows]
 
 
 def _refitted(name: str, value: float) -> float:

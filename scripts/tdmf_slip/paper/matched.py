@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from ..analysis.comparison import compare
+from ..analysis.first_passage import strides_to_fall
 from ..errors import RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
@@ -34,6 +35,24 @@ def changed(gait: Gait, values: Mapping[str, float], steps: int = 1) -> Gait | N
         except RunError:
             return None
     return gait
+
+
+AFTER = 60
+"""Strides beyond a patch after which a runner has survived it."""
+PATCH_BEGIN = 100.0
+"""Where a patch begins, over the leg's length."""
+
+
+def falls_on_patch(gait: Gait, friction: float, length: float, runners: int, seed: int = 0) -> int:
+    """Number of runners that fall on a patch or soon after it, each arriving at its own phase of the gait.
+
+    The length of the patch is over that of the leg.
+    """
+    leg = gait.runner["leg.free_length"]
+    begin, end = PATCH_BEGIN * leg, (PATCH_BEGIN + length) * leg
+    runner = gait.runner.replace(patch_begin=begin, patch_end=end, patch_friction=friction)
+    strides = int(length * leg / gait.stride["length"]) + AFTER
+    return strides_to_fall(runner, 0.0, runners, seed, strides, gait=gait, foot_x="random").falls
 
 
 def over_friction(gaits: Sequence[Gait], count: int) -> list[Gait]:

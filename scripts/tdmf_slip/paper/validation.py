@@ -18,8 +18,8 @@ from . import reference_gaits as reference
 from .claims import PAPER, READINGS, WORDS, Claim, Group, of_group
 from .evidence import gather, gather_classic
 from .reference_gaits import Drift
-from .results_page import LAST_SEED, OwnClaims, own_claims
 from .settling import DEFAULT_TOLERANCE, SettledRun, settle_fmu
+from .statements.own_claims import LAST_SEED, OwnClaims, own_claims
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -5,15 +5,13 @@ import pandas
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from ...analysis.first_passage import strides_to_fall
 from ...analysis.search import periodic_gait
-from ...analysis.targeted import find_gait
-from ...errors import RunError
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.style import CurveLabel
 from ...variables.table import FRICTION
+from ..matched import falls_on_patch, like
 from .data import Results
 
 SLOPE = -4.0
@@ -23,10 +21,8 @@ OUTSIDE = (10.0, 1.2, 0.6)
 ON_PATCH = np.linspace(0.0, 0.1, 11)
 LENGTHS = np.geomspace(100.0, 2000.0, 14)
 """Lengths of the patch, m."""
-RUNNERS, STRIDES_AFTER = 32, 60
-"""Runners, each at its own phase, and strides beyond the patch."""
+RUNNERS = 32
 MATCHED = ("hip.stance_torque", "hip.touchdown_angle")
-BEGIN = 100.0
 COLOURS = ("#22303c", "#0b7a75", "#e07b00")
 LEADER = 14.0
 """Points between the line of the slope's tangent and its label."""
@@ -38,21 +34,13 @@ def gaits(runner: Runner) -> list[tuple[Gait, bool]]:
     """Gaits on each ground, and gaits matched in speed and apex height to the last ground's, with True."""
     its = runner.replace({"ground.slope": float(np.radians(SLOPE))})
     own = [periodic_gait(its.replace({FRICTION: friction})) for friction in OUTSIDE]
-    target = {"speed": float(own[-1].stride["speed"]), "apex_height": float(own[-1].apex[0])}
-    found = [(gait, False) for gait in own]
-    for gait in own[:-1]:
-        try:
-            found.append((find_gait(gait.runner, target=target, vary=MATCHED, guess=gait.apex), True))
-        except RunError:
-            continue
-    return found
+    alike = (like(own[-1], gait, ("speed", "apex_height"), MATCHED) for gait in own[:-1])
+    return [*((gait, False) for gait in own), *((gait, True) for gait in alike if gait is not None)]
 
 
-def falls(gait: Gait, friction: float, length: float, seed: int = 0) -> int:
-    """Number of runners that fall on a patch, each arriving at its own phase of the gait."""
-    runner = gait.runner.replace(patch_begin=BEGIN, patch_end=BEGIN + length, patch_friction=friction)
-    strides = int(length / gait.stride["length"]) + STRIDES_AFTER
-    return strides_to_fall(runner, 0.0, RUNNERS, seed, strides, gait=gait, foot_x="random").falls
+def falls(gait: Gait, friction: float, length: float) -> int:
+    """Number of runners that fall on a patch."""
+    return falls_on_patch(gait, friction, length, RUNNERS)
 
 
 def table(results: Results) -> pandas.DataFrame:

@@ -8,11 +8,10 @@ from scipy.stats import binomtest
 
 from ...analysis.first_passage import FirstPassage, strides_to_fall
 from ...analysis.rare_falls import rare_falls
-from ...analysis.targeted import find_gait
-from ...errors import RunError
 from ...library.gait import Gait
 from ...library.ground import RoughGround, correlated_weights
 from ...library.runner import Runner
+from ..matched import falls_on_patch
 from .claim import (
     ALL_BUT_HUMAN,
     ANGLE,
@@ -27,6 +26,7 @@ from .claim import (
     changed_to,
     equal_to,
     gait,
+    made_equal,
     matched,
     over_length,
     remembered,
@@ -151,12 +151,11 @@ ROUGH_CHECKS = {
 
 SLOPE = -4.0
 """Slope, degrees."""
-ON_PATCH, LENGTH, BEGIN = 0.02, 300.0, 100.0
-"""Friction of the patch, its length and where it begins, l0."""
+ON_PATCH, LENGTH = 0.02, 300.0
+"""Friction of the patch, and its length, l0."""
 GRIPPY_GROUND, SLIPPERY_GROUND = STICKS, 0.6
 """Frictions of the ground around it."""
-PATCH_RUNNERS, STRIDES_AFTER = 256, 60
-"""Runners, each at a random phase of its stride, and the strides that they make beyond the patch."""
+PATCH_RUNNERS = 256
 
 
 def on_slope(regime: Regime, friction: float, degrees: float) -> Gait:
@@ -167,11 +166,7 @@ def on_slope(regime: Regime, friction: float, degrees: float) -> Gait:
 def as_fast(regime: Regime) -> Gait:
     """The runner downhill on grippy ground with speed and apex height of the one on slippery ground."""
     one, reference = (on_slope(regime, friction, SLOPE) for friction in (GRIPPY_GROUND, SLIPPERY_GROUND))
-    target = {name: float(reference.stride[name]) for name in ("speed", "apex_height")}
-    try:
-        return find_gait(one.runner, target=target, vary=(TORQUE, ANGLE), guess=one.apex)
-    except RunError as error:
-        raise RunError("no matched runner") from error
+    return made_equal(reference, one, ("speed", "apex_height"), (TORQUE, ANGLE))
 
 
 def share_that_falls(of: Callable[[Regime], Gait]) -> Measure:
@@ -179,14 +174,9 @@ def share_that_falls(of: Callable[[Regime], Gait]) -> Measure:
 
     @cache
     def measure(regime: Regime, seed: int) -> Estimate:
-        one = of(regime)
-        length = one.runner["leg.free_length"]
-        begin, end = BEGIN * length, (BEGIN + LENGTH) * length
-        runner = one.runner.replace(patch_begin=begin, patch_end=end, patch_friction=ON_PATCH)
-        strides = int(LENGTH * length / one.stride["length"]) + STRIDES_AFTER
-        found = strides_to_fall(runner, 0.0, PATCH_RUNNERS, seed, strides, gait=one, foot_x="random")
-        interval = binomtest(found.falls, PATCH_RUNNERS).proportion_ci()
-        return Estimate(found.falls / PATCH_RUNNERS, interval.low, interval.high)
+        falls = falls_on_patch(of(regime), ON_PATCH, LENGTH, PATCH_RUNNERS, seed)
+        interval = binomtest(falls, PATCH_RUNNERS).proportion_ci()
+        return Estimate(falls / PATCH_RUNNERS, interval.low, interval.high)
 
     return measure
 
