@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import RELEASE, release, some_of
 from tdmf_slip import InputError, Runner, TargetNotMetError, find_gait
-from tdmf_slip.analysis.target import Target
+from tdmf_slip.analysis.branch_problem import GaitProblem
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.members import VARIED
 from tdmf_slip.library.quantities import QUANTITIES, REDUCED_QUANTITIES, quantities_of
@@ -134,14 +134,14 @@ REFUSED = {
 def refused(request):
     """A target that is not met: whose, what, the error, and how many strides it took."""
     name, target, vary = REFUSED[request.param]
-    strides, honest = [], Target.evaluate
+    strides, honest = [], GaitProblem.linearize
 
     def counted(self, at):
         strides.append(at)
         return honest(self, at)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Target, "evaluate", counted)
+        patch.setattr(GaitProblem, "linearize", counted)
         with pytest.raises(TargetNotMetError, match="the nearest one has speed") as error:
             find_gait(read_parameters(name), target=target, vary=vary)
     return read_parameters(name), target, vary, error.value, len(strides)

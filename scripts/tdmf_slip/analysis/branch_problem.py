@@ -1,19 +1,20 @@
-"""Gaits as curves to be followed: fixed points of the return map over one parameter or over two."""
+"""Equations of gaits over parameters: to be solved for prescribed quantities, or followed as curves."""
 
 from __future__ import annotations
 
 import contextlib
+import copy
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from ..errors import InputError, RunError
-from ..library.fixed_point import Closing
+from ..library.fixed_point import Closing, gait_near, scaled_less_one
 from ..library.gait import Gait
 from ..library.members import check_varied
 from ..library.quantities import scales_of
 from ..library.runner import Runner
-from ..library.strides import BETWEEN_WORDS, strides_from
+from ..library.strides import BETWEEN_WORDS, MadeStride, plain_stride, strides_from, varied_stride
 from ..numerics.following import BEYOND, Limits, Point, Problem
 from ..numerics.newton import Matrix, Vector
 from ..variables.variable import Given
@@ -29,24 +30,56 @@ MAX_HALVINGS = 100
 
 
 class GaitProblem(Problem):
-    """Fixed points of the return map over parameters; unknowns are the apex and the parameters.
+    """Gaits over parameters, some with prescribed quantities; unknowns are the apex and the parameters.
 
-    The scales of the parameters are powers of two near their values in the runner, or 1, so that a value
-    survives being scaled.
+    Equations are that the last apex is the first one, and that each quantity is as prescribed, all over their
+    scales. With prescribed quantities the scales of the parameters are their values in the runner. Else they
+    are powers of two near these, so that a value survives being scaled.
     """
 
-    def __init__(self, runner: Runner | Mapping[str, Given], names: Sequence[str], strides: int = 1) -> None:
-        """Gaits of a runner that repeat themselves after some strides, over parameters or inputs by name."""
+    def __init__(
+        self,
+        runner: Runner | Mapping[str, Given],
+        names: Sequence[str],
+        strides: int = 1,
+        prescribed: Mapping[str, float] | None = None,
+    ) -> None:
+        """Gaits of a runner that repeat themselves after some strides, over parameters or inputs by name.
+
+        Gaits with prescribed quantities take one stride.
+        """
         self.runner, self.names, self.strides = Runner(runner), tuple(names), strides
         for name in names:
             check_varied(name, "name", self.runner.model)
+        self.quantities = tuple(prescribed or ())
+        self.goal = np.array([*(prescribed or {}).values()])
+        self.quantity_scales = np.array([abs(value) or 1.0 for value in self.goal])
         self.scales = scales_of(self.runner, names)
-        self.scales[-len(names) :] = 2.0 ** np.round(np.log2(self.scales[-len(names) :]))
+        if not self.quantities:
+            self.scales[-len(names) :] = 2.0 ** np.round(np.log2(self.scales[-len(names) :]))
         self._closings: tuple[bytes, dict[str, Closing]] = b"", {}
+
+    @property
+    def count(self) -> int:
+        """Number of the coordinates of an apex."""
+        return len(self.scales) - len(self.names)
+
+    def aiming(self, goal: Vector | None) -> GaitProblem:
+        """The same gaits with other values prescribed, or with none."""
+        other = copy.copy(self)
+        if goal is None:
+            other.quantities, goal, other.quantity_scales = (), self.goal[:0], self.goal[:0]
+        other.goal = goal
+        return other
 
     def runner_at(self, x: Vector) -> Runner:
         """The runner at a point."""
         return self.runner.replace(dict(zip(self.names, map(float, self.values(x)), strict=True)))
+
+    def apex_at(self, x: Vector) -> Vector:
+        """The apex at a point."""
+        apex: Vector = x[: self.count] * self.scales[: self.count]
+        return apex
 
     def at(self, gait: Gait) -> Vector:
         """Apex and parameters of a gait, over the scales."""
@@ -54,33 +87,44 @@ class GaitProblem(Problem):
         return x
 
     def residual(self, x: Vector) -> Vector:
-        """Last apex minus first, over the scales."""
-        return self._closing(x).residual(x[: -len(self.names)])
+        """Last apex minus first, then deviations of the quantities, over the scales."""
+        if not self.quantities:
+            return self._closing(x).residual(x[: self.count])
+        return self._residual_of(plain_stride(self.runner_at(x), self.apex_at(x), self.quantities))
 
     def linearize(self, x: Vector) -> tuple[Vector, Matrix]:
         """The residual, and its derivatives by apex and parameters."""
-        apex = x[: -len(self.names)]
+        if self.quantities:
+            stride = varied_stride(self.runner_at(x), self.apex_at(x), self.quantities, self.names)
+            scales = np.append(self.scales[: self.count], self.quantity_scales)
+            return self._residual_of(stride), stride.by_all * self.scales / scales[:, None]
+        apex = x[: self.count]
         found = [self._closing(x, name).varied(apex) for name in self.names]
-        by_parameters = np.column_stack([by for _, _, by in found]) * self.scales[len(apex) :]
+        by_parameters = np.column_stack([by for _, _, by in found]) * self.scales[self.count :]
         return found[0][0], np.hstack([found[0][1], by_parameters])
+
+    def _residual_of(self, stride: MadeStride) -> Vector:
+        off = (stride.quantities - self.goal) / self.quantity_scales
+        return np.append(stride.residual / self.scales[: self.count], off)
 
     def by_apex(self, x: Vector) -> tuple[Vector, Matrix]:
         """The residual, and its derivatives by the apex alone, shape (n, n)."""
-        residual, by_apex, _ = self._closing(x, self.names[0]).varied(x[: -len(self.names)])
+        residual, by_apex, _ = self._closing(x, self.names[0]).varied(x[: self.count])
         return residual, by_apex
+
+    def gait_at(self, x: Vector) -> Gait:
+        """The gait next to a point where the stride leads back to its apex."""
+        return gait_near(self.runner_at(x), self.apex_at(x))
 
     def describe(self, x: Vector) -> tuple[Gait, Matrix]:
         """The strides from a point, whether they lead back to it or not, and the derivatives."""
-        count = len(self.names)
-        gait = strides_from(
-            self.runner_at(x), x[:-count] * self.scales[:-count], self.strides, along=self.names[0]
-        )
-        scales = self.scales[:-count]
+        gait = strides_from(self.runner_at(x), self.apex_at(x), self.strides, along=self.names[0])
+        scales = self.scales[: self.count]
         assert gait.by_parameter is not None
-        further = [self._closing(x, name).varied(x[:-count])[2] for name in self.names[1:]]
+        further = [self._closing(x, name).varied(x[: self.count])[2] for name in self.names[1:]]
         columns = [gait.by_parameter / scales, *further]
-        by_apex = gait.jacobian * scales / scales[:, None] - np.eye(len(scales))
-        return gait, np.hstack([by_apex, np.array(columns).T * self.scales[-count:]])
+        by_apex = scaled_less_one(gait.jacobian, scales)
+        return gait, np.hstack([by_apex, np.array(columns).T * self.scales[self.count :]])
 
     def start(self, gait: Gait, along: Vector) -> Point:
         """A gait as a point whose tangent goes along a direction."""
@@ -93,8 +137,7 @@ class GaitProblem(Problem):
         """
         if exact:
             return self.describe(x)[0].word
-        closing = self._closing(x)
-        apex = x[: -len(self.names)] * closing.scales
+        closing, apex = self._closing(x), self.apex_at(x)
         words: list[str] = []
         for _ in range(self.strides):
             stride = closing.stride(apex, False)
@@ -147,7 +190,7 @@ class GaitProblem(Problem):
         known = self._closings[1]
         if along not in known:
             runner = next(iter(known.values())).runner if known else self.runner_at(x)
-            known[along] = Closing(runner, self.strides, along or None, self.scales[: -len(self.names)])
+            known[along] = Closing(runner, self.strides, along or None, self.scales[: self.count])
         return known[along]
 
 

@@ -9,22 +9,22 @@ deviations, each over what is prescribed. It is found by the method of Levenberg
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError, RunError
-from ..library.fixed_point import gait_near
 from ..library.gait import Gait
-from ..library.quantities import scales_of
 from ..library.runner import Runner
-from ..library.strides import MadeStride, plain_stride, varied_stride
+from ..library.strides import plain_stride
 from ..numerics.following import halved, walk
-from ..numerics.newton import GOOD_ENOUGH, solve
+from ..numerics.newton import GOOD_ENOUGH, Matrix, Vector, solve
 from ..terminal.progress import progress_bar
+from .branch_problem import GaitProblem
 from .settled import around, settled_gaits
 
 NEWTON_ITERATIONS, SHORTENINGS = 40, 6
@@ -58,198 +58,112 @@ NOT_THE_RUNNERS = ("gravity",)
 """Parameters that nobody can change, which are not suggested as a help."""
 
 
-@dataclass(frozen=True, eq=False)
-class Iterate:
-    """An apex and parameters, with the stride from there."""
+class Iterate(NamedTuple):
+    """A point of a search for a gait with prescribed quantities."""
 
-    at: NDArray[np.float64]
-    """Coordinates, then varied parameters, over the scales."""
-    varied: MadeStride
-    """The stride from there, with its derivatives."""
+    x: Vector
+    """Apex and varied parameters, over the scales."""
+    closing: Vector
+    """Residual of the stride, over the scales."""
+    off: Vector
+    """How far the quantities are from those prescribed, over these."""
+    rows: Matrix
+    """Derivatives of `closing` and `off` by the point."""
+
+    @property
+    def gap(self) -> float:
+        """How far the point is from the target: the root of the sum of squared deviations."""
+        return float(np.linalg.norm(self.off))
 
 
-class Target:
-    """Quantities that a gait is to have, and the parameters that are varied for it."""
+def iterate_at(target: GaitProblem, x: Vector) -> Iterate:
+    """The iterate at a point; RunError where there is no stride."""
+    try:
+        residual, rows = target.linearize(x)
+    except InputError as problem:
+        raise RunError(str(problem)) from None
+    return Iterate(x, residual[: target.count], residual[target.count :], rows)
 
-    def __init__(self, runner: Runner, quantities: Mapping[str, float], vary: Sequence[str]) -> None:
-        """All are taken as they are; `find_gait` checks them."""
-        self.runner, self.vary = runner, tuple(vary)
-        self.names = tuple(quantities)
-        self.prescribed = np.array([quantities[name] for name in self.names])
-        self.scales = scales_of(runner, self.vary)
-        self._apex_scales = runner.scales
-        self.quantity_scales = np.array([abs(value) or 1.0 for value in self.prescribed])
 
-    def varying(self, names: Sequence[str]) -> Target:
-        """The same target with other parameters varied."""
-        return Target(self.runner, dict(zip(self.names, map(float, self.prescribed), strict=True)), names)
+def _solved(
+    target: GaitProblem, x: Vector, iterations: int = CLOSE_ITERATIONS, shortenings: int = CLOSE_SHORTENINGS
+) -> Vector:
+    """The point near another that solves the equations, by the shortest steps."""
+    try:
+        return solve(target, x, iterations=iterations, shortenings=shortenings, longest=LONGEST_STEP).x
+    except InputError as problem:
+        raise RunError(str(problem)) from None
 
-    def runner_at(self, at: NDArray[np.float64]) -> Runner:
-        """The runner with the varied parameters' values at a point."""
-        values = (at * self.scales)[-len(self.vary) :]
-        return self.runner.replace(dict(zip(self.vary, map(float, values), strict=True)))
 
-    def iterate_of(self, gait: Gait) -> Iterate:
-        """The iterate of a gait of this runner, whatever its varied parameters."""
-        values = [gait.runner[name] for name in self.vary]
-        return self.evaluate(np.append(gait.apex, values) / self.scales)
+def solved_from(target: GaitProblem, iterate: Iterate, steps: int = STEPS) -> tuple[Iterate, float]:
+    """The point that meets a target, or the last one on the way to it, and the share of the way.
 
-    def evaluate(self, at: NDArray[np.float64]) -> Iterate:
-        """The stride from a point."""
-        count = len(self._apex_scales)
+    Newton's method alone, from the point given; where it fails, through targets between what the gait has and
+    what is prescribed, a share at a time.
+    """
+    with contextlib.suppress(RunError):
+        return iterate_at(target, _solved(target, iterate.x, NEWTON_ITERATIONS, SHORTENINGS)), 1.0
+    way, attempts = iterate.off * target.quantity_scales, iter(range(steps))
+
+    def advance(x: Vector, _at: float, to: float) -> Vector:
+        if next(attempts, None) is None:
+            raise RunError("too many steps on the way to the target")
+        return _solved(target.aiming(target.goal + (1.0 - to) * way), x)
+
+    reached = [(0.0, iterate.x)]
+    with contextlib.suppress(RunError):
+        reached.extend(walk(iterate.x, 0.0, 1.0, advance, shortest=SHORTEST_SHARE, first=0.5))
+    share, x = reached[-1]
+    return (iterate_at(target, x) if share else iterate), share
+
+
+def least_changed(target: GaitProblem, iterate: Iterate, begin: Iterate) -> Iterate:
+    """The gait that meets the target with the least change of the varied parameters, over their values.
+
+    By the method of Gauss and Newton along the gaits that meet the target. Where the change no longer gets
+    smaller by much, or no nearer gait meets the target, the search ends.
+    """
+    count = target.count
+
+    def change(x: Vector) -> Vector:
+        return x[count:] - begin.x[count:]
+
+    for _ in range(LEAST_ITERATIONS):
+        tangents = null_space(iterate.rows)
+        step = -tangents @ np.linalg.lstsq(tangents[count:], change(iterate.x))[0]
+        if not np.max(np.abs(step[count:]), initial=0.0) > LEAST_STEP:
+            break
+        step *= min(1.0, LONGEST_STEP / float(np.max(np.abs(step))))
+        before = iterate
+
+        def nearer(share: float, before: Iterate = before, step: Vector = step) -> Iterate:
+            found = iterate_at(target, _solved(target, before.x + share * step))
+            if not np.linalg.norm(change(found.x)) < np.linalg.norm(change(before.x)):
+                raise RunError("the change does not get smaller")
+            return found
+
         try:
-            runner = self.runner_at(at)
-            varied = varied_stride(runner, (at * self.scales)[:count], self.names, self.vary)
-        except InputError as problem:
-            raise RunError(str(problem)) from None
-        return Iterate(at, varied)
-
-    def plain(self, at: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Residual of the stride from a point, over the scales, and the quantities of the stride."""
-        apex = (at * self.scales)[: len(self._apex_scales)]
-        try:
-            stride = plain_stride(self.runner_at(at), apex, self.names)
-        except InputError as problem:
-            raise RunError(str(problem)) from None
-        return stride.residual / self._apex_scales, stride.quantities
-
-    def gait(self, iterate: Iterate) -> Gait:
-        """The gait at a point where the stride leads back to its apex."""
-        return gait_near(self.runner_at(iterate.at), (iterate.at * self.scales)[: len(self._apex_scales)])
-
-    def deviations(self, iterate: Iterate) -> NDArray[np.float64]:
-        """How far a point's quantities are from those prescribed, over these."""
-        off: NDArray[np.float64] = (iterate.varied.quantities - self.prescribed) / self.quantity_scales
-        return off
-
-    def rows(self, iterate: Iterate) -> NDArray[np.float64]:
-        """Derivatives of the residual and of the quantities by the point, all over the scales."""
-        scales = np.append(self._apex_scales, self.quantity_scales)
-        rows: NDArray[np.float64] = iterate.varied.by_all * self.scales / scales[:, None]
-        return rows
-
-    def closing(self, iterate: Iterate) -> NDArray[np.float64]:
-        """Residual of the stride, over the scales."""
-        return iterate.varied.residual / self._apex_scales
-
-    def solved_from(self, iterate: Iterate, steps: int = STEPS) -> tuple[Iterate, float]:
-        """The point that meets the target, or the last one on the way to it.
-
-        Newton's method alone, from the point given; where it fails, through targets between what the gait
-        has and what is prescribed, a share at a time.
-        """
-        with contextlib.suppress(RunError):
-            return self._solved(iterate.at, self.prescribed), 1.0
-        begin, way = iterate.varied.quantities, self.prescribed - iterate.varied.quantities
-        attempts = iter(range(steps))
-
-        def advance(iterate: Iterate, _at: float, to: float) -> Iterate:
-            if next(attempts, None) is None:
-                raise RunError("too many steps on the way to the target")
-            goal = self.prescribed if to == 1.0 else begin + to * way
-            return self._solved(iterate.at, goal, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
-
-        done = 0.0
-        with contextlib.suppress(RunError):
-            for share, there in walk(iterate, 0.0, 1.0, advance, shortest=SHORTEST_SHARE, first=0.5):
-                iterate, done = there, share
-        return iterate, done
-
-    def closed_near(self, at: NDArray[np.float64]) -> Iterate:
-        """The gait near a point, by the shortest steps that lead to one."""
-        return self._solved(at, None, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
-
-    def least_changed(self, iterate: Iterate, begin: Iterate) -> Iterate:
-        """The gait that meets the target with the least change of the varied parameters, over their values.
-
-        By the method of Gauss and Newton along the gaits that meet the target. Where the change no longer
-        gets smaller by much, or no nearer gait meets the target, the search ends.
-        """
-        count = len(self._apex_scales)
-        change = float(np.linalg.norm(iterate.at[count:] - begin.at[count:]))
-        for _ in range(LEAST_ITERATIONS):
-            tangents = null_space(self.rows(iterate))
-            step = -tangents @ np.linalg.lstsq(tangents[count:], iterate.at[count:] - begin.at[count:])[0]
-            if not np.max(np.abs(step[count:]), initial=0.0) > LEAST_STEP:
-                break
-            step *= min(1.0, LONGEST_STEP / float(np.max(np.abs(step))))
-            try:
-                attempt = partial(self._nearer, iterate, begin, step, change)
-                (iterate, change), _ = halved(attempt, 1.0, SHORTEST_SHARE)
-            except RunError:
-                break
-        return iterate
-
-    def _nearer(
-        self, iterate: Iterate, begin: Iterate, step: NDArray[np.float64], change: float, share: float
-    ) -> tuple[Iterate, float]:
-        """A gait a share of a step away that meets the target, and its change, which has to be smaller."""
-        found = self._solved(iterate.at + share * step, self.prescribed, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
-        count = len(self._apex_scales)
-        changed = float(np.linalg.norm(found.at[count:] - begin.at[count:]))
-        if not changed < change:
-            raise RunError("the change does not get smaller")
-        return found, changed
-
-    def _solved(
-        self,
-        at: NDArray[np.float64],
-        goal: NDArray[np.float64] | None,
-        iterations: int = NEWTON_ITERATIONS,
-        shortenings: int = SHORTENINGS,
-    ) -> Iterate:
-        """The gait near a point with quantities as the goal says, or with whatever they are."""
-        found = solve(
-            _Closing(self, goal), at, iterations=iterations, shortenings=shortenings, longest=LONGEST_STEP
-        )
-        return self.evaluate(found.x)
-
-    def gap(self, iterate: Iterate) -> float:
-        """How far a gait is from the target: the root of the sum of squared deviations."""
-        return float(np.linalg.norm(self.deviations(iterate)))
+            iterate, _ = halved(nearer, 1.0, SHORTEST_SHARE)
+        except RunError:
+            break
+    return iterate
 
 
-@dataclass(frozen=True, eq=False)
-class _Closing:
-    """Equations of a stride that closes and, with a goal, whose quantities are these."""
-
-    target: Target
-    goal: NDArray[np.float64] | None
-
-    def residual(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Residual of the stride, then deviations of the quantities, over the scales."""
-        return self._off(*self.target.plain(x))
-
-    def linearize(self, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """The residual and its exact Jacobian."""
-        iterate = self.target.evaluate(x)
-        residual = self._off(self.target.closing(iterate), iterate.varied.quantities)
-        return residual, self.target.rows(iterate)[: len(residual)]
-
-    def _off(self, closing: NDArray[np.float64], quantities: NDArray[np.float64]) -> NDArray[np.float64]:
-        if self.goal is None:
-            return closing
-        return np.append(closing, (quantities - self.goal) / self.target.quantity_scales)
-
-
-def null_space(rows: NDArray[np.float64]) -> NDArray[np.float64]:
+def null_space(rows: Matrix) -> Matrix:
     """An orthonormal basis of the null space, in columns, for rows that are independent."""
-    basis: NDArray[np.float64] = np.linalg.svd(rows)[2][len(rows) :].T
+    basis: Matrix = np.linalg.svd(rows)[2][len(rows) :].T
     return basis
 
 
-def initial_iterates(target: Target, first: Gait) -> Iterator[Iterate]:
+def initial_iterates(target: GaitProblem, first: Gait) -> Iterator[Iterate]:
     """Gaits from which a target may be reached, the nearest to it first."""
 
-    def gap(runner: Runner, apex: NDArray[np.float64]) -> float:
-        return _gap(plain_stride(runner, apex, target.names).quantities, target.prescribed)
+    def gap(runner: Runner, apex: Vector) -> float:
+        return _gap(plain_stride(runner, apex, target.quantities).quantities, target.goal)
 
-    for gait in settled_gaits(first, target.vary, partial(around, first.runner)).gaits(gap):
-        try:
-            iterate = target.iterate_of(gait)
-        except RunError:
-            continue
-        yield iterate
+    for gait in settled_gaits(first, target.names, partial(around, first.runner)).gaits(gap):
+        with contextlib.suppress(RunError):
+            yield iterate_at(target, target.at(gait))
 
 
 def _gap(quantities: NDArray[np.float64], prescribed: NDArray[np.float64]) -> float:
@@ -263,7 +177,7 @@ def _gap(quantities: NDArray[np.float64], prescribed: NDArray[np.float64]) -> fl
 
 
 def nearest_from(
-    target: Target,
+    target: GaitProblem,
     iterates: Sequence[Iterate],
     steps: Sequence[float] = LONGEST_STEPS,
     iterations: int = DESCENT_ITERATIONS,
@@ -271,40 +185,40 @@ def nearest_from(
     """The gait nearest to a target, of those that are reached from some gaits."""
     return min(
         (_descended(target, iterate, step, iterations) for iterate in iterates for step in steps),
-        key=target.gap,
+        key=lambda iterate: iterate.gap,
     )
 
 
-def _descended(target: Target, iterate: Iterate, longest: float, iterations: int) -> Iterate:
-    """Iterate at which the gap gets no smaller."""
-    damping = 1e-3
+def _descended(target: GaitProblem, iterate: Iterate, longest: float, iterations: int) -> Iterate:
+    """Iterate at which the gap gets no smaller, by the method of Levenberg and Marquardt along the gaits."""
+    damping, free = 1e-3, target.aiming(None)
     for _ in range(iterations):
-        gap = target.gap(iterate)
-        tried = _stepped(target, iterate, damping, longest)
-        if tried is None or target.gap(tried) >= gap:
+        step = _step_along(iterate, slice(None), damping, longest)
+        try:
+            tried = iterate_at(target, _solved(free, iterate.x + step))
+        except RunError:
+            tried = iterate
+        gain = iterate.gap - tried.gap
+        if gain <= 0.0:
             damping *= 10.0
             if damping > MAX_DAMPING:
                 break
             continue
+        enough = tried.gap <= GOOD_ENOUGH or gain < LITTLE * iterate.gap
         iterate, damping = tried, max(0.1 * damping, MIN_DAMPING)
-        if target.gap(tried) <= GOOD_ENOUGH or gap - target.gap(tried) < LITTLE * gap:
+        if enough:
             break
     return iterate
 
 
-def _stepped(target: Target, iterate: Iterate, damping: float, longest: float) -> Iterate | None:
-    """A step towards the target along the gaits; None where there is no gait."""
-    count = len(target.closing(iterate))
-    rows = target.rows(iterate)
+def _step_along(iterate: Iterate, columns: slice | list[int], damping: float, longest: float) -> Vector:
+    """The damped step along the gaits that leaves the least gap, by some of the unknowns."""
+    rows, count = iterate.rows[:, columns], len(iterate.closing)
     tangents = null_space(rows[:count])
     slopes = rows[count:] @ tangents
     square = slopes.T @ slopes + damping * np.eye(tangents.shape[1])
-    step = tangents @ np.linalg.solve(square, -slopes.T @ target.deviations(iterate))
-    step *= min(1.0, longest / (float(np.linalg.norm(step)) or 1.0))
-    try:
-        return target.closed_near(iterate.at + step)
-    except RunError:
-        return None
+    step: Vector = tangents @ np.linalg.lstsq(square, -slopes.T @ iterate.off)[0]
+    return step * min(1.0, longest / (float(np.linalg.norm(step)) or 1.0))
 
 
 @dataclass(frozen=True)
@@ -327,7 +241,7 @@ class Help:
 
 
 def parameters_that_help(
-    target: Target, nearest: Iterate, first: Gait, progress: bool = False
+    target: GaitProblem, nearest: Iterate, first: Gait, progress: bool = False
 ) -> tuple[Help, ...]:
     """Parameters and inputs that bring the target nearer, each varied beside the others or instead of one.
 
@@ -335,13 +249,13 @@ def parameters_that_help(
     the first gait on, as a user who varies them begins. Those are named with which the target is met, or a
     gait is found that is nearer to it.
     """
-    maximum, near = HELPING * target.gap(nearest), target.gait(nearest)
+    maximum, near = HELPING * nearest.gap, target.gait_at(nearest.x)
     promising = _promising(target, (near, first))
     found: list[Help] = []
     with progress_bar("what would help", len(promising), "parameters", progress) as bar:
         for name in promising:
             more = _helps(target, name, "", (first, near), maximum)
-            others = target.vary if name.startswith(SETTINGS) else ()
+            others = target.names if name.startswith(SETTINGS) else ()
             instead = (_helps(target, name, other, (first, near), maximum) for other in others)
             one = more if more.left == 0.0 else next((help for help in instead if help.left == 0.0), more)
             found += [one] if one.left <= maximum else []
@@ -349,47 +263,45 @@ def parameters_that_help(
     return tuple(sorted(found, key=lambda help: (help.left, help.changed)))
 
 
-def _helps(target: Target, name: str, other: str, gaits: tuple[Gait, Gait], maximum: float) -> Help:
+def _helps(target: GaitProblem, name: str, other: str, gaits: tuple[Gait, Gait], maximum: float) -> Help:
     """The gap that is left where one more parameter varies, or one instead of another that is named.
 
     The search begins at the first gait. A parameter that varies too may also come nearer from the second one.
     """
     first, near = gaits
-    kept = [name if varied == other else varied for varied in target.vary]
-    wider = target.varying(kept if other else [*kept, name])
+    kept = [name if varied == other else varied for varied in target.names]
+    wider = _varying(target, kept if other else [*kept, name])
     try:
-        begin = wider.iterate_of(first)
-        there, share = wider.solved_from(begin, STEPS if other else TRIED_STEPS)
-        if not other and wider.gap(there) > maximum:
-            there = nearest_from(wider, (wider.iterate_of(near),), LONGEST_STEPS[:1], LOOK_AHEAD)
+        begin = iterate_at(wider, wider.at(first))
+        there, share = solved_from(wider, begin, STEPS if other else TRIED_STEPS)
+        if not other and there.gap > maximum:
+            there = nearest_from(wider, [iterate_at(wider, wider.at(near))], LONGEST_STEPS[:1], LOOK_AHEAD)
     except RunError:
         return Help(name, other, np.inf, np.inf)
-    left = 0.0 if share == 1.0 else np.inf if other else wider.gap(there)
-    return Help(name, other, left, float(np.linalg.norm(there.at - begin.at)))
+    left = 0.0 if share == 1.0 else np.inf if other else there.gap
+    return Help(name, other, left, float(np.linalg.norm(there.x - begin.x)))
 
 
-def _promising(target: Target, gaits: Sequence[Gait]) -> list[str]:
+def _varying(target: GaitProblem, names: Sequence[str]) -> GaitProblem:
+    """The same target with other parameters varied."""
+    prescribed = dict(zip(target.quantities, target.goal.tolist(), strict=True))
+    return GaitProblem(target.runner, names, prescribed=prescribed)
+
+
+def _promising(target: GaitProblem, gaits: Sequence[Gait]) -> list[str]:
     """Further parameters; first those that, by the derivatives, would leave the smallest gap."""
     values = gaits[0].runner
-    left_out = (*target.vary, *NOT_THE_RUNNERS)
+    left_out = (*target.names, *NOT_THE_RUNNERS)
     names = [name for name in values.model.varied if name not in left_out and values[name] != 0.0]
-    widest = target.varying([*target.vary, *names])
+    widest = _varying(target, [*target.names, *names])
     left = dict.fromkeys(names, np.inf)
     for gait in gaits:
         with contextlib.suppress(RunError):
-            iterate = widest.iterate_of(gait)
-            kept = list(range(len(gait.apex) + len(target.vary)))
+            iterate = iterate_at(widest, widest.at(gait))
+            kept = list(range(len(target.scales)))
             for further, name in enumerate(names, len(kept)):
-                left[name] = min(left[name], _promised(widest, iterate, [*kept, further]))
+                columns = [*kept, further]
+                slopes = iterate.rows[target.count :, columns]
+                step = _step_along(iterate, columns, 0.0, LONGEST_STEPS[0])
+                left[name] = min(left[name], float(np.linalg.norm(iterate.off + slopes @ step)) / iterate.gap)
     return sorted(names, key=lambda name: left[name])[:MAX_TRIED]
-
-
-def _promised(target: Target, iterate: Iterate, columns: list[int]) -> float:
-    """The share of the gap that is left after the longest step, along gaits, by some of what is varied."""
-    off, count = target.deviations(iterate), len(target.closing(iterate))
-    rows = target.rows(iterate)[:, columns]
-    tangents = null_space(rows[:count])
-    slopes = rows[count:] @ tangents
-    step = -np.linalg.lstsq(slopes, off)[0]
-    step *= min(1.0, LONGEST_STEPS[0] / (float(np.linalg.norm(step)) or 1.0))
-    return float(np.linalg.norm(off + slopes @ step) / np.linalg.norm(off))

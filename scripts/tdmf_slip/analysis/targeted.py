@@ -28,8 +28,18 @@ from ..terminal.text import quantity
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model, model_of
 from ..variables.variable import Given
+from .branch_problem import GaitProblem
 from .search import periodic_gait
-from .target import Help, Iterate, Target, initial_iterates, nearest_from, parameters_that_help
+from .target import (
+    Help,
+    Iterate,
+    initial_iterates,
+    iterate_at,
+    least_changed,
+    nearest_from,
+    parameters_that_help,
+    solved_from,
+)
 
 TRAVEL = ("speed", "frequency", "length")
 """Any two of them set the third."""
@@ -149,10 +159,10 @@ def find_gait(
     names = _checked_vary(vary, wanted, starting.model)
     check_quantities(starting, list(wanted))
     first = periodic_gait(starting, guess)
-    system = Target(first.runner, wanted, names)
-    begin = system.iterate_of(first)
+    system = GaitProblem(first.runner, names, prescribed=wanted)
+    begin = iterate_at(system, system.at(first))
     _check_action(system, begin)
-    iterate, share = system.solved_from(begin)
+    iterate, share = solved_from(system, begin)
     if share < 1.0:
         others = initial_iterates(system, first)
         iterate, share, nearest = _met_from_elsewhere(system, (begin, iterate), others)
@@ -160,7 +170,7 @@ def find_gait(
             helps = parameters_that_help(system, nearest, first, progress)
             raise _not_met(system, nearest, helps)
     if len(names) > len(wanted):
-        iterate = system.least_changed(iterate, begin)
+        iterate = least_changed(system, iterate, begin)
     return _met(system, iterate)
 
 
@@ -175,7 +185,7 @@ def _check_keywords(values: Mapping[str, Given], model: Model) -> None:
 
 
 def _met_from_elsewhere(
-    target: Target, known: Sequence[Iterate], others: Iterator[Iterate]
+    target: GaitProblem, known: Sequence[Iterate], others: Iterator[Iterate]
 ) -> tuple[Iterate, float, Iterate]:
     """Search from gaits all over the varied parameters, and from the nearest gait that these lead to.
 
@@ -183,22 +193,23 @@ def _met_from_elsewhere(
     """
     seen = [*known]
     for other in islice(others, MAX_BEGINNINGS):
-        iterate, share = target.solved_from(other, LAST_STEPS)
+        iterate, share = solved_from(target, other, LAST_STEPS)
         seen += [other, iterate]
         if share == 1.0:
             return iterate, share, iterate
-    nearest = nearest_from(target, sorted(seen, key=target.gap)[:DESCENTS])
-    iterate, share = target.solved_from(nearest, LAST_STEPS)
-    return iterate, share, min(nearest, iterate, key=target.gap)
+    nearest = nearest_from(target, sorted(seen, key=lambda one: one.gap)[:DESCENTS])
+    iterate, share = solved_from(target, nearest, LAST_STEPS)
+    return iterate, share, min(nearest, iterate, key=lambda one: one.gap)
 
 
-def _met(target: Target, iterate: Iterate) -> Gait:
+def _met(target: GaitProblem, iterate: Iterate) -> Gait:
     """The gait at a point that meets the target."""
-    gait = target.gait(iterate)
-    has = np.array([*quantities_of(gait, target.names).values()])
-    if not np.all(np.abs(has - target.prescribed) <= MET * target.quantity_scales):
+    gait = target.gait_at(iterate.x)
+    has = np.array([*quantities_of(gait, target.quantities).values()])
+    if not np.all(np.abs(has - target.goal) <= MET * target.quantity_scales):
         raise RunError(
-            f"the gait with {', '.join(target.names)} as prescribed is too sensitive to be found to {MET:g}"
+            f"the gait with {', '.join(target.quantities)} as prescribed is too sensitive to be found to "
+            f"{MET:g}"
         )
     return gait
 
@@ -230,31 +241,29 @@ def _checked_vary(vary: object, target: Mapping[str, float], model: Model) -> tu
     return names
 
 
-def _check_action(target: Target, iterate: Iterate) -> None:
+def _check_action(target: GaitProblem, iterate: Iterate) -> None:
     """Refuse parameters that do not act on the first gait, or not each in a way of its own."""
-    count = len(target.closing(iterate))
-    rows = target.rows(iterate)
-    for name, column in zip(target.vary, rows[:, count:].T, strict=True):
+    for name, column in zip(target.names, iterate.rows[:, target.count :].T, strict=True):
         if np.max(np.abs(column)) <= NO_ACTION:
             raise InputError(f"vary {name}: has no effect on this gait; allowed: a parameter that has one")
-    sizes = np.linalg.svd(rows, compute_uv=False)
+    sizes = np.linalg.svd(iterate.rows, compute_uv=False)
     if sizes[-1] <= NO_ACTION * sizes[0]:
         raise InputError(
-            f"vary {', '.join(target.vary)}: do not change {', '.join(target.names)} of this gait each in "
-            "its own way; allowed: parameters that do"
+            f"vary {', '.join(target.names)}: do not change {', '.join(target.quantities)} of this gait "
+            "each in its own way; allowed: parameters that do"
         )
 
 
-def _not_met(target: Target, nearest: Iterate, helps: Sequence[Help]) -> TargetNotMetError:
+def _not_met(target: GaitProblem, nearest: Iterate, helps: Sequence[Help]) -> TargetNotMetError:
     """The error, with the nearest gait and what would help."""
-    gait = target.gait(nearest)
-    has = quantities_of(gait, target.names)
-    wanted = ", ".join(f"{n} {v:.6g}" for n, v in zip(target.names, target.prescribed, strict=True))
+    gait = target.gait_at(nearest.x)
+    has = quantities_of(gait, target.quantities)
+    wanted = ", ".join(f"{n} {v:.6g}" for n, v in zip(target.quantities, target.goal, strict=True))
     near = ", ".join(f"{name} {value:.6g}" for name, value in has.items())
     runner = gait.runner
     at = ", ".join(
         f"{name} = {quantity(runner[name], runner.label(runner.model.variables[name].unit), 6)}"
-        for name in target.vary
+        for name in target.names
     )
     tip = (
         f"try: {'; '.join(map(str, helps[:3]))}"
@@ -262,7 +271,7 @@ def _not_met(target: Target, nearest: Iterate, helps: Sequence[Help]) -> TargetN
         else "no further parameter that was tried comes nearer"
     )
     return TargetNotMetError(
-        f"no gait with {wanted} was found by varying {', '.join(target.vary)}; "
+        f"no gait with {wanted} was found by varying {', '.join(target.names)}; "
         f"the nearest one has {near}, at {at}; {tip}",
         gait,
         tuple(help.name for help in helps),
