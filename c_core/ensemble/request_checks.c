@@ -227,7 +227,7 @@ static bool has_room(const tdmf_ensemble *ensemble) {
 }
 
 /* Whether the page of a map has a mode of the runner's page. */
-static bool is_mode(int mode, tdmf_ensemble_map map) {
+static bool is_mode(int mode, tdmf_apex_map map) {
     const tdmf_page_part *page = tdmf_page_for(map, false);
     return mode >= 0 && tdmf_mode_on_part(page, mode) >= 0;
 }

@@ -25,7 +25,7 @@ static const struct {
     {&tdmf_plain_reduced_runner_part, LANES_OF(tdmf_plain_reduced_runner)},
 };
 
-const tdmf_page_part *tdmf_page_for(tdmf_ensemble_map map, bool is_plain) {
+const tdmf_page_part *tdmf_page_for(tdmf_apex_map map, bool is_plain) {
     if (map == TDMF_REDUCED_MAP) {
         return is_plain ? &tdmf_plain_reduced_runner_part : &tdmf_reduced_runner_part;
     }

@@ -1,7 +1,7 @@
 /* A runner has settled near a gait, or in its ball of attraction. */
 #include "settled.h"
 
-#include "tdmf_slip/orbit.h"
+#include "tdmf_slip/return_map.h"
 
 #include <math.h>
 

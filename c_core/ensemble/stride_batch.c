@@ -1,9 +1,11 @@
 /* Strides of the return map side by side: some hundred at a time, each in a lane of its page's batch. */
 #include "batch.h"
 #include "mapped_stride.h"
+#include "refusal.h"
 #include "runner_pages.h"
 #include "tdmf_slip/ensemble.h"
 
+#include <limits.h>
 #include <stdlib.h>
 
 enum { STRIDES_AT_ONCE = 512 };
@@ -23,14 +25,17 @@ typedef struct {
     int numbers[STRIDES_AT_ONCE];
 } stride_part;
 
-static tdmf_stride_request request_of(const tdmf_stride_batch *batch, int64_t number) {
-    const tdmf_stride_request request = {.system = batch->systems[number],
-                                         .section = batch->sections[number],
+static tdmf_stride_request request_of(stride_part *part, int64_t number) {
+    const tdmf_stride_batch *batch = part->batch;
+    const tdmf_stride_request request = {.solver = &part->solver,
+                                         .system = batch->systems[number],
+                                         .map = batch->map,
+                                         .apex = batch->sections[number],
                                          .until = batch->until[number],
                                          .derivatives = batch->derivatives,
                                          .measures = batch->measures,
                                          .seeds = batch->seeds,
-                                         .count = batch->seed_count};
+                                         .seed_count = batch->seed_count};
     return request;
 }
 
@@ -40,7 +45,7 @@ static void begin_run(stride_part *part, int own, int place) {
     part->runs[place] = run->run;
     part->runs[place].stop_event = tdmf_event_on_part(run->page, EVENT_apex);
     part->runs[place].step_limit = most_steps;
-    part->until[place] = part->requests[own].until;
+    part->until[place] = tdmf_longest_of(&part->requests[own]);
     part->numbers[place] = own;
 }
 
@@ -52,7 +57,7 @@ static void end_run(stride_part *part, int place, tdmf_return *results) {
         part->strides[own].solver.run.run = *run;
         tdmf_close_mapped_stride(&part->strides[own], &results[own]);
     } else {
-        results[own] = tdmf_make_mapped_stride(&part->solver, &part->requests[own]);
+        tdmf_run_stride(&part->requests[own], &results[own]);
     }
 }
 
@@ -82,32 +87,49 @@ static bool run_on_page(stride_part *part, const tdmf_page_part *page, const boo
 static bool run_part(stride_part *part, int64_t first, int count, tdmf_return *results) {
     bool is_begun[STRIDES_AT_ONCE];
     for (int own = 0; own < count; ++own) {
-        part->requests[own] = request_of(part->batch, first + own);
-        is_begun[own] = tdmf_begin_mapped_stride(&part->strides[own], &part->solver, &part->requests[own],
-                                                 &results[first + own]);
+        part->requests[own] = request_of(part, first + own);
+        if (part->batch->map == TDMF_REDUCED_MAP) { /* one by one */
+            is_begun[own] = false;
+            tdmf_run_stride(&part->requests[own], &results[own]);
+        } else {
+            is_begun[own] =
+                tdmf_begin_mapped_stride(&part->strides[own], &part->requests[own], &results[own]);
+        }
     }
-    return run_on_page(part, &tdmf_plain_runner_part, is_begun, count, results + first) &&
-           run_on_page(part, &tdmf_whole_page, is_begun, count, results + first);
+    return run_on_page(part, &tdmf_plain_runner_part, is_begun, count, results) &&
+           run_on_page(part, &tdmf_whole_page, is_begun, count, results);
 }
 
-bool tdmf_run_strides(const tdmf_solver *solver, const tdmf_stride_batch *batch, tdmf_return *results) {
-    if (!solver || !batch || batch->count < 0 || batch->threads < 1 ||
-        (batch->count > 0 && (!batch->systems || !batch->sections || !batch->until || !results))) {
-        return false;
+static bool is_sound_batch(tdmf_refusal *why, const tdmf_solver *solver, const tdmf_stride_batch *batch,
+                           const tdmf_return *results) {
+    return tdmf_accepts_pointer(why, "solver", solver) && tdmf_accepts_pointer(why, "batch", batch) &&
+           tdmf_accepts_array(why, "systems", batch->systems, "count", batch->count, INT64_MAX) &&
+           tdmf_accepts_number(why, "threads", "1", batch->threads, 1.0, INT_MAX) &&
+           (batch->count == 0 || (tdmf_accepts_pointer(why, "sections", batch->sections) &&
+                                  tdmf_accepts_pointer(why, "until", batch->until) &&
+                                  tdmf_accepts_pointer(why, "results", results)));
+}
+
+tdmf_refusal tdmf_run_strides(const tdmf_solver *solver, const tdmf_stride_batch *batch,
+                              tdmf_return *results) {
+    tdmf_refusal why = {.code = TDMF_ACCEPTED};
+    if (!is_sound_batch(&why, solver, batch, results)) {
+        return why;
     }
     stride_part *part = malloc(sizeof *part);
-    if (!part) {
-        return false;
+    bool is_made = part != NULL;
+    if (is_made) {
+        part->batch = batch;
+        part->solver = *solver;
+        part->solver.log = NULL;
+        part->solver.on_event = NULL;
     }
-    part->batch = batch;
-    part->solver = *solver;
-    part->solver.log = NULL;
-    part->solver.on_event = NULL;
-    bool is_made = true;
     for (int64_t first = 0; is_made && first < batch->count; first += STRIDES_AT_ONCE) {
         const int64_t left = batch->count - first;
-        is_made = run_part(part, first, left < STRIDES_AT_ONCE ? (int)left : STRIDES_AT_ONCE, results);
+        is_made =
+            run_part(part, first, left < STRIDES_AT_ONCE ? (int)left : STRIDES_AT_ONCE, results + first);
     }
     free(part);
-    return is_made;
+    tdmf_accepts_if(&why, is_made, TDMF_UNAVAILABLE, "memory", 0, "there is not enough");
+    return why;
 }

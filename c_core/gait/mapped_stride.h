@@ -6,16 +6,6 @@
 #include "tdmf_slip/return_map.h"
 
 typedef struct {
-    tdmf_system system;
-    const double *section;
-    const double *foot_x; /* or NULL: 0, and there is no patch */
-    double until;
-    bool derivatives, measures;
-    const tdmf_seed *seeds;
-    int count;
-} tdmf_stride_request;
-
-typedef struct {
     const tdmf_stride_request *request;
     tdmf_motion start;
     double
@@ -28,13 +18,18 @@ void tdmf_section_state_at(tdmf_system system, double foot_x, const double secti
                            double state[TDMF_STATE_COUNT]);
 
 /* Begins a stride, whose run goes on to the event `apex`. False if there is none: `result` says why. */
-bool tdmf_begin_mapped_stride(tdmf_mapped_stride *s, tdmf_solver *solver, const tdmf_stride_request *request,
-                              tdmf_return *result);
+bool tdmf_begin_mapped_stride(tdmf_mapped_stride *s, const tdmf_stride_request *request, tdmf_return *result);
 
 /* Writes a stride whose run has come to its apex. */
 void tdmf_close_mapped_stride(tdmf_mapped_stride *s, tdmf_return *result);
 
-/* A whole stride. */
-tdmf_return tdmf_make_mapped_stride(tdmf_solver *solver, const tdmf_stride_request *request);
+/* A stride of the reduced map, whose result is all zero. */
+void tdmf_run_reduced_stride(const tdmf_stride_request *request, tdmf_return *result);
+
+/* Checks what a request for a stride has, whatever its map. */
+bool tdmf_is_sound_stride(tdmf_refusal *why, const tdmf_stride_request *request);
+
+/* The time that a stride may take, s. */
+double tdmf_longest_of(const tdmf_stride_request *request);
 
 #endif

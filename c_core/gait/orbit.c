@@ -1,9 +1,9 @@
 /* Periodic gaits by Newton's method on the return map or the reduced one. */
-#include "tdmf_slip/orbit.h"
+#include "tdmf_slip/return_map.h"
 
 #include "fixed_point.h"
+#include "mapped_stride.h"
 #include "stride_limits.h"
-#include "tdmf_slip/reduced_map.h"
 
 #include <string.h>
 
@@ -28,40 +28,50 @@ static tdmf_orbit_outcome why_not(tdmf_return_outcome outcome) {
     }
 }
 
-typedef tdmf_return apex_map(tdmf_solver *solver, tdmf_system system, const double *apex, double until,
-                             bool derivatives, const tdmf_seed *seeds, int count);
-
 /* Strides in a row that share their steps, see TDMF_STEP_LIMIT. */
 typedef struct {
-    apex_map *map;
+    const tdmf_stride_request *request;
     int coordinates;
-    tdmf_solver *solver;
-    tdmf_system system;
-    const tdmf_seed *seeds;
-    int count;
     double steps_left; /* for the next stride */
     tdmf_outcome last; /* how the solver's call for the last stride ended */
     tdmf_return strides[2];
 } search;
 
-static tdmf_return stride_from(search *search, const double *apex, bool derivatives) {
-    tdmf_solver *solver = search->solver;
+/* False for a request without what the first stride needs. */
+static bool begin_search(search *search, const tdmf_stride_request *request) {
+    if (request == NULL || request->solver == NULL || request->system.model == NULL ||
+        request->apex == NULL) {
+        return false;
+    }
+    search->request = request;
+    search->coordinates =
+        request->map == TDMF_REDUCED_MAP ? (int)TDMF_REDUCED_COUNT : (int)TDMF_SECTION_COUNT;
+    search->steps_left = (double)request->solver->step_limit;
+    search->last = TDMF_ARRIVED;
+    return true;
+}
+
+static void run_from(search *search, const double *apex, bool derivatives, tdmf_return *stride) {
+    tdmf_stride_request request = *search->request;
+    tdmf_solver *solver = request.solver;
     const long step_limit = solver->step_limit;
     const int64_t steps_before = solver->steps;
+    request.apex = apex;
+    request.until = 0.0;
+    request.foot_x = NULL;
+    request.derivatives = derivatives;
+    request.measures = false;
     solver->step_limit = (long)search->steps_left;
-    const tdmf_return stride =
-        search->map(solver, search->system, apex, TDMF_LONGEST_STRIDE * search->system.model->scales.time,
-                    derivatives, search->seeds, search->count);
+    tdmf_run_stride(&request, stride);
     solver->step_limit = step_limit;
     search->steps_left -= (double)(solver->steps - steps_before);
-    search->last = stride.outcome == TDMF_RETURN_UNSOLVED ? stride.solver : TDMF_ARRIVED;
-    return stride;
+    search->last = stride->outcome == TDMF_RETURN_UNSOLVED ? stride->solver : TDMF_ARRIVED;
 }
 
 static bool evaluate(void *context, int slot, tdmf_image *image) {
     search *search = context;
     tdmf_return *stride = &search->strides[slot];
-    *stride = stride_from(search, image->point, true);
+    run_from(search, image->point, true, stride);
     for (int i = 0; i < search->coordinates; ++i) {
         image->next[i] = stride->apex[i];
         for (int k = 0; k < search->coordinates; ++k) {
@@ -82,78 +92,48 @@ static tdmf_orbit_outcome outcome_of(const tdmf_fixed_point *found, const tdmf_r
     }
 }
 
-static tdmf_orbit find(search *search, const double *guess) {
-    static const tdmf_orbit refused = {.outcome = TDMF_ORBIT_NO_START,
-                                       .stride = {.outcome = TDMF_RETURN_REFUSED}};
-    if (search->solver == NULL || search->system.model == NULL || guess == NULL) {
-        return refused;
+void tdmf_find_orbit(const tdmf_stride_request *request, tdmf_orbit *orbit) {
+    search search;
+    memset(orbit, 0, sizeof *orbit);
+    if (!begin_search(&search, request)) {
+        tdmf_is_sound_stride(&orbit->stride.refusal, request);
+        orbit->outcome = TDMF_ORBIT_NO_START;
+        orbit->stride.outcome = TDMF_RETURN_REFUSED;
+        return;
     }
-    tdmf_map map = {.count = search->coordinates, .evaluate = evaluate, .context = search};
-    tdmf_section_scales(search->system.model, map.scales);
-    search->steps_left = (double)search->solver->step_limit;
-    const tdmf_fixed_point found = tdmf_find_fixed_point(&map, guess);
-    tdmf_orbit orbit = {.iterations = found.iterations, .error = found.error};
-    memcpy(orbit.apex, found.point, sizeof orbit.apex);
-    orbit.stride = search->strides[found.slot];
-    orbit.outcome = outcome_of(&found, &orbit.stride);
-    if (orbit.outcome == TDMF_ORBIT_NOT_FOUND && search->last != TDMF_ARRIVED) {
+    tdmf_map map = {.count = search.coordinates, .evaluate = evaluate, .context = &search};
+    tdmf_section_scales(request->system.model, map.scales);
+    const tdmf_fixed_point found = tdmf_find_fixed_point(&map, request->apex);
+    orbit->iterations = found.iterations;
+    orbit->error = found.error;
+    memcpy(orbit->apex, found.point, sizeof orbit->apex);
+    orbit->stride = search.strides[found.slot];
+    orbit->outcome = outcome_of(&found, &orbit->stride);
+    if (orbit->outcome == TDMF_ORBIT_NOT_FOUND && search.last != TDMF_ARRIVED) {
         /* The solver's limits have stopped Newton's method: whether there is a gait is not known. */
-        orbit.outcome = TDMF_ORBIT_UNSOLVED;
-        orbit.stride.outcome = TDMF_RETURN_UNSOLVED;
-        orbit.stride.solver = search->last;
+        orbit->outcome = TDMF_ORBIT_UNSOLVED;
+        orbit->stride.outcome = TDMF_RETURN_UNSOLVED;
+        orbit->stride.solver = search.last;
     }
-    return orbit;
 }
 
-tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, tdmf_system system, const double guess[TDMF_SECTION_COUNT],
-                           const tdmf_seed *seeds, int count) {
-    search search = {.map = tdmf_return_map,
-                     .coordinates = TDMF_SECTION_COUNT,
-                     .solver = solver,
-                     .system = system,
-                     .seeds = seeds,
-                     .count = count};
-    return find(&search, guess);
-}
-
-tdmf_orbit tdmf_find_reduced_orbit(tdmf_solver *solver, tdmf_system system,
-                                   const double guess[TDMF_REDUCED_COUNT], const tdmf_seed *seeds,
-                                   int count) {
-    search search = {.map = tdmf_reduced_map,
-                     .coordinates = TDMF_REDUCED_COUNT,
-                     .solver = solver,
-                     .system = system,
-                     .seeds = seeds,
-                     .count = count};
-    return find(&search, guess);
-}
-
-static int settle(search *search, int strides, double *apex) {
-    if (search->solver == NULL || search->system.model == NULL) {
+int tdmf_settle(const tdmf_stride_request *request, int strides, double *apex) {
+    search search;
+    double at[TDMF_SECTION_COUNT];
+    if (apex == NULL || !begin_search(&search, request)) {
         return 0;
     }
-    search->steps_left = (double)search->solver->step_limit;
-    for (int i = 0; i < strides; ++i) {
-        const tdmf_return stride = stride_from(search, apex, false);
-        if (stride.outcome != TDMF_RETURN_CLOSED) {
-            return i;
+    const size_t size = (size_t)search.coordinates * sizeof *apex;
+    memcpy(at, request->apex, size);
+    int closed = 0;
+    for (; closed < strides; ++closed) {
+        run_from(&search, at, false, &search.strides[0]);
+        if (search.strides[0].outcome != TDMF_RETURN_CLOSED) {
+            break;
         }
-        memcpy(apex, stride.apex, (size_t)search->coordinates * sizeof *apex);
-        search->steps_left =
-            tdmf_steps_of_next_stride(search->steps_left, (double)search->solver->step_limit);
+        memcpy(at, search.strides[0].apex, size);
+        search.steps_left = tdmf_steps_of_next_stride(search.steps_left, (double)request->solver->step_limit);
     }
-    return strides > 0 ? strides : 0;
-}
-
-int tdmf_settle(tdmf_solver *solver, tdmf_system system, int strides, double section[TDMF_SECTION_COUNT]) {
-    search search = {
-        .map = tdmf_return_map, .coordinates = TDMF_SECTION_COUNT, .solver = solver, .system = system};
-    return settle(&search, strides, section);
-}
-
-int tdmf_settle_reduced(tdmf_solver *solver, tdmf_system system, int strides,
-                        double apex[TDMF_REDUCED_COUNT]) {
-    search search = {
-        .map = tdmf_reduced_map, .coordinates = TDMF_REDUCED_COUNT, .solver = solver, .system = system};
-    return settle(&search, strides, apex);
+    memcpy(apex, at, size);
+    return closed;
 }

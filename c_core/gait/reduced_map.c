@@ -1,13 +1,14 @@
 /* The reduced map: strides of its own page, whose parameters and states are some of the runner's page. A
  * stride runs to touchdown, to lift-off and to the next apex, as the times allowed for these parts differ. */
-#include "tdmf_slip/reduced_map.h"
 
 #include "event_log.h"
 #include "ground_line.h"
 #include "kinematics.h"
+#include "mapped_stride.h"
 #include "page_fields.h"
 #include "page_solver.h"
 #include "patch.h"
+#include "refusal.h"
 #include "request.h"
 #include "return_record.h"
 #include "tdmf_slip/automaton.h"
@@ -92,15 +93,17 @@ void tdmf_reduced_state(tdmf_system system, const double apex[TDMF_REDUCED_COUNT
 }
 
 /* Begins the motion of a stride. TDMF_RETURN_CLOSED where it has an apex. */
-static tdmf_return_outcome begin_motion(tdmf_system system, const double *apex, tdmf_motion *motion) {
+static tdmf_return_outcome begin_motion(const tdmf_stride_request *request, tdmf_motion *motion,
+                                        tdmf_refusal *why) {
+    const tdmf_system system = request->system;
     const tdmf_ground_line ground = tdmf_ground_line_set(system.inputs);
     memset(motion, 0, sizeof *motion);
-    tdmf_reduced_state(system, apex, motion->state);
+    tdmf_reduced_state(system, request->apex, motion->state);
     if (tdmf_foot_over_ground(&ground, motion->state).y <= 0.0) {
         return TDMF_RETURN_NO_START;
     }
     const bool begins =
-        tdmf_start(system, motion).variable == NULL && motion->record.progress.open.began_at_apex;
+        tdmf_accepts(why, tdmf_start(system, motion)) && motion->record.progress.open.began_at_apex;
     return begins ? TDMF_RETURN_CLOSED : TDMF_RETURN_REFUSED;
 }
 
@@ -128,7 +131,9 @@ static void begin_variation(stride *s, const double *start, const double *apex, 
     s->shift[i] = 0.0;
 }
 
-static void begin(stride *s, const double *apex, bool derivatives, const tdmf_seed *seeds, int count) {
+static void begin(stride *s, const tdmf_stride_request *request) {
+    const double *apex = request->apex;
+    const bool derivatives = request->derivatives;
     double start[STATES];
     s->run = tdmf_run_default(s->page->model, s->p, s->x, NULL);
     read_system(s->page, s->system, s->p, start);
@@ -146,8 +151,8 @@ static void begin(stride *s, const double *apex, bool derivatives, const tdmf_se
     for (int k = 0; k < TDMF_REDUCED_COUNT && derivatives; ++k) {
         begin_variation(s, start, apex, NULL, k);
     }
-    for (int k = 0; k < count && derivatives; ++k) {
-        begin_variation(s, start, apex, &seeds[k], 0);
+    for (int k = 0; k < request->seed_count && derivatives; ++k) {
+        begin_variation(s, start, apex, &request->seeds[k], 0);
     }
 }
 
@@ -293,8 +298,8 @@ static tdmf_stride_variation variation_of(const tdmf_page_part *page, const doub
 
 static void write_stride(const stride *s, tdmf_return *result) {
     const tdmf_motion motion = motion_at(s, s->x, s->run.mode, s->run.mode, s->run.time);
-    result->apex[TDMF_REDUCED_COM_HEIGHT] = motion.record.apex.com_height;
-    result->apex[TDMF_REDUCED_COM_SPEED] = motion.record.apex.com_speed;
+    result->apex[TDMF_SECTION_COM_HEIGHT] = motion.record.apex.com_height;
+    result->apex[TDMF_SECTION_COM_SPEED] = motion.record.apex.com_speed;
     result->liftoff_angle = states_of(s->page, s->lift_off).liftoff_angle;
     tdmf_write_return(&motion.record, motion.state, result);
     result->impact_loss = states_of(s->page, s->lift_off).impact_loss; /* without a touchdown at the apex */
@@ -305,38 +310,34 @@ static void write_stride(const stride *s, tdmf_return *result) {
 }
 
 /* The plain page, which is faster, where it has all that acts on the runner and all that changes. */
-static const tdmf_page_part *page_of(tdmf_system system, const tdmf_seed *seeds, int count) {
+static const tdmf_page_part *page_of(const tdmf_stride_request *request) {
+    const tdmf_system system = request->system;
     tdmf_page_point point = {.p = tdmf_page_parameters(&system.model->parameters, system.inputs)};
     tdmf_write_page_inputs(system.inputs, &point.x);
-    return tdmf_suits_plain_page_varied(&point, seeds, count) ? &tdmf_plain_reduced_runner_part
-                                                              : &tdmf_reduced_runner_part;
+    return tdmf_suits_plain_page_varied(&point, request->seeds, request->seed_count)
+               ? &tdmf_plain_reduced_runner_part
+               : &tdmf_reduced_runner_part;
 }
 
-tdmf_return tdmf_reduced_map(tdmf_solver *solver, tdmf_system system, const double apex[TDMF_REDUCED_COUNT],
-                             double until, bool derivatives, const tdmf_seed *seeds, int count) {
+void tdmf_run_reduced_stride(const tdmf_stride_request *request, tdmf_return *result) {
     stride s;
-    tdmf_return result;
-    memset(&result, 0, sizeof result);
-    if (!tdmf_is_sound_solver(solver) || system.model == NULL || system.inputs == NULL || apex == NULL ||
-        isnan(until) || tdmf_has_patch(system.model) ||
-        !tdmf_are_sound_seeds(seeds, count, TDMF_REDUCED_MAP_SEEDS)) {
-        result.outcome = TDMF_RETURN_REFUSED;
-        return result;
+    memset(result, 0, sizeof *result);
+    result->outcome = TDMF_RETURN_REFUSED;
+    if (tdmf_is_sound_stride(&result->refusal, request)) {
+        s.solver = request->solver;
+        s.system = request->system;
+        s.page = page_of(request);
+        result->outcome = begin_motion(request, &s.start, &result->refusal);
     }
-    s.solver = solver;
-    s.system = system;
-    s.page = page_of(system, seeds, count);
-    result.outcome = begin_motion(system, apex, &s.start);
-    if (result.outcome == TDMF_RETURN_CLOSED) {
-        begin(&s, apex, derivatives, seeds, count);
-        result.outcome = run_stride(&s, until, &result.solver);
-        solver->steps += s.run.steps;
-        solver->events += s.run.events;
-        solver->evaluations += s.run.steps * s.run.order;
+    if (result->outcome == TDMF_RETURN_CLOSED) {
+        begin(&s, request);
+        result->outcome = run_stride(&s, tdmf_longest_of(request), &result->solver);
+        s.solver->steps += s.run.steps;
+        s.solver->events += s.run.events;
+        s.solver->evaluations += s.run.steps * s.run.order;
         log_events(&s);
     }
-    if (result.outcome == TDMF_RETURN_CLOSED) {
-        write_stride(&s, &result);
+    if (result->outcome == TDMF_RETURN_CLOSED) {
+        write_stride(&s, result);
     }
-    return result;
 }

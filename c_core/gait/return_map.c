@@ -7,8 +7,10 @@
 #include "kinematics.h"
 #include "mapped_stride.h"
 #include "patch.h"
+#include "refusal.h"
 #include "request.h"
 #include "return_record.h"
+#include "stride_limits.h"
 #include "tdmf_slip/automaton.h"
 
 #include <math.h>
@@ -51,20 +53,33 @@ void tdmf_section_of_state(const tdmf_model *model, const tdmf_ground_line *grou
     memcpy(section, coordinates, sizeof coordinates);
 }
 
-static bool is_sound(const tdmf_solver *solver, const tdmf_stride_request *request) {
-    const bool has_foot_x = request->foot_x != NULL;
-    return tdmf_is_sound_solver(solver) && request->system.model != NULL && request->system.inputs != NULL &&
-           request->section != NULL && !isnan(request->until) &&
-           tdmf_are_sound_seeds(request->seeds, request->count, TDMF_RETURN_MAP_SEEDS - has_foot_x) &&
-           (has_foot_x || !tdmf_has_patch(request->system.model));
+bool tdmf_is_sound_stride(tdmf_refusal *why, const tdmf_stride_request *request) {
+    const bool is_reduced = request != NULL && request->map == TDMF_REDUCED_MAP;
+    const int most = is_reduced ? (int)TDMF_REDUCED_MAP_SEEDS : (int)TDMF_RETURN_MAP_SEEDS;
+    return tdmf_accepts_pointer(why, "request", request) && tdmf_is_sound_solver(why, request->solver) &&
+           tdmf_is_sound_system(why, request->system) &&
+           tdmf_accepts_number(why, "map", "1", (int)request->map, TDMF_RETURN_MAP, TDMF_REDUCED_MAP) &&
+           tdmf_accepts_pointer(why, "apex", request->apex) &&
+           tdmf_accepts_number(why, "until", "s", request->until, 0.0, INFINITY) &&
+           tdmf_are_sound_seeds(why, request->seeds, request->seed_count, most - (request->foot_x != NULL)) &&
+           tdmf_accepts_if(why, !is_reduced || request->foot_x == NULL, TDMF_EXCLUDED, "foot_x", 0,
+                           "the reduced map has no place of the foot") &&
+           tdmf_accepts_if(why, request->foot_x != NULL || !tdmf_has_patch(request->system.model),
+                           TDMF_EXCLUDED, "ground.patch_end", 0,
+                           "on a patch of ground a stride depends on foot_x");
+}
+
+double tdmf_longest_of(const tdmf_stride_request *request) {
+    return request->until > 0.0 ? request->until : TDMF_LONGEST_STRIDE * request->system.model->scales.time;
 }
 
 /* False where the start is no apex. */
-static bool begin_motion(const tdmf_stride_request *request, tdmf_motion *motion) {
+static bool begin_motion(const tdmf_stride_request *request, tdmf_motion *motion, tdmf_refusal *why) {
     const double foot_x = request->foot_x == NULL ? 0.0 : *request->foot_x;
     motion->time = 0.0;
-    tdmf_section_state_at(request->system, foot_x, request->section, motion->state);
-    return tdmf_start(request->system, motion).variable == NULL && motion->record.progress.open.began_at_apex;
+    tdmf_section_state_at(request->system, foot_x, request->apex, motion->state);
+    return tdmf_accepts(why, tdmf_start(request->system, motion)) &&
+           motion->record.progress.open.began_at_apex;
 }
 
 /* ---- variations ---------------------------------------------------------------------------------------- */
@@ -75,8 +90,8 @@ static tdmf_page_direction direction_at_start(const tdmf_stride_request *request
                                               const tdmf_page_point *point, int i) {
     static const tdmf_seed none = {0};
     const int number = i - TDMF_SECTION_COUNT;
-    const bool is_seed = number >= 0 && number < request->count;
-    const double along_x = number == request->count ? 1.0 : 0.0, rise = tan(point->x.slope);
+    const bool is_seed = number >= 0 && number < request->seed_count;
+    const double along_x = number == request->seed_count ? 1.0 : 0.0, rise = tan(point->x.slope);
     const double *p = (const double *)&point->p, *x = (const double *)&point->x;
     double along[TDMF_SECTION_COUNT] = {0.0};
     tdmf_page_direction d = tdmf_direction_of_seed(is_seed ? &request->seeds[number] : &none);
@@ -87,7 +102,7 @@ static tdmf_page_direction direction_at_start(const tdmf_stride_request *request
     d.x.height = d.p.ground_height;
     d.x.slope = d.p.ground_slope;
     runner_states seen = d.x;
-    tdmf_runner_model.sections->vary_enter(p, x, dp, (const double *)&d.x, request->section, along,
+    tdmf_runner_model.sections->vary_enter(p, x, dp, (const double *)&d.x, request->apex, along,
                                            (double *)&seen);
     seen.seen_y += rise * (along_x - seen.seen_x) + (1.0 + rise * rise) * d.x.slope * point->x.com_x;
     seen.seen_x = along_x;
@@ -142,7 +157,7 @@ static void add_directions(tdmf_mapped_stride *s) {
     const tdmf_stride_request *request = s->request;
     const tdmf_page_point *point = &s->solver.point;
     const double rise = tan(point->x.slope);
-    for (int i = 0; i < TDMF_SECTION_COUNT + request->count + (request->foot_x != NULL); ++i) {
+    for (int i = 0; i < TDMF_SECTION_COUNT + request->seed_count + (request->foot_x != NULL); ++i) {
         const tdmf_page_direction d = direction_at_start(request, point, i);
         const double d_rise = (1.0 + rise * rise) * d.x.slope;
         s->d_clearance[i] = d.x.seen_y - d.x.height - rise * d.x.seen_x - d_rise * point->x.seen_x;
@@ -152,7 +167,7 @@ static void add_directions(tdmf_mapped_stride *s) {
 
 static bool is_kinked(const tdmf_stride_request *request, int i) {
     const int number = i - TDMF_SECTION_COUNT;
-    return number >= 0 && number < request->count &&
+    return number >= 0 && number < request->seed_count &&
            tdmf_is_kinked(&request->system.model->parameters, &request->seeds[number]);
 }
 
@@ -188,14 +203,14 @@ static void write_stride(const tdmf_mapped_stride *s, tdmf_return *result) {
 }
 
 /* Begins the run of a stride whose start is an apex. */
-static void begin_run(tdmf_solver *solver, tdmf_mapped_stride *s) {
+static void begin_run(tdmf_mapped_stride *s) {
     const tdmf_stride_request *request = s->request;
-    const int seeds = request->derivatives ? request->count : 0;
+    const int seeds = request->derivatives ? request->seed_count : 0;
     const tdmf_inputs rates = tdmf_rates_with_varied_push(&tdmf_zero_input_rates, request->seeds, seeds);
     tdmf_page_point point = tdmf_page_of_motion(request->system, &rates, &s->start);
     const bool is_plain = tdmf_suits_plain_page_varied(&point, request->seeds, seeds);
     point.p.notes_compression = !is_plain; /* the plain page has no thrust */
-    tdmf_begin_page_solver(&s->solver, solver, request->system, &point, is_plain);
+    tdmf_begin_page_solver(&s->solver, request->solver, request->system, &point, is_plain);
     s->solver.motion = &s->start;
     s->solver.stays_on_guard = true;
     if (request->derivatives) {
@@ -206,22 +221,22 @@ static void begin_run(tdmf_solver *solver, tdmf_mapped_stride *s) {
     }
 }
 
-bool tdmf_begin_mapped_stride(tdmf_mapped_stride *s, tdmf_solver *solver, const tdmf_stride_request *request,
+bool tdmf_begin_mapped_stride(tdmf_mapped_stride *s, const tdmf_stride_request *request,
                               tdmf_return *result) {
     memset(result, 0, sizeof *result);
     s->request = request;
-    if (!is_sound(solver, request)) {
+    if (!tdmf_is_sound_stride(&result->refusal, request)) {
         result->outcome = TDMF_RETURN_REFUSED;
         return false;
     }
-    if (!begin_motion(request, &s->start)) {
+    if (!begin_motion(request, &s->start, &result->refusal)) {
         result->outcome = TDMF_RETURN_NO_START;
         return false;
     }
     const double *state = s->start.state;
     result->foot_clearance =
         state[TDMF_FOOT_Y] - tdmf_ground_height_at(&s->start.mode.ground, state[TDMF_FOOT_X]);
-    begin_run(solver, s);
+    begin_run(s);
     return true;
 }
 
@@ -231,36 +246,16 @@ void tdmf_close_mapped_stride(tdmf_mapped_stride *s, tdmf_return *result) {
     write_stride(s, result);
 }
 
-tdmf_return tdmf_make_mapped_stride(tdmf_solver *solver, const tdmf_stride_request *request) {
+void tdmf_run_stride(const tdmf_stride_request *request, tdmf_return *result) {
     tdmf_mapped_stride s;
-    tdmf_return result;
-    if (tdmf_begin_mapped_stride(&s, solver, request, &result)) {
-        result.solver = tdmf_run_page_solver(&s.solver, request->until, EVENT_apex);
-        const tdmf_stride_outcome ended = {result.solver, s.solver.has_stopped};
-        result.outcome = tdmf_return_outcome_of(ended);
+    if (request != NULL && request->map == TDMF_REDUCED_MAP) {
+        tdmf_run_reduced_stride(request, result);
+    } else if (tdmf_begin_mapped_stride(&s, request, result)) {
+        result->solver = tdmf_run_page_solver(&s.solver, tdmf_longest_of(request), EVENT_apex);
+        const tdmf_stride_outcome ended = {result->solver, s.solver.has_stopped};
+        result->outcome = tdmf_return_outcome_of(ended);
         if (ended.closed) {
-            tdmf_close_mapped_stride(&s, &result);
+            tdmf_close_mapped_stride(&s, result);
         }
     }
-    return result;
-}
-
-tdmf_return tdmf_return_map(tdmf_solver *solver, tdmf_system system, const double section[TDMF_SECTION_COUNT],
-                            double until, bool derivatives, const tdmf_seed *seeds, int count) {
-    const tdmf_stride_request request = {system, section, NULL, until, derivatives, false, seeds, count};
-    return tdmf_make_mapped_stride(solver, &request);
-}
-
-tdmf_return tdmf_return_map_at(tdmf_solver *solver, tdmf_system system, double foot_x,
-                               const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
-                               const tdmf_seed *seeds, int count) {
-    const tdmf_stride_request request = {system, section, &foot_x, until, derivatives, false, seeds, count};
-    return tdmf_make_mapped_stride(solver, &request);
-}
-
-tdmf_return tdmf_measured_return_map(tdmf_solver *solver, tdmf_system system,
-                                     const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
-                                     const tdmf_seed *seeds, int count) {
-    const tdmf_stride_request request = {system, section, NULL, until, derivatives, true, seeds, count};
-    return tdmf_make_mapped_stride(solver, &request);
 }

@@ -20,7 +20,4 @@ static inline bool tdmf_is_pushed(const tdmf_inputs *inputs) {
 /* All rates are zero. */
 bool tdmf_are_zero_rates(const tdmf_inputs *rates);
 
-/* Finite, and zero for inputs that change at events only. */
-bool tdmf_are_rates(const tdmf_inputs *rates);
-
 #endif

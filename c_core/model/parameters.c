@@ -9,7 +9,6 @@
 
 #include <math.h>
 #include <stddef.h>
-#include <stdio.h>
 #include <string.h>
 
 static const tdmf_refusal accepted = {0};
@@ -24,11 +23,6 @@ static void fill_with_starts(void *values, const tdmf_range *ranges, size_t coun
     for (size_t i = 0; i < count; ++i) {
         memcpy((char *)values + ranges[i].offset, &ranges[i].start, sizeof(double));
     }
-}
-
-tdmf_refusal tdmf_absent(const char *name) {
-    const tdmf_refusal refusal = {.variable = name, .value = (double)NAN};
-    return refusal;
 }
 
 static tdmf_refusal first_out_of_range(const void *values, const tdmf_range *ranges, size_t count) {
@@ -142,16 +136,6 @@ bool tdmf_are_zero_rates(const tdmf_inputs *rates) {
     return true;
 }
 
-bool tdmf_are_rates(const tdmf_inputs *rates) {
-    for (size_t i = 0; i < TDMF_INPUT_COUNT; ++i) {
-        const double rate = value_at(rates, tdmf_input_ranges[i].offset);
-        if (!isfinite(rate) || (rate != 0.0 && !tdmf_input_ranges[i].continuous)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_inputs *rates, double elapsed) {
     const tdmf_inputs *given = tdmf_rates_or_zero(rates);
     tdmf_inputs after = *inputs;
@@ -162,39 +146,4 @@ tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_inputs *rate
     }
     after.ground.friction = fmax(0.0, after.ground.friction);
     return after;
-}
-
-/* printf takes the decimal separator from the locale; a message, like a file, should not. */
-static const char *number(double value, char text[32]) {
-    snprintf(text, 32, "%.9g", value);
-    for (char *c = text; *c != '\0'; ++c) {
-        if (*c == ',') {
-            *c = '.';
-        }
-    }
-    return text;
-}
-
-char *tdmf_refusal_text(const tdmf_refusal *refusal, char *text, size_t capacity) {
-    char value[32], minimum[32], maximum[32];
-    if (text == NULL || capacity == 0) {
-        return text;
-    }
-    if (refusal->variable == NULL) {
-        snprintf(text, capacity, "accepted");
-        return text;
-    }
-    if (refusal->unit == NULL) {
-        snprintf(text, capacity, "%s is refused: it is NULL", refusal->variable);
-        return text;
-    }
-    const bool has_unit = strcmp(refusal->unit, "1") != 0;
-    const char *space = has_unit ? " " : "";
-    const char *unit = has_unit ? refusal->unit : "";
-    const char *rule = refusal->bound_by;
-    snprintf(text, capacity, "%s = %s%s%s is refused: allowed from %s to %s%s%s%s%s%s", refusal->variable,
-             number(refusal->value, value), space, unit, number(refusal->minimum, minimum),
-             number(refusal->maximum, maximum), space, unit, rule ? " (" : "", rule ? rule : "",
-             rule ? ")" : "");
-    return text;
 }

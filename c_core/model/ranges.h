@@ -3,6 +3,7 @@
 #ifndef TDMF_MODEL_RANGES_H
 #define TDMF_MODEL_RANGES_H
 
+#include "refusal.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
 
@@ -51,11 +52,9 @@ static inline bool tdmf_in_range(const tdmf_range *range, double value) {
     return value >= range->minimum && value <= range->maximum;
 }
 
-/* Refuses a pointer that is NULL, by the name of what it would point at. */
-tdmf_refusal tdmf_absent(const char *name);
-
 static inline tdmf_refusal tdmf_out_of_range(const tdmf_range *range, double value) {
-    const tdmf_refusal refusal = {.variable = range->name,
+    const tdmf_refusal refusal = {.code = TDMF_OUT_OF_RANGE,
+                                  .variable = range->name,
                                   .unit = range->unit,
                                   .value = value,
                                   .minimum = range->minimum,

@@ -2,6 +2,7 @@
 #include "input_rates.h"
 #include "instant.h"
 #include "page_solver.h"
+#include "refusal.h"
 #include "request.h"
 #include "tdmf_slip/automaton.h"
 
@@ -136,7 +137,13 @@ tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, tdmf_system s
                                               tdmf_variation *variations, int count) {
     const tdmf_stride_outcome refused = {TDMF_REFUSED, false};
     const directions varied = {seeds, variations, count};
-    return tdmf_are_sound_seeds(seeds, count, TDMF_VARIATION_LIMIT) && (count == 0 || variations != NULL)
-               ? run_stride(solver, system, until, motion, &varied)
-               : refused;
+    tdmf_refusal why = {.code = TDMF_ACCEPTED};
+    if (tdmf_are_sound_seeds(&why, seeds, count, TDMF_VARIATION_LIMIT) &&
+        tdmf_accepts_array(&why, "variations", variations, "seed_count", count, TDMF_VARIATION_LIMIT)) {
+        return run_stride(solver, system, until, motion, &varied);
+    }
+    if (solver != NULL) {
+        solver->refusal = why;
+    }
+    return refused;
 }

@@ -8,6 +8,7 @@
 #include "page_fields.h"
 #include "page_solver.h"
 #include "ranges.h"
+#include "refusal.h"
 #include "rest_length.h"
 #include "tdmf_slip/variation.h"
 
@@ -16,15 +17,6 @@
 #include <string.h>
 
 /* ---- refusals ------------------------------------------------------------------------------------------ */
-
-static tdmf_refusal check_time(double time) {
-    const tdmf_refusal refusal = {.variable = isfinite(time) ? NULL : "time",
-                                  .unit = "s",
-                                  .value = time,
-                                  .minimum = -DBL_MAX,
-                                  .maximum = DBL_MAX};
-    return refusal;
-}
 
 static tdmf_refusal check_ranges(const double state[TDMF_STATE_COUNT]) {
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
@@ -42,7 +34,8 @@ static double ground_tolerance(const tdmf_model *model, const tdmf_ground_line *
 }
 
 static tdmf_refusal too_low(const char *variable, double y, double ground_height, const char *rule) {
-    const tdmf_refusal refusal = {.variable = variable,
+    const tdmf_refusal refusal = {.code = TDMF_OUT_OF_RANGE,
+                                  .variable = variable,
                                   .unit = "m",
                                   .value = y,
                                   .minimum = ground_height,
@@ -57,7 +50,8 @@ static tdmf_refusal check_posture(const tdmf_model *model, const tdmf_ground_lin
     const double x = state[TDMF_FOOT_X], y = state[TDMF_FOOT_Y];
     const tdmf_point body = tdmf_body(state);
     if (length < model->parameters.leg.min_length) {
-        const tdmf_refusal refusal = {.variable = "leg.length",
+        const tdmf_refusal refusal = {.code = TDMF_OUT_OF_RANGE,
+                                      .variable = "leg.length",
                                       .unit = "m",
                                       .value = length,
                                       .minimum = model->parameters.leg.min_length,
@@ -76,19 +70,16 @@ static tdmf_refusal check_posture(const tdmf_model *model, const tdmf_ground_lin
     return accepted;
 }
 
-static tdmf_refusal check_start(tdmf_system system, double time, const double state[TDMF_STATE_COUNT]) {
-    tdmf_refusal refusal = check_time(time);
-    if (refusal.variable == NULL) {
-        refusal = tdmf_check_inputs(system.inputs);
-    }
-    if (refusal.variable == NULL) {
-        refusal = check_ranges(state);
-    }
-    if (refusal.variable == NULL) {
+static tdmf_refusal check_start(tdmf_system system, const tdmf_motion *motion) {
+    tdmf_refusal why = {0};
+    if (tdmf_accepts_pointer(&why, "model", system.model) && tdmf_accepts_pointer(&why, "motion", motion) &&
+        tdmf_accepts_number(&why, "time", "s", motion->time, -DBL_MAX, DBL_MAX) &&
+        tdmf_accepts(&why, tdmf_check_inputs(system.inputs)) &&
+        tdmf_accepts(&why, check_ranges(motion->state))) {
         const tdmf_ground_line ground = tdmf_ground_line_set(system.inputs);
-        refusal = check_posture(system.model, &ground, state);
+        return check_posture(system.model, &ground, motion->state);
     }
-    return refusal;
+    return why;
 }
 
 /* ---- the start ----------------------------------------------------------------------------------------- */
@@ -122,11 +113,7 @@ static tdmf_page_point point_at_start(tdmf_system system, tdmf_motion *motion) {
 }
 
 tdmf_refusal tdmf_start(tdmf_system system, tdmf_motion *motion) {
-    const char *absent = system.model == NULL ? "model" : motion == NULL ? "motion" : NULL;
-    if (absent != NULL) {
-        return tdmf_absent(absent);
-    }
-    const tdmf_refusal refusal = check_start(system, motion->time, motion->state);
+    const tdmf_refusal refusal = check_start(system, motion);
     if (refusal.variable != NULL) {
         return refusal;
     }

@@ -4,6 +4,7 @@
 #include "declared.h"
 #include "fuzz.h"
 #include "ground_line.h"
+#include "strides.h"
 #include "system_of.h"
 
 #include "tdmf_slip/ensemble.h"
@@ -118,7 +119,7 @@ static void map(void *self) {
     double section[TDMF_SECTION_COUNT];
     random_section(on, section);
     const tdmf_return stride =
-        tdmf_return_map(&on->solver, SYSTEM_OF(on), section, 1e3 * on->model.scales.time, true, NULL, 0);
+        return_map(&on->solver, SYSTEM_OF(on), section, 1e3 * on->model.scales.time, true, NULL, 0);
     if (stride.outcome == TDMF_RETURN_CLOSED) {
         expect_numbers(0, stride.apex, TDMF_SECTION_COUNT);
         for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {

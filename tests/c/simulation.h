@@ -4,6 +4,7 @@
 #define TDMF_TESTS_SIMULATION_H
 
 #include "integrate.h"
+#include "strides.h"
 #include "system_of.h"
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/tdmf_slip.h"

@@ -450,12 +450,19 @@ static void assert_strides_in_lanes_are_those_made_alone(crowd *crowd) {
         systems[i] = (tdmf_system){&crowd->models[i], &crowd->cases[i].inputs};
         until[i] = 1e4 * crowd->models[i].scales.time;
     }
-    const tdmf_stride_batch batch = {systems, crowd->ensemble.starts, until, RUNNERS, true, true, &seed, 1,
-                                     2};
-    assert_true(tdmf_run_strides(&solver, &batch, made));
+    const tdmf_stride_batch batch = {.systems = systems,
+                                     .sections = crowd->ensemble.starts,
+                                     .until = until,
+                                     .count = RUNNERS,
+                                     .derivatives = true,
+                                     .measures = true,
+                                     .seeds = &seed,
+                                     .seed_count = 1,
+                                     .threads = 2};
+    assert_int_equal(tdmf_run_strides(&solver, &batch, made).code, TDMF_ACCEPTED);
     for (int i = 0; i < RUNNERS; ++i) {
         const tdmf_return alone =
-            tdmf_measured_return_map(&solver, systems[i], crowd->starts[i], until[i], true, &seed, 1);
+            measured_return_map(&solver, systems[i], crowd->starts[i], until[i], true, &seed, 1);
         assert_int_equal(made[i].outcome, alone.outcome);
         assert_memory_equal(made[i].apex, alone.apex, sizeof alone.apex);
         assert_memory_equal(&made[i].measures, &alone.measures, sizeof alone.measures);

@@ -71,7 +71,7 @@ TEST(a_search_finds_the_proved_gaits) {
         memcpy(guess, gait->apex, sizeof guess);
         guess[TDMF_SECTION_COM_SPEED] *= 1.001;
         start_on_gait(&run, gait, 1e-12);
-        const tdmf_orbit orbit = tdmf_find_orbit(&run.solver, SYSTEM_OF(&run), guess, NULL, 0);
+        const tdmf_orbit orbit = find_orbit(TDMF_RETURN_MAP, &run.solver, SYSTEM_OF(&run), guess, NULL, 0);
         assert_int_equal(orbit.outcome, TDMF_ORBIT_FOUND);
         assert_relatively_close(orbit.stride.stride.period, gait->period, 1e-13);
         assert_relatively_close(orbit.apex[0], gait->apex[0], 1e-13);

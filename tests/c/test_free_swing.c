@@ -50,7 +50,8 @@ TEST(borders_part_the_words) {
         for (double side = -1.0; side < 2.0; side += 2.0) {
             const tdmf_inputs inputs = inputs_at_friction(border->friction * (1.0 + side * 1e-9));
             tdmf_solver solver = solver_to(1e-13);
-            const tdmf_orbit found = tdmf_find_orbit(&solver, (tdmf_system){&model, &inputs}, guess, NULL, 0);
+            const tdmf_orbit found =
+                find_orbit(TDMF_RETURN_MAP, &solver, (tdmf_system){&model, &inputs}, guess, NULL, 0);
             assert_int_equal(found.outcome, TDMF_ORBIT_FOUND);
             assert_string_equal(found.stride.stride.word, side > 0.0 ? border->above : border->below);
         }
@@ -160,7 +161,7 @@ static tdmf_return stride_with_gain(bool swing_clamp, int which, double gain) {
     tdmf_solver solver = solver_to(1e-13);
     model.parameters.hip.kp = which == 0 ? gain : 0.0;
     model.parameters.hip.kd = which == 1 ? gain : 0.0;
-    return tdmf_return_map(&solver, (tdmf_system){&model, &inputs}, start, DBL_MAX, true, &seed, 1);
+    return return_map(&solver, (tdmf_system){&model, &inputs}, start, DBL_MAX, true, &seed, 1);
 }
 
 /* Along gains that are zero the torque grows from nothing: without a clamp it has a derivative, with one it
@@ -197,8 +198,7 @@ TEST(the_reduced_map_does_not_depend_on_the_law) {
             const tdmf_inputs inputs = inputs_at_friction(reference_gaits[i].friction);
             tdmf_solver solver = tdmf_solver_default();
             memset(&strides[clamp], 0, sizeof strides[clamp]);
-            strides[clamp] =
-                tdmf_reduced_map(&solver, (tdmf_system){&model, &inputs}, apex, 1e3, true, NULL, 0);
+            strides[clamp] = reduced_map(&solver, (tdmf_system){&model, &inputs}, apex, 1e3, true, NULL, 0);
             assert_int_equal(strides[clamp].outcome, TDMF_RETURN_CLOSED);
         }
         assert_memory_equal(strides[0].apex, strides[1].apex, sizeof strides[0].apex);

@@ -90,7 +90,7 @@ TEST(the_jacobian_of_further_gaits_is_that_of_the_reference) {
         double section[TDMF_SECTION_COUNT];
         memcpy(section, &further_gaits[i].gait.apex, sizeof section);
         const tdmf_return stride =
-            tdmf_return_map(&solver, (tdmf_system){&model, &inputs}, section, 1e3, true, NULL, 0);
+            return_map(&solver, (tdmf_system){&model, &inputs}, section, 1e3, true, NULL, 0);
         assert_int_equal(stride.outcome, TDMF_RETURN_CLOSED);
         assert_true(assert_reference_jacobian(&stride, &further_gaits[i].gait));
     }

@@ -46,8 +46,8 @@ TEST(strides_are_made_with_the_rows_that_are_theirs) {
                 tdmf_parameters parameters = crowd->models[0].parameters;
                 parameters.hip.touchdown_angle = values[i][stride < first + 1 ? 0 : 1];
                 const tdmf_model model = accepted_model(&parameters);
-                const tdmf_return made = tdmf_return_map(
-                    &solver, (tdmf_system){&model, &crowd->cases[0].inputs}, apex, 1e4, false, NULL, 0);
+                const tdmf_return made = return_map(&solver, (tdmf_system){&model, &crowd->cases[0].inputs},
+                                                    apex, 1e4, false, NULL, 0);
                 assert_true(made.outcome == TDMF_RETURN_CLOSED);
                 for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
                     assert_close(crowd->strides[i * STRIDES + stride].apex[j], made.apex[j], 1e-8);

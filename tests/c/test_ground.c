@@ -179,7 +179,7 @@ TEST(a_step_set_at_an_apex_shifts_its_height_by_its_own_and_no_more) {
     simulation_stride(&stepped);
     memcpy(section, &reference_gaits[DEFAULT_GAIT].apex, sizeof section);
     section[TDMF_SECTION_COM_HEIGHT] -= step;
-    const tdmf_return next = tdmf_return_map(&lower.solver, SYSTEM_OF(&lower), section, 1e9, false, NULL, 0);
+    const tdmf_return next = return_map(&lower.solver, SYSTEM_OF(&lower), section, 1e9, false, NULL, 0);
     double reached[TDMF_SECTION_COUNT];
     read_apex(&stepped.motion.record, reached);
     for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {

@@ -90,8 +90,9 @@ TEST(the_gait_of_a_light_foot_is_found) {
                                           state[TDMF_LEG_ANGLE],
                                           state[TDMF_LEG_LENGTH_RATE],
                                           state[TDMF_LEG_ANGLE_RATE]};
-    assert_int_equal(tdmf_settle(&solver, (tdmf_system){&model, &inputs}, 400, section), 400);
-    const tdmf_orbit orbit = tdmf_find_orbit(&solver, (tdmf_system){&model, &inputs}, section, NULL, 0);
+    assert_int_equal(settle(TDMF_RETURN_MAP, &solver, (tdmf_system){&model, &inputs}, 400, section), 400);
+    const tdmf_orbit orbit =
+        find_orbit(TDMF_RETURN_MAP, &solver, (tdmf_system){&model, &inputs}, section, NULL, 0);
     assert_int_equal(orbit.outcome, TDMF_ORBIT_FOUND);
     assert_string_equal(orbit.stride.stride.word, "0+");
     assert_relatively_close(orbit.stride.stride.period, 25.36965, 3e-7);

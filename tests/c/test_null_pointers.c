@@ -78,9 +78,8 @@ TEST(arrays_of_no_elements_may_be_absent) {
     tdmf_solver solver = tdmf_solver_default();
     double section[TDMF_SECTION_COUNT];
     default_section(section);
-    const tdmf_return none = tdmf_return_map(&solver, SYSTEM_OF(&runner), section, 1e3, true, NULL, 0);
-    const tdmf_return one =
-        tdmf_return_map(&solver, SYSTEM_OF(&runner), section, 1e3, true, &nothing_given, 1);
+    const tdmf_return none = return_map(&solver, SYSTEM_OF(&runner), section, 1e3, true, NULL, 0);
+    const tdmf_return one = return_map(&solver, SYSTEM_OF(&runner), section, 1e3, true, &nothing_given, 1);
     assert_true(none.outcome == TDMF_RETURN_CLOSED && one.outcome == TDMF_RETURN_CLOSED);
     assert_same_numbers(none.apex, one.apex, TDMF_SECTION_COUNT);
     assert_same_numbers(none.variations[0].apex, one.variations[0].apex, TDMF_SECTION_COUNT);
@@ -88,8 +87,9 @@ TEST(arrays_of_no_elements_may_be_absent) {
     assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), 1e3, &motion).closed);
     assert_true(tdmf_native_stride_varied(&solver, SYSTEM_OF(&runner), 1e3, &varied, NULL, NULL, 0).closed);
     assert_same_numbers(varied.state, motion.state, TDMF_STATE_COUNT);
-    const tdmf_orbit plain = tdmf_find_orbit(&solver, SYSTEM_OF(&runner), section, NULL, 0);
-    const tdmf_orbit with_seed = tdmf_find_orbit(&solver, SYSTEM_OF(&runner), section, &nothing_given, 1);
+    const tdmf_orbit plain = find_orbit(TDMF_RETURN_MAP, &solver, SYSTEM_OF(&runner), section, NULL, 0);
+    const tdmf_orbit with_seed =
+        find_orbit(TDMF_RETURN_MAP, &solver, SYSTEM_OF(&runner), section, &nothing_given, 1);
     assert_int_equal(plain.outcome, with_seed.outcome);
     assert_same_numbers(plain.apex, with_seed.apex, TDMF_SECTION_COUNT);
     const tdmf_refusal accepted = {0};

@@ -157,9 +157,15 @@ static double *coordinate_of(scene_of_stride *scene, int k) {
 static tdmf_return stride_at(const scene_of_stride *scene, const tdmf_seed *seed) {
     tdmf_solver solver = solver_to(1e-14);
     const tdmf_model model = accepted_model(&scene->parameters);
-    const tdmf_return stride =
-        tdmf_return_map_at(&solver, (tdmf_system){&model, &scene->inputs}, scene->at[FOOT_X], scene->at, 1e3,
-                           true, seed, seed != NULL);
+    const tdmf_stride_request request = {.solver = &solver,
+                                         .system = {&model, &scene->inputs},
+                                         .apex = scene->at,
+                                         .foot_x = &scene->at[FOOT_X],
+                                         .derivatives = true,
+                                         .seeds = seed,
+                                         .seed_count = seed != NULL};
+    tdmf_return stride;
+    tdmf_run_stride(&request, &stride);
     assert_int_equal(stride.outcome, TDMF_RETURN_CLOSED);
     return stride;
 }
@@ -401,9 +407,10 @@ TEST(maps_without_foot_x_refuse_a_patch) {
     const patch_run *run = &patch_runs[0];
     simulation at = begin(run);
     const tdmf_system system = SYSTEM_OF(&at);
-    assert_int_equal(tdmf_return_map(&at.solver, system, run->start, 1e3, false, NULL, 0).outcome,
+    assert_int_equal(return_map(&at.solver, system, run->start, 1e3, false, NULL, 0).outcome,
                      TDMF_RETURN_REFUSED);
-    assert_int_equal(tdmf_find_orbit(&at.solver, system, run->start, NULL, 0).outcome, TDMF_ORBIT_NO_START);
-    assert_int_equal(tdmf_reduced_map(&at.solver, system, run->start, 1e3, false, NULL, 0).outcome,
+    assert_int_equal(find_orbit(TDMF_RETURN_MAP, &at.solver, system, run->start, NULL, 0).outcome,
+                     TDMF_ORBIT_NO_START);
+    assert_int_equal(reduced_map(&at.solver, system, run->start, 1e3, false, NULL, 0).outcome,
                      TDMF_RETURN_REFUSED);
 }

@@ -98,8 +98,8 @@ static tdmf_return stride_of(const start *start, bool derivatives, const tdmf_se
     tdmf_solver solver = solver_to(1e-13);
     solver.log = log;
     log->count = 0;
-    return tdmf_measured_return_map(&solver, (tdmf_system){&model, &start->inputs}, start->section, longest,
-                                    derivatives, seed, seed ? 1 : 0);
+    return measured_return_map(&solver, (tdmf_system){&model, &start->inputs}, start->section, longest,
+                               derivatives, seed, seed ? 1 : 0);
 }
 
 /* The same events in the same order. */

@@ -72,8 +72,8 @@ static tdmf_ensemble_end iterate(const tdmf_ensemble_case *its_case, const doubl
     tdmf_return_outcome outcome = TDMF_RETURN_CLOSED;
     memcpy(end.apex, start, sizeof end.apex);
     while (outcome == TDMF_RETURN_CLOSED && end.strides < STRIDES) {
-        const tdmf_return stride = tdmf_reduced_map(
-            &solver, (tdmf_system){its_case->model, &its_case->inputs}, end.apex, 1e4, false, NULL, 0);
+        const tdmf_return stride = reduced_map(&solver, (tdmf_system){its_case->model, &its_case->inputs},
+                                               end.apex, 1e4, false, NULL, 0);
         outcome = stride.outcome;
         if (outcome == TDMF_RETURN_CLOSED) {
             memcpy(end.apex, stride.apex, sizeof stride.apex);
@@ -184,6 +184,6 @@ TEST(runners_settle_on_the_gaits_of_the_reference) {
 
 TEST(there_is_no_third_map) {
     crowd *crowd = reduced_crowd();
-    crowd->ensemble.map = (tdmf_ensemble_map)2;
+    crowd->ensemble.map = (tdmf_apex_map)2;
     assert_crowd_is_refused(crowd);
 }

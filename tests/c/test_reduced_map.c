@@ -42,8 +42,8 @@ static apex_scene at_gait(const reduced_gait *gait) {
 static tdmf_return stride_by(tdmf_solver *solver, const apex_scene *scene, double until, bool derivatives,
                              const tdmf_seed *seeds, int count) {
     const tdmf_model model = accepted_model(&scene->parameters);
-    return tdmf_reduced_map(solver, (tdmf_system){&model, &scene->inputs}, scene->apex, until, derivatives,
-                            seeds, count);
+    return reduced_map(solver, (tdmf_system){&model, &scene->inputs}, scene->apex, until, derivatives, seeds,
+                       count);
 }
 
 static tdmf_return stride_from(const apex_scene *scene, double tolerance, bool derivatives,
@@ -56,7 +56,7 @@ static tdmf_return stride_from(const apex_scene *scene, double tolerance, bool d
 static tdmf_orbit orbit_from(const apex_scene *scene, double tolerance) {
     const tdmf_model model = accepted_model(&scene->parameters);
     tdmf_solver solver = solver_to(tolerance);
-    return tdmf_find_reduced_orbit(&solver, (tdmf_system){&model, &scene->inputs}, scene->apex, NULL, 0);
+    return find_orbit(TDMF_REDUCED_MAP, &solver, (tdmf_system){&model, &scene->inputs}, scene->apex, NULL, 0);
 }
 
 /* ---- fixed points ------------------------------------------------------------------------------------- */
@@ -173,7 +173,7 @@ TEST(parameters_and_inputs_are_differentiated) {
 /* ---- energy and scaling ------------------------------------------------------------------------------- */
 
 static void assert_energy_closes(const apex_scene *scene, const tdmf_return *stride) {
-    const double before = scene->apex[TDMF_REDUCED_COM_SPEED], after = stride->apex[TDMF_REDUCED_COM_SPEED];
+    const double before = scene->apex[TDMF_SECTION_COM_SPEED], after = stride->apex[TDMF_SECTION_COM_SPEED];
     const tdmf_parameters *p = &scene->parameters;
     assert_close((p->body.mass + p->foot.mass) *
                      (p->gravity * stride->stride.rise + 0.5 * (after - before) * (after + before)),
@@ -390,10 +390,11 @@ TEST(a_search_tells_what_ends_the_stride_from_its_guess) {
     assert_int_equal(orbit_from(&scene, 1e-11).outcome, TDMF_ORBIT_NO_START);
     scene.apex[0] = 200.0;
     assert_int_equal(orbit_from(&scene, 1e-11).outcome, TDMF_ORBIT_FELL);
-    assert_int_equal(tdmf_settle_reduced(&solver, (tdmf_system){&model, &scene.inputs}, 10, scene.apex), 0);
+    assert_int_equal(settle(TDMF_REDUCED_MAP, &solver, (tdmf_system){&model, &scene.inputs}, 10, scene.apex),
+                     0);
     scene = at_gait(&reduced_gaits[2]);
     scene.apex[0] += 0.05;
-    assert_int_equal(tdmf_settle_reduced(&solver, (tdmf_system){&model, &scene.inputs}, 200, scene.apex),
+    assert_int_equal(settle(TDMF_REDUCED_MAP, &solver, (tdmf_system){&model, &scene.inputs}, 200, scene.apex),
                      200);
     assert_close(scene.apex[0], reduced_gaits[2].apex[0], 1e-8);
 }

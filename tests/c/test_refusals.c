@@ -255,13 +255,14 @@ static void assert_text(tdmf_refusal refusal, const char *expected) {
     assert_string_equal(tdmf_refusal_text(&refusal, text, sizeof text), expected);
 }
 
-static const tdmf_refusal short_leg = {"leg.length", "m", 0.01, 0.05, 1e9, "leg.min_length"};
+static const tdmf_refusal short_leg = {TDMF_OUT_OF_RANGE, "leg.length", 0, "m", 0.01, 0.05, 1e9,
+                                       "leg.min_length"};
 static const char short_leg_text[] =
     "leg.length = 0.01 m is refused: allowed from 0.05 to 1e+09 m (leg.min_length)";
 
 TEST(text_names_variable_value_and_range) {
-    const tdmf_refusal friction = {"ground.friction", "1", -0.5, 0.0, 1e6, NULL};
-    const tdmf_refusal mass = {"body.mass", "kg", -(double)INFINITY, 1e-9, 1e9, NULL};
+    const tdmf_refusal friction = {TDMF_OUT_OF_RANGE, "ground.friction", 0, "1", -0.5, 0.0, 1e6, NULL};
+    const tdmf_refusal mass = {TDMF_OUT_OF_RANGE, "body.mass", 0, "kg", -(double)INFINITY, 1e-9, 1e9, NULL};
     const tdmf_refusal accepted = {0};
     assert_text(short_leg, short_leg_text);
     assert_text(friction, "ground.friction = -0.5 is refused: allowed from 0 to 1000000");

@@ -168,9 +168,8 @@ TEST(a_log_begins_at_none) {
     s.solver.log = &log;
     log.count = -5;
     assert_refused(stride, &s);
-    assert_int_equal(
-        tdmf_reduced_map(&s.solver, SYSTEM_OF(&s), s.section, long_enough, false, NULL, 0).outcome,
-        TDMF_RETURN_REFUSED);
+    assert_int_equal(reduced_map(&s.solver, SYSTEM_OF(&s), s.section, long_enough, false, NULL, 0).outcome,
+                     TDMF_RETURN_REFUSED);
     assert_int_equal(log.count, -5);
     log.count = INT_MAX;
     assert_int_equal(stride(&s), TDMF_ARRIVED);
@@ -179,12 +178,13 @@ TEST(a_log_begins_at_none) {
 
 /* Asserts that every map and search refuses a request that makes no sense. */
 static void assert_maps_refuse(tdmf_solver *solver, tdmf_system system, double *section, int seed_count) {
-    assert_int_equal(tdmf_return_map(solver, system, section, long_enough, true, NULL, seed_count).outcome,
+    assert_int_equal(return_map(solver, system, section, long_enough, true, NULL, seed_count).outcome,
                      TDMF_RETURN_REFUSED);
-    assert_int_equal(tdmf_reduced_map(solver, system, section, long_enough, true, NULL, seed_count).outcome,
+    assert_int_equal(reduced_map(solver, system, section, long_enough, true, NULL, seed_count).outcome,
                      TDMF_RETURN_REFUSED);
-    assert_int_equal(tdmf_find_orbit(solver, system, section, NULL, seed_count).outcome, TDMF_ORBIT_NO_START);
-    assert_int_equal(tdmf_find_reduced_orbit(solver, system, section, NULL, seed_count).outcome,
+    assert_int_equal(find_orbit(TDMF_RETURN_MAP, solver, system, section, NULL, seed_count).outcome,
+                     TDMF_ORBIT_NO_START);
+    assert_int_equal(find_orbit(TDMF_REDUCED_MAP, solver, system, section, NULL, seed_count).outcome,
                      TDMF_ORBIT_NO_START);
 }
 
@@ -199,11 +199,11 @@ TEST(maps_refuse_null) {
         const tdmf_system system = {missing == 1 ? NULL : &s.model, missing == 2 ? NULL : &s.inputs};
         double *section = missing == 3 ? NULL : s.section;
         assert_maps_refuse(solver, system, section, 0);
-        assert_int_equal(tdmf_settle(solver, system, 3, section), 0);
-        assert_int_equal(tdmf_settle_reduced(solver, system, 3, section), 0);
+        assert_int_equal(settle(TDMF_RETURN_MAP, solver, system, 3, section), 0);
+        assert_int_equal(settle(TDMF_REDUCED_MAP, solver, system, 3, section), 0);
     }
-    assert_int_equal(tdmf_settle(&s.solver, SYSTEM_OF(&s), -3, s.section), 0);
-    assert_int_equal(tdmf_settle_reduced(&s.solver, SYSTEM_OF(&s), -3, s.section), 0);
+    assert_int_equal(settle(TDMF_RETURN_MAP, &s.solver, SYSTEM_OF(&s), -3, s.section), 0);
+    assert_int_equal(settle(TDMF_REDUCED_MAP, &s.solver, SYSTEM_OF(&s), -3, s.section), 0);
     assert_int_equal(s.solver.steps, 0);
 }
 

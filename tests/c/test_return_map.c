@@ -31,22 +31,21 @@ static scene_at_apex at_gait(const reference_gait *gait) {
 static tdmf_return map_of(tdmf_solver *solver, const scene_at_apex *scene, double until, bool derivatives,
                           const tdmf_seed *seeds, int count) {
     const tdmf_model model = accepted_model(&scene->parameters);
-    return tdmf_return_map(solver, (tdmf_system){&model, &scene->inputs}, scene->section, until, derivatives,
-                           seeds, count);
+    return return_map(solver, (tdmf_system){&model, &scene->inputs}, scene->section, until, derivatives,
+                      seeds, count);
 }
 
 static tdmf_orbit orbit_from(tdmf_solver *solver, const scene_at_apex *scene,
                              const double section[TDMF_SECTION_COUNT]) {
     const tdmf_model model = accepted_model(&scene->parameters);
-    return tdmf_find_orbit(solver, (tdmf_system){&model, &scene->inputs}, section, NULL, 0);
+    return find_orbit(TDMF_RETURN_MAP, solver, (tdmf_system){&model, &scene->inputs}, section, NULL, 0);
 }
 
 static tdmf_return stride_of(const scene_at_apex *scene, bool derivatives, const tdmf_seed *seed) {
     tdmf_solver solver = solver_to(tight);
     const tdmf_model model = accepted_model(&scene->parameters);
-    const tdmf_return stride =
-        tdmf_measured_return_map(&solver, (tdmf_system){&model, &scene->inputs}, scene->section, longest,
-                                 derivatives, seed, seed ? 1 : 0);
+    const tdmf_return stride = measured_return_map(&solver, (tdmf_system){&model, &scene->inputs},
+                                                   scene->section, longest, derivatives, seed, seed ? 1 : 0);
     assert_true(stride.outcome == TDMF_RETURN_CLOSED);
     return stride;
 }
@@ -205,7 +204,8 @@ TEST(what_is_no_gait_is_said_to_be_none) {
     assert_int_equal(orbit_from(&solver, &scene, scene.section).outcome, TDMF_ORBIT_NO_START);
     scene.section[TDMF_SECTION_COM_HEIGHT] = 200.0;
     assert_int_equal(orbit_from(&solver, &scene, scene.section).outcome, TDMF_ORBIT_FELL);
-    assert_int_equal(tdmf_settle(&solver, (tdmf_system){&model, &scene.inputs}, 10, scene.section), 0);
+    assert_int_equal(
+        settle(TDMF_RETURN_MAP, &solver, (tdmf_system){&model, &scene.inputs}, 10, scene.section), 0);
 }
 
 /* Neither trouble of the solver nor a stand is a fall. */
@@ -245,13 +245,13 @@ TEST(strides_of_a_search_share_their_steps) {
         tdmf_solver settling = tdmf_solver_default(), searching = tdmf_solver_default();
         settling.step_limit = searching.step_limit = limit;
         memcpy(section, scene.section, sizeof section);
-        const int strides = tdmf_settle(&settling, system, 400, section);
+        const int strides = settle(TDMF_RETURN_MAP, &settling, system, 400, section);
         assert_true(strides > 1 && strides < 400);
         assert_int_equal(settling.strides, strides);
         assert_true(settling.steps <= most_steps(&settling));
         memcpy(section, scene.section, sizeof section);
         section[TDMF_SECTION_COM_SPEED] *= 1.3;
-        const tdmf_orbit found = tdmf_find_orbit(&searching, system, section, NULL, 0);
+        const tdmf_orbit found = find_orbit(TDMF_RETURN_MAP, &searching, system, section, NULL, 0);
         assert_true(searching.steps <= limit);
         if (found.outcome != TDMF_ORBIT_FOUND) {
             assert_int_equal(found.outcome, TDMF_ORBIT_UNSOLVED);
@@ -262,7 +262,7 @@ TEST(strides_of_a_search_share_their_steps) {
     }
     tdmf_solver usual = tdmf_solver_default();
     memcpy(section, scene.section, sizeof section);
-    assert_int_equal(tdmf_settle(&usual, system, 400, section), 400);
+    assert_int_equal(settle(TDMF_RETURN_MAP, &usual, system, 400, section), 400);
 }
 
 TEST(linear_systems_are_solved) {

@@ -121,11 +121,11 @@ TEST(no_gait_is_said_not_to_be_found_for_a_fall) {
     tdmf_solver solver = tdmf_solver_default();
     double section[TDMF_SECTION_COUNT];
     memcpy(section, &reference_gaits[DEFAULT_GAIT].apex, sizeof section);
-    const tdmf_return stride = tdmf_return_map(&solver, SYSTEM_OF(&runner), section, 1e3, true, NULL, 0);
+    const tdmf_return stride = return_map(&solver, SYSTEM_OF(&runner), section, 1e3, true, NULL, 0);
     assert_true(stride.outcome == TDMF_RETURN_UNSOLVED);
     assert_int_equal(stride.solver, TDMF_TOO_STIFF);
-    const tdmf_orbit orbit = tdmf_find_orbit(&solver, SYSTEM_OF(&runner), section, NULL, 0);
+    const tdmf_orbit orbit = find_orbit(TDMF_RETURN_MAP, &solver, SYSTEM_OF(&runner), section, NULL, 0);
     assert_int_equal(orbit.outcome, TDMF_ORBIT_UNSOLVED);
     assert_int_equal(orbit.stride.solver, TDMF_TOO_STIFF);
-    assert_int_equal(tdmf_settle(&solver, SYSTEM_OF(&runner), 5, section), 0);
+    assert_int_equal(settle(TDMF_RETURN_MAP, &solver, SYSTEM_OF(&runner), 5, section), 0);
 }

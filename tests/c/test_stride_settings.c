@@ -367,7 +367,7 @@ static int stride_by_reduced_map(const population *population, int number) {
             apex[0] += ground_before - (inputs.ground.height + x * tan(inputs.ground.slope));
         }
         const tdmf_return found =
-            tdmf_reduced_map(&solver, (tdmf_system){&model, &inputs}, apex, 1e4, false, NULL, 0);
+            reduced_map(&solver, (tdmf_system){&model, &inputs}, apex, 1e4, false, NULL, 0);
         assert_int_equal(found.outcome, TDMF_RETURN_CLOSED);
         memcpy(apex, found.apex, sizeof apex);
         x += found.stride.length;

@@ -10,7 +10,6 @@ from conftest import RELEASE
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from tdmf_slip import Batch, InputError, Runner, continue_branch, find_gait, gait_at, plot
 from tdmf_slip.analysis.along import gaits_over
-from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.pictures.branch_diagram import figure_of, values_of
@@ -41,9 +40,7 @@ def over_angle(runner):
 
 def settled(runner, apex, strides=STRIDES):
     """The apex after so many plain strides, and how many of them there were."""
-    section = ffi.new("double[6]", list(apex))
-    ran = c.tdmf_settle(runner.solver(), runner.c_system, strides, section)
-    return np.array(list(section)), ran
+    return runner.settle(np.asarray(apex), strides)
 
 
 def apart(runner, one, other):

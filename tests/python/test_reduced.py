@@ -64,7 +64,10 @@ def test_random_strides_are_those_of_another_solver():
         runner, apex = drawn(number)
         solver = ffi.new("tdmf_solver *", c.tdmf_solver_default())
         solver.relative_tolerance = 1e-13
-        made = c.tdmf_reduced_map(solver, runner.c_system, apex, 1e4, True, seeds, len(seeds))
+        point, made = ffi.new("double[]", apex), ffi.new("tdmf_return *")
+        request = runner.stride_request(solver, point)
+        request.until, request.derivatives, request.seeds, request.seed_count = 1e4, True, seeds, len(seeds)
+        c.tdmf_run_stride(request, made)
         name = ffi.string(ffi.cast("tdmf_return_outcome", made.outcome))
         assert name == f"TDMF_RETURN_{outcome.upper().replace(' ', '_')}", number
         if outcome != "closed":

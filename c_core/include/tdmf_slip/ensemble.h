@@ -4,7 +4,7 @@
 #define TDMF_SLIP_ENSEMBLE_H
 
 #include "tdmf_slip/export.h"
-#include "tdmf_slip/reduced_map.h"
+#include "tdmf_slip/return_map.h"
 
 #include <stdint.h>
 
@@ -105,10 +105,6 @@ typedef struct {
     const tdmf_affine_law *law; /* by which it sets at each apex, the start's too; NULL: nothing */
 } tdmf_ensemble_rules;
 
-/* What takes a runner from apex to apex: the return map, or the reduced map, which goes by an apex's height
- * and speed alone and, so that the apices are of one shape, writes of the leg how it is placed there. */
-typedef enum { TDMF_RETURN_MAP, TDMF_REDUCED_MAP } tdmf_ensemble_map;
-
 /* What a runner is given, besides its start. Inputs are held, but for those that are set at apices and for
  * the height of rough ground. */
 typedef struct {
@@ -164,7 +160,7 @@ typedef struct {
     long step_limit;                            /* of each runner, as in tdmf_solver; 0: TDMF_STEP_LIMIT */
     int threads;                                /* so many work at once, but no more than runners */
     tdmf_instructions instructions;             /* how they are stepped */
-    tdmf_ensemble_map map;                      /* by which all of them go */
+    tdmf_apex_map map;                          /* by which all of them go */
     const tdmf_given_settings *given;           /* or NULL: none are */
     tdmf_ensemble_stride *strides;              /* what is noted, as strides begin and close; or NULL */
     int first_stride, stride_count; /* of each runner: the first that is noted, and how many from it on */
@@ -239,20 +235,20 @@ TDMF_API bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end
 typedef struct {
     const tdmf_system *systems;                   /* of each runner */
     const double (*sections)[TDMF_SECTION_COUNT]; /* apices from which the strides start */
-    const double *until;                          /* s, that each stride may take */
+    const double *until;                          /* s, that each stride may take; 0: 1e4 sqrt(m/k) */
     int64_t count;                                /* of strides */
-    bool derivatives, measures;                   /* as of tdmf_return_map and tdmf_measured_return_map */
+    tdmf_apex_map map;                            /* by which all of them are made */
+    bool derivatives, measures;                   /* as in tdmf_stride_request */
     const tdmf_seed *seeds;                       /* along which all strides are differentiated */
     int seed_count;                               /* how many */
     int threads;                                  /* so many work at once */
 } tdmf_stride_batch;
 
-/* Makes strides side by side in lanes. Each result is that of tdmf_return_map or tdmf_measured_return_map. It
- * depends neither on its neighbours nor on the number of threads. The solver's counters stay as they are.
- *
- * Returns false without memory, or if an array is NULL, a number is below 0 or there is no thread. */
-TDMF_API bool tdmf_run_strides(const tdmf_solver *solver, const tdmf_stride_batch *batch,
-                               tdmf_return *results);
+/* Makes strides side by side in lanes; those of the reduced map one by one. Each result is that of
+ * tdmf_run_stride. It depends neither on its neighbours nor on the number of threads. The solver's counters
+ * stay as they are. Refuses a batch as a whole, with nothing written, and a stride by its own result. */
+TDMF_API tdmf_refusal tdmf_run_strides(const tdmf_solver *solver, const tdmf_stride_batch *batch,
+                                       tdmf_return *results);
 
 /* The step of rough ground, over its roughness, with which a runner's stride begins: the first stride is 0.
  * Normal with mean 0 and standard deviation 1, and the same bits on every machine. */

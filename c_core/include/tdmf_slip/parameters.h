@@ -3,9 +3,8 @@
 #define TDMF_SLIP_PARAMETERS_H
 
 #include "tdmf_slip/export.h"
+#include "tdmf_slip/refusal.h"
 #include "tdmf_slip/variables.h"
-
-#include <stddef.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -37,16 +36,6 @@ typedef struct {
     const tdmf_inputs *inputs; /* at the time of the motion */
 } tdmf_system;
 
-/* Why a value was refused. `variable` is NULL when nothing was. The strings are static. */
-typedef struct {
-    const char *variable; /* name as in the FMU, "leg.length" */
-    const char *unit;     /* of value and limits; NULL where a pointer of that name is NULL */
-    double value;         /* what was given */
-    double minimum;       /* allowed from */
-    double maximum;       /* allowed to */
-    const char *bound_by; /* the variable or rule that sets the violated limit, or NULL */
-} tdmf_refusal;
-
 /* The defaults: Table 1 and friction 0.6, which make a periodic gait from tdmf_default_state. */
 TDMF_API tdmf_parameters tdmf_default_parameters(void);
 TDMF_API tdmf_inputs tdmf_default_inputs(void);
@@ -60,11 +49,6 @@ TDMF_API tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs);
 
 /* Inputs some time after those given; friction stops at 0. `rates` may be NULL: the inputs are held. */
 TDMF_API tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_inputs *rates, double elapsed);
-
-/* Writes "leg.length = 0.01 m is refused: allowed from 0.05 (leg.min_length) to 1e+09 m" into `text`, with a
- * decimal point whatever the locale. Always terminated; returns `text`, which may be NULL: then nothing is
- * written. */
-TDMF_API char *tdmf_refusal_text(const tdmf_refusal *refusal, char *text, size_t capacity);
 
 #ifdef __cplusplus
 }

@@ -1,4 +1,15 @@
-/* The return map: from one apex to the next, and its exact Jacobian. */
+/* Strides from one apex to the next, their exact derivatives, and periodic gaits.
+ *
+ * A gait is a fixed point of the return map: the next apex is the one where the stride began. It is stable if
+ * all eigenvalues of the map's Jacobian are smaller than 1, see eigenvalues.h.
+ *
+ *     tdmf_solver solver = tdmf_solver_default();
+ *     const tdmf_stride_request request = {.solver = &solver, .system = system, .apex = apex};
+ *     tdmf_orbit gait;
+ *     tdmf_find_orbit(&request, &gait);
+ *     if (gait.outcome == TDMF_ORBIT_FOUND)
+ *         printf("%s at %g m/s\n", gait.stride.stride.word, gait.stride.stride.speed);
+ */
 #ifndef TDMF_SLIP_RETURN_MAP_H
 #define TDMF_SLIP_RETURN_MAP_H
 
@@ -11,8 +22,7 @@ extern "C" {
 #endif
 
 /* Coordinates of the apex section, where the centre of mass is highest: its height above the ground and its
- * speed, and the leg.
- */
+ * speed, and the leg. */
 enum {
     TDMF_SECTION_COM_HEIGHT,      /* m, above the ground vertically below */
     TDMF_SECTION_COM_SPEED,       /* m/s */
@@ -23,44 +33,92 @@ enum {
     TDMF_SECTION_COUNT
 };
 
-/* The state at an apex with the foot at x = 0 over the ground that the inputs set, integrals zero. `section`
- * may lie within `state`. */
+/* An apex of the reduced map has the first two of these coordinates. */
+enum { TDMF_REDUCED_COUNT = +TDMF_SECTION_COM_SPEED + 1 };
+
+/* Writes the state at an apex with the foot at x = 0 over the ground that the inputs set, integrals zero.
+ * `section` may lie within `state`. */
 TDMF_API void tdmf_section_state(tdmf_system system, const double section[TDMF_SECTION_COUNT],
                                  double state[TDMF_STATE_COUNT]);
 
-/* What is measured along a stride besides what its record holds; also the change of each of these. */
+/* Writes the state at an apex of the reduced map, at x = 0, with the leg at rest where it is to be placed,
+ * integrals zero. `apex` may lie within `state`. */
+TDMF_API void tdmf_reduced_state(tdmf_system system, const double apex[TDMF_REDUCED_COUNT],
+                                 double state[TDMF_STATE_COUNT]);
+
+/* Writes the coordinates of a state at an apex over a ground: the inverse of tdmf_section_state. `section`
+ * may lie within `state`. */
+TDMF_API void tdmf_section_of_state(const tdmf_model *model, const tdmf_ground_line *ground,
+                                    const double state[TDMF_STATE_COUNT], double section[TDMF_SECTION_COUNT]);
+
+/* Writes scales of the coordinates: l0, l0 sqrt(k/m), l0, 1 rad, l0 sqrt(k/m), sqrt(k/m). */
+TDMF_API void tdmf_section_scales(const tdmf_model *model, double scales[TDMF_SECTION_COUNT]);
+
+/* ---- one stride ---------------------------------------------------------------------------------------- */
+
+/* The map that takes a runner from apex to apex. */
+typedef enum {
+    TDMF_RETURN_MAP, /* the runner's own motion */
+    /* The leg is placed ideally in flight, so that an apex has two coordinates. The foot comes down with
+     * r = l0, rdot = 0, theta = theta0 - omega t, thetadot = -omega, at t after the apex. Impact and stance
+     * are those of the runner, until the stance law no longer loads the foot. From there the centre of mass
+     * flies to the next apex, and the energy left in the leg is lost. hip.kp, hip.kd,
+     * hip.liftoff_angle_factor and hip.swing_clamp have no effect, because they only move the leg in flight.
+     */
+    TDMF_REDUCED_MAP
+} tdmf_apex_map;
+
+/* Seeds of parameters and inputs along which a stride is differentiated, at the most. With a place of the
+ * foot it is one less, in the reduced map four more. Unary plus makes an int: C++20 deprecates arithmetic
+ * between two enumerations. */
+enum {
+    TDMF_RETURN_MAP_SEEDS = +TDMF_VARIATION_LIMIT - TDMF_SECTION_COUNT,
+    TDMF_REDUCED_MAP_SEEDS = +TDMF_VARIATION_LIMIT - TDMF_REDUCED_COUNT
+};
+
+/* A request for a stride, a gait or many strides. Set `solver`, `system` and `apex`, and zero what you do not
+ * need. */
+typedef struct {
+    tdmf_solver *solver; /* tolerance and limits; it counts the work and logs the events */
+    tdmf_system system;  /* the runner, and its inputs, which are held */
+    tdmf_apex_map map;   /* the return map, unless you set it */
+    const double *apex; /* coordinates of the apex where the stride begins: TDMF_SECTION_COUNT numbers, of the
+                           reduced map TDMF_REDUCED_COUNT */
+    const double *foot_x; /* m, where the foot is; NULL: at x = 0, and the ground has no patch. With a place
+                             the stride is also differentiated by it, after the seeds */
+    double until;         /* s, that the stride may take, of the reduced map each of flight and stance; 0: 1e4
+                             sqrt(m/k) */
+    bool derivatives;     /* differentiate by the apex's coordinates and along the seeds */
+    bool measures;        /* measure the stride, see tdmf_stride_measures; not by the reduced map */
+    const tdmf_seed *seeds; /* directions of parameters and inputs */
+    int seed_count;         /* how many */
+} tdmf_stride_request;
+
+/* Quantities of a stride that are measured on request; also how they change. */
 typedef struct {
     double positive_hip_work;      /* J, done at positive power: the record's positive_work */
-    double positive_leg_work;      /* J, of the jumps of its rest length that do any */
+    double positive_leg_work;      /* J, of the jumps of the leg's rest length that do any */
     double squared_torque;         /* integral of tau^2, N^2 m^2 s */
     double friction_loss;          /* J */
     double greatest_slip_velocity; /* m/s, of the foot along the ground, whichever way it slips */
     double greatest_foot_height;   /* m, in flight, above the ground vertically below */
 } tdmf_stride_measures;
 
-/* The inverse: the coordinates of a state at an apex over a ground. `section` may lie within `state`. */
-TDMF_API void tdmf_section_of_state(const tdmf_model *model, const tdmf_ground_line *ground,
-                                    const double state[TDMF_STATE_COUNT], double section[TDMF_SECTION_COUNT]);
-
-/* How the next apex and the stride change along a seed, per unit of it. */
+/* Derivatives of the next apex and of the stride's quantities along a direction, by their names. */
 typedef struct {
-    double apex[TDMF_SECTION_COUNT];        /* of the next apex */
-    double period, length, work;            /* of the stride's quantities of these names */
-    double stance_time, slip_distance;      /* of these, too */
-    double peak_force, peak_vertical_force; /* and of these */
-    double foot_clearance;                  /* of the return's */
-    double foot_x;                          /* and of its place of the foot */
-    tdmf_stride_measures measures;          /* and of these, where they were asked for */
+    double apex[TDMF_SECTION_COUNT];
+    double period, length, work;
+    double stance_time, slip_distance;
+    double peak_force, peak_vertical_force;
+    double foot_clearance;
+    double foot_x;
+    tdmf_stride_measures measures; /* if they were asked for */
 } tdmf_stride_variation;
 
-/* Seeds of parameters and inputs along which a stride of the return map is differentiated, at the most.
- * Unary plus makes an int: C++20 deprecates arithmetic between two enumerations. */
-enum { TDMF_RETURN_MAP_SEEDS = +TDMF_VARIATION_LIMIT - TDMF_SECTION_COUNT };
-
-/* Whether a stride closed, and else why not. Some of this only the reduced map meets. */
+/* Whether a stride closed, and else why not. */
 typedef enum {
     TDMF_RETURN_CLOSED,       /* it has a next apex */
-    TDMF_RETURN_REFUSED,      /* a value is out of range, a pointer NULL, or there are too many seeds */
+    TDMF_RETURN_REFUSED,      /* the request was refused: see `refusal` */
     TDMF_RETURN_NO_START,     /* the start is no apex: in flight, above the ground */
     TDMF_RETURN_NO_TOUCHDOWN, /* reduced: the foot does not come down within the time allowed */
     TDMF_RETURN_NO_STANCE,    /* reduced: the impact leaves the foot without load */
@@ -70,49 +128,68 @@ typedef enum {
     TDMF_RETURN_UNSOLVED      /* the solver could not follow the runner: see `solver` */
 } tdmf_return_outcome;
 
-/* What became of a stride, by the return map or the reduced one. Where it has not closed, all but the
- * outcomes is zero. The variations are there if derivatives were asked for: along the coordinates of the
- * start, which are six or, in the reduced map, two, and after them along the seeds that were given. */
+/* A stride. If it did not close, everything but the outcomes, the refusal and foot_clearance is zero. The
+ * energy of the centre of mass changes by the work and the external work, less the losses. */
 typedef struct {
-    tdmf_return_outcome outcome;     /* whether it closed, and else why not */
-    tdmf_outcome solver;             /* how the solver's call ended; TDMF_ARRIVED where there was none */
-    double apex[TDMF_SECTION_COUNT]; /* the next; of the reduced map the first two */
-    tdmf_stride stride;              /* its quantities; of the reduced map the work is that of the stance */
+    tdmf_return_outcome outcome;     /* whether the stride closed, and else why not */
+    tdmf_outcome solver;             /* how the solver's call ended; TDMF_ARRIVED if there was none */
+    tdmf_refusal refusal;            /* which value was refused, of the request or of the start */
+    double apex[TDMF_SECTION_COUNT]; /* the next apex; of the reduced map the first two coordinates */
+    tdmf_stride stride;              /* quantities; of the reduced map the work is that of the stance */
     double liftoff_angle;            /* theta_LO of the stride, rad */
-    double external_work;            /* J, of the stride, as the losses */
-    double damper_loss, friction_loss, impact_loss; /* J in the stride */
-    double leg_loss;       /* J, reduced: left in the leg at lift-off less what it is given for touchdown */
-    double foot_x;         /* m, of the foot at the next apex */
-    double foot_clearance; /* m, of the foot above the ground at the apex where the stride begins */
-    tdmf_stride_measures measures; /* of the stride, where they were asked for */
-    tdmf_stride_variation
-        variations[TDMF_VARIATION_LIMIT]; /* along the start's coordinates, then the seeds */
+    double external_work;            /* work of the external forces, J */
+    double damper_loss, friction_loss, impact_loss; /* energy lost in the stride, J */
+    double leg_loss; /* reduced: energy left in the leg at lift-off, less what it gets for touchdown, J */
+    double foot_x;   /* place of the foot at the next apex, m */
+    double foot_clearance; /* height of the foot above the ground at the apex where the stride begins, m */
+    tdmf_stride_measures measures; /* if they were asked for */
+    /* If derivatives were asked for: by the coordinates of the start, six or, in the reduced map, two, then
+     * along the seeds, then by foot_x if it was given. */
+    tdmf_stride_variation variations[TDMF_VARIATION_LIMIT];
 } tdmf_return;
 
-/* One stride from an apex, not longer than `until`. With `derivatives`, also how it changes with the six
- * coordinates and along `count` seeds of parameters and inputs; more than TDMF_RETURN_MAP_SEEDS, or less
- * than 0, are refused, as are NULL for any pointer but `seeds` where there are none, a tolerance out of
- * range, and a patch of ground: on one the stride depends on where the foot is.
+/* Makes one stride from an apex.
  *
- * Derivatives also limit the steps. They are not finite where none exists: where an event's crossing is a
- * touch, and along a gain if both gains are zero and hip.swing_clamp is true. */
-TDMF_API tdmf_return tdmf_return_map(tdmf_solver *solver, tdmf_system system,
-                                     const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
-                                     const tdmf_seed *seeds, int count);
-
-/* One stride from an apex with the foot at x = foot_x, over ground with a patch or without: the seventh
- * coordinate, by which the stride is differentiated after the seeds, of which there may be one less. */
-TDMF_API tdmf_return tdmf_return_map_at(tdmf_solver *solver, tdmf_system system, double foot_x,
-                                        const double section[TDMF_SECTION_COUNT], double until,
-                                        bool derivatives, const tdmf_seed *seeds, int count);
-
-/* The same as tdmf_return_map, with what is measured along the stride. */
-TDMF_API tdmf_return tdmf_measured_return_map(tdmf_solver *solver, tdmf_system system,
-                                              const double section[TDMF_SECTION_COUNT], double until,
-                                              bool derivatives, const tdmf_seed *seeds, int count);
+ * Derivatives also limit the steps. They are not finite where none exists: where an event is a touch or two
+ * events coincide, and along a gain if both gains are zero and hip.swing_clamp is true.
+ *
+ * A log in the solver of a reduced stride has the touchdown, the events of the stance, and the apex. */
+TDMF_API void tdmf_run_stride(const tdmf_stride_request *request, tdmf_return *result);
 
 /* Says an outcome in words. */
 TDMF_API const char *tdmf_return_outcome_text(tdmf_return_outcome outcome);
+
+/* ---- gaits --------------------------------------------------------------------------------------------- */
+
+/* Whether a gait was found, and else why not. */
+typedef enum {
+    TDMF_ORBIT_FOUND,     /* a gait */
+    TDMF_ORBIT_NOT_FOUND, /* Newton's method did not converge: no gait near the guess */
+    TDMF_ORBIT_FELL,      /* the runner falls from the guess */
+    TDMF_ORBIT_NO_START,  /* the guess is no apex: below the ground, or refused, as is what is asked for */
+    TDMF_ORBIT_UNSOLVED,  /* the solver could not follow the runner: see stride.solver */
+    TDMF_ORBIT_NO_STRIDE  /* no stride closes from the guess within 1e4 sqrt(m/k), as where it stands still */
+} tdmf_orbit_outcome;
+
+/* A gait and its stride. Values other than the outcome are those of the last apex tried. */
+typedef struct {
+    tdmf_orbit_outcome outcome;      /* whether it was found, and else why not */
+    int iterations;                  /* of Newton's method */
+    double error;                    /* largest difference of the apex and the next, over the scales */
+    double apex[TDMF_SECTION_COUNT]; /* the gait's; of the reduced map the first two coordinates */
+    tdmf_return stride;              /* from `apex`, with derivatives */
+} tdmf_orbit;
+
+/* Finds a gait, stable or not, by Newton's method from request->apex, down to rounding: if the solver's
+ * tolerance is as tight, the next apex is within 1e-11 of the scales; so is the gait, unless I - J is nearly
+ * singular, as at a fold. Iterations that make the error larger are shortened. The stride always has
+ * derivatives; `until`, `foot_x` and `measures` are not used. */
+TDMF_API void tdmf_find_orbit(const tdmf_stride_request *request, tdmf_orbit *orbit);
+
+/* Makes up to `strides` strides from request->apex and writes the last apex, which may be where the request
+ * has its own. Returns how many strides closed: fewer where one does not, and tdmf_run_stride from there says
+ * why; 0 for a number below 0 or a NULL. */
+TDMF_API int tdmf_settle(const tdmf_stride_request *request, int strides, double *apex);
 
 #ifdef __cplusplus
 }

@@ -55,6 +55,7 @@ typedef struct {
     /* Leaves out of the record what nothing else depends on: the hip's positive work and the peaks of the
      * ground force, which stay as they are. Not so where variations are carried along. */
     bool without_peaks_and_positive_work;
+    tdmf_refusal refusal; /* why the last call was refused, if it was */
     /* Work done so far. */
     int64_t steps, events;
     int64_t strides;     /* closed; of the reduced map stances */

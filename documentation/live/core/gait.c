@@ -34,11 +34,17 @@ static tdmf_solver tight_solver(void) {
     return solver;
 }
 
+static tdmf_stride_request request_by(tdmf_solver *solver) {
+    const tdmf_stride_request request = {.solver = solver, .system = live_system(), .apex = live.section};
+    return request;
+}
+
 /* Runs so many strides from the apex in the section and writes the last; gives how many closed. */
 LIVE_EXPORT(live_settle)
 int live_settle(int strides) {
     tdmf_solver solver = tight_solver();
-    return tdmf_settle(&solver, live_system(), strides, live.section);
+    const tdmf_stride_request request = request_by(&solver);
+    return tdmf_settle(&request, strides, live.section);
 }
 
 static const char *reason(const tdmf_orbit *orbit) {
@@ -97,7 +103,9 @@ bool live_find_gait(void) {
             "gaits: ground.patch_begin = ground.patch_end, which is none.");
         return false;
     }
-    const tdmf_orbit orbit = tdmf_find_orbit(&solver, live_system(), live.section, NULL, 0);
+    const tdmf_stride_request request = request_by(&solver);
+    tdmf_orbit orbit;
+    tdmf_find_orbit(&request, &orbit);
     if (orbit.outcome != TDMF_ORBIT_FOUND) {
         snprintf(live.message, sizeof live.message, "No gait was found: %s.", reason(&orbit));
         return false;

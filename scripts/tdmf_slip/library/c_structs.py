@@ -114,22 +114,15 @@ def exact_strides(
     systems = np.empty((len(apices), 2), np.uintp)
     systems[:, 0] = address(models) + models.itemsize * (np.arange(len(apices)) if len(models) > 1 else 0)
     systems[:, 1] = address(inputs) + inputs.itemsize * (np.arange(len(apices)) if len(inputs) > 1 else 0)
-    until = np.empty(len(apices))
-    until[:] = LONGEST_STRIDE * models["scales"]["time"]
-    system, longest = ffi.from_buffer("tdmf_system[]", systems), ffi.from_buffer("double[]", until)
-    if reduced:
-        for k in range(len(apices)):
-            out[k] = c.tdmf_reduced_map(
-                solver, system[k], sections + k * WIDTH, longest[k], derivatives, seeds, len(along)
-            )
-        return returns
+    until = np.zeros(len(apices))
     batch = ffi.new("tdmf_stride_batch *")
-    batch.systems, batch.until, batch.count = system, longest, len(apices)
+    batch.systems, batch.count = ffi.from_buffer("tdmf_system[]", systems), len(apices)
+    batch.until = ffi.from_buffer("double[]", until)
+    batch.map = c.TDMF_REDUCED_MAP if reduced else c.TDMF_RETURN_MAP
     batch.sections = ffi.cast(f"double(*)[{WIDTH}]", sections)
     batch.derivatives, batch.measures = derivatives, measured
     batch.seeds, batch.seed_count, batch.threads = seeds, len(along), threads
-    if not c.tdmf_run_strides(solver, batch, out):
-        raise MemoryError("there is no memory for the strides")
+    check_accepted(c.tdmf_run_strides(solver, batch, out))
     return returns
 
 

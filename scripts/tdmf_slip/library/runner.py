@@ -274,6 +274,13 @@ class Runner(Mapping[str, Value]):
         search_under_way().hand_out(solver)
         return solver
 
+    def stride_request(self, solver: Any, apex: Any) -> Any:
+        """A `tdmf_stride_request *` from an apex; the caller keeps what it is given."""
+        request = ffi.new("tdmf_stride_request *")
+        request.solver, request.system, request.apex = solver, self.c_system, apex
+        request.map = c.TDMF_REDUCED_MAP if self.reduced else c.TDMF_RETURN_MAP
+        return request
+
     def stride(
         self,
         apex: NDArray[np.float64],
@@ -288,14 +295,14 @@ class Runner(Mapping[str, Value]):
         With `varied` it is differentiated by the coordinates, and along a direction if one is given.
         """
         log = ffi.new("tdmf_event_log *") if is_reported else None
-        function = c.tdmf_measured_return_map if is_reported else c.tdmf_return_map
-        if self.reduced:
-            function = c.tdmf_reduced_map
-        seed = seed_of(along if varied else None)
-        has_seed = seed != ffi.NULL
-        made = function(self.solver(log), self.c_system, list(apex), until, varied, seed, has_seed)
+        solver, point, made = self.solver(log), ffi.new("double[]", list(apex)), ffi.new("tdmf_return *")
+        request = self.stride_request(solver, point)
+        request.until, request.derivatives, request.measures = until, varied, is_reported
+        request.seeds = seed = seed_of(along if varied else None)
+        request.seed_count = seed != ffi.NULL
+        c.tdmf_run_stride(request, made)
         return RunnerStrides(
-            viewed(ffi.new("tdmf_return *", made), RETURN),
+            viewed(made, RETURN),
             np.asarray(apex, float)[None],
             self.__getitem__,
             self.reduced,
@@ -305,9 +312,9 @@ class Runner(Mapping[str, Value]):
 
     def settle(self, apex: NDArray[np.float64], strides: int) -> tuple[NDArray[np.float64], int]:
         """The last apex of some strides from an apex, and how many of them closed."""
-        function = c.tdmf_settle_reduced if self.reduced else c.tdmf_settle
         section = ffi.new("double[]", apex.tolist())
-        closed: int = function(self.solver(), self.c_system, strides, section)
+        solver = self.solver()
+        closed: int = c.tdmf_settle(self.stride_request(solver, section), strides, section)
         return np.array(list(section)), closed
 
     def apex(self) -> NDArray[np.float64]:

@@ -1,0 +1,34 @@
+/* Checks that say why: each returns true if it accepts, else it writes the refusal into `why` and returns
+ * false. They are joined by &&, so that `why` has the first refusal. */
+#ifndef TDMF_MODEL_REFUSAL_H
+#define TDMF_MODEL_REFUSAL_H
+
+#include "tdmf_slip/refusal.h"
+
+#include <stdbool.h>
+
+/* A refusal that another function has found. */
+bool tdmf_accepts(tdmf_refusal *why, tdmf_refusal refusal);
+
+bool tdmf_accepts_pointer(tdmf_refusal *why, const char *name, const void *pointer);
+
+/* A number from `minimum` to `maximum`; NaN is none. */
+bool tdmf_accepts_number(tdmf_refusal *why, const char *name, const char *unit, double value, double minimum,
+                         double maximum);
+
+/* An element of an array. */
+bool tdmf_accepts_element(tdmf_refusal *why, const char *name, int64_t index, double value, double minimum,
+                          double maximum);
+
+/* Numbers from 0 on, and their array, which may be NULL if it has no elements. */
+bool tdmf_accepts_array(tdmf_refusal *why, const char *name, const void *elements, const char *count_name,
+                        int64_t count, int64_t most);
+
+/* What must hold. */
+bool tdmf_accepts_if(tdmf_refusal *why, bool holds, tdmf_refusal_code code, const char *name, int64_t index,
+                     const char *rule);
+
+/* Refuses a pointer that is NULL. */
+tdmf_refusal tdmf_absent(const char *name);
+
+#endif
