@@ -7,7 +7,6 @@ A difference between them says what friction does only where these are the same.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,7 +18,6 @@ from ..library.members import checked_names
 from ..library.quantities import allowed_quantities, check_quantities, checked_quantity, quantities_of
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
-from ..record import in_dataset
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model
@@ -34,59 +32,6 @@ MATCHED = 1e-8
 """Largest relative deviation of a quantity that counts as held."""
 
 
-@dataclass(frozen=True)
-class NotHeld:
-    """A quantity that a runner could not be given."""
-
-    runner: int
-    """Number of the runner; the reference is 0."""
-    quantity: str
-    """Name of the quantity."""
-    wanted: float
-    """Value of the reference."""
-    has: float
-    """Value of the runner that came nearest."""
-
-
-@dataclass(frozen=True, eq=False)
-class Comparison:
-    """Runners with the same speed, clearance or the like, whose differences have fewer causes."""
-
-    hold: tuple[str, ...]
-    """Quantities that are to be equal."""
-    vary: tuple[str, ...]
-    """Names of the parameters that may change for it."""
-    before: tuple[Gait, ...]
-    """The gaits of the runners as they were given; the first is the reference."""
-    after: tuple[Gait, ...]
-    """The gaits with what is held as the reference has it, or as near to it as was found."""
-    not_held: tuple[NotHeld, ...]
-    """Quantities that could not be made equal: empty where all runners are matched."""
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Parameters and inputs that are varied, or of which the runners have different values."""
-        gaits = (*self.before, *self.after)
-        model = gaits[0].runner.model
-        names = (name for name in model.names if name not in model.states)
-        return tuple(
-            name for name in names if name in self.vary or len({gait.runner[name] for gait in gaits}) > 1
-        )
-
-
-def _dataset(found: Comparison) -> xarray.Dataset:
-    gaits = [gait for pair in zip(found.before, found.after, strict=True) for gait in pair]
-    numbers = np.arange(len(found.after))
-    places: dict[str, Any] = {"runner": numbers, "step": np.array(["before", "after"], dtype=object)}
-    hold, vary = ", ".join(found.hold), ", ".join(found.vary)
-    data = gaits_dataset("comparison", gaits, places, varied=found.names, hold=hold, vary=vary)
-    missed = {(of.runner, of.quantity) for of in found.not_held}
-    held = [[(number, name) not in missed for name in found.hold] for number in numbers.tolist()]
-    held_by: dict[str, Any] = {"held": (("runner", "quantity"), np.array(held, np.int8))}
-    return data.assign(held_by).assign_coords(quantity=list(found.hold))
-
-
-@in_dataset(_dataset)
 @shares_steps
 def compare(
     runners: Sequence[RunnerLike],
@@ -95,7 +40,7 @@ def compare(
     vary: Sequence[str],
     model: str | None = None,
     progress: bool = False,
-) -> Comparison:
+) -> xarray.Dataset:
     """Match runners in what could confound a comparison.
 
     The first runner is the reference and stays as it is. Of each other runner, the parameters in `vary` are
@@ -151,14 +96,22 @@ def compare(
     for gait in before:
         check_quantities(gait.runner, names)
     goal = quantities_of(before[0], names)
-    matched, not_held = [before[0]], []
+    pairs = [(before[0], before[0])]
     with progress_bar("compare", len(before) - 1, "runners", progress) as bar:
-        for number, gait in enumerate(before[1:], start=1):
-            after, missing = _matched(gait, goal, varied, number, model)
-            matched.append(after)
-            not_held += missing
+        for gait in before[1:]:
+            pairs.append((gait, _matched(gait, goal, varied, model)))
             bar.update()
-    return Comparison(names, varied, tuple(before), tuple(matched), tuple(not_held))
+    gaits = [gait for pair in pairs for gait in pair]
+    differ = (name for name in own.names if name not in own.states)
+    parameters = [name for name in differ if name in varied or len({gait.runner[name] for gait in gaits}) > 1]
+    places: dict[str, Any] = {
+        "runner": np.arange(len(pairs)),
+        "step": np.array(["before", "after"], dtype=object),
+    }
+    data = gaits_dataset("comparison", gaits, places, varied=parameters)
+    held = np.array([_held(after, goal) for _, after in pairs], np.int8)
+    data = data.assign(held=(("runner", "quantity"), held)).assign_coords(quantity=list(names))
+    return data.assign_attrs(hold=", ".join(names), vary=", ".join(varied))
 
 
 def _checked_hold(hold: object, model: Model) -> tuple[str, ...]:
@@ -178,27 +131,19 @@ def _gait_of(given: Runner | Mapping[str, Given] | Gait | None, model: str | Non
     return periodic_gait(Runner(given, model=model))
 
 
-def _matched(
-    gait: Gait,
-    goal: Mapping[str, float],
-    vary: Sequence[str],
-    number: int,
-    model: str | None,
-) -> tuple[Gait, list[NotHeld]]:
-    """The gait with what is held, or the nearest one with what it lacks."""
-    if _lacking(gait, goal, number) == []:
-        return gait, []
+def _matched(gait: Gait, goal: Mapping[str, float], vary: Sequence[str], model: str | None) -> Gait:
+    """The gait with what is held, or the nearest one."""
+    if all(_held(gait, goal)):
+        return gait
     try:
-        found = find_gait(gait.runner, target=goal, vary=vary, guess=gait.apex, model=model)
+        return find_gait(gait.runner, target=goal, vary=vary, guess=gait.apex, model=model)
     except TargetNotMetError as problem:
-        found = problem.nearest
-    return found, _lacking(found, goal, number)
+        return problem.nearest
 
 
-def _lacking(gait: Gait, goal: Mapping[str, float], number: int) -> list[NotHeld]:
+def _held(gait: Gait, goal: Mapping[str, float]) -> list[bool]:
+    """Whether each quantity is what it is to be."""
     has = quantities_of(gait, list(goal))
     return [
-        NotHeld(number, name, wanted, has[name])
-        for name, wanted in goal.items()
-        if abs(has[name] - wanted) > MATCHED * max(abs(wanted), abs(has[name]))
+        abs(has[name] - wanted) <= MATCHED * max(abs(wanted), abs(has[name])) for name, wanted in goal.items()
     ]

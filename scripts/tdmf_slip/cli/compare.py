@@ -1,11 +1,13 @@
 """The command `compare`: runners matched in what could confound a comparison."""
 
 from collections.abc import Iterable
-from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
 
 import click
+import numpy as np
 
-from ..analysis.comparison import Comparison, compare
+from ..analysis.comparison import compare
+from ..analysis.sweeps import gaits_in
 from ..errors import InputError
 from ..library.gait import Gait
 from ..library.quantities import QUANTITIES, known_quantities, quantities_of, unit_of
@@ -16,6 +18,9 @@ from ..variables.table import FRICTION, VARIABLES
 from .command import Answer, command, option
 from .options import names_given
 from .runner import MODEL_OPTION, SET_OPTION, Asked, values_given
+
+if TYPE_CHECKING:
+    import xarray
 
 
 @command(
@@ -59,26 +64,48 @@ def compare_command(
     """
     runners = _runners(frictions, files, settings, model)
     names = names_given(hold)
-    found = compare.plain(runners, hold=names, vary=names_given(vary), model=model, progress=True)
-    return Answer(_plain(found), _table(found))
+    found = compare(runners, hold=names, vary=names_given(vary), model=model, progress=True)
+    gaits = gaits_in(found)
+    return Answer(_plain(found, gaits), _table(found, gaits))
 
 
-def _plain(found: Comparison) -> dict[str, object]:
+def _varied(found: "xarray.Dataset") -> list[str]:
+    """Parameters that are varied, or of which the runners have different values."""
+    return [str(name) for name in found.coords if name in VARIABLES]
+
+
+def _not_held(found: "xarray.Dataset") -> list[dict[str, Any]]:
+    """Quantities that could not be made equal, with what was wanted and what the runner has."""
+    missed = np.argwhere(found["held"].values == 0).tolist()
+    names = found["quantity"].values.tolist()
+    after = found.sel(step="after")
+    return [
+        {
+            "runner": number,
+            "quantity": names[column],
+            "wanted": after[names[column]].values[0].item(),
+            "has": after[names[column]].values[number].item(),
+        }
+        for number, column in missed
+    ]
+
+
+def _plain(found: "xarray.Dataset", gaits: list[Gait]) -> dict[str, object]:
     """The comparison as a plain object."""
     return {
-        **origin_of(found.after[0].runner),
-        "hold": list(found.hold),
-        "vary": list(found.vary),
+        **origin_of(gaits[0].runner),
+        "hold": found.hold.split(", "),
+        "vary": found.vary.split(", "),
         "runners": [
             {
-                "parameters": {name: after.runner[name] for name in found.names},
+                "parameters": {name: after.runner[name] for name in _varied(found)},
                 "runner": dict(after.runner),
                 "before": _reported(before),
                 "after": _reported(after),
             }
-            for before, after in zip(found.before, found.after, strict=True)
+            for before, after in zip(gaits[::2], gaits[1::2], strict=True)
         ],
-        "not_held": [asdict(of) for of in found.not_held],
+        "not_held": _not_held(found),
     }
 
 
@@ -87,31 +114,31 @@ def _reported(gait: Gait) -> dict[str, object]:
     return about | quantities_of(gait, known_quantities(gait.runner))
 
 
-def _table(found: Comparison) -> str:
+def _table(found: "xarray.Dataset", gaits: list[Gait]) -> str:
     """Every quantity of every runner, before and after, and what could not be held; a star marks what is."""
-    runner = found.after[0].runner
-    columns = [("runner 0", found.after[0])]
-    for number, gaits in enumerate(list(zip(found.before, found.after, strict=True))[1:], start=1):
-        columns += zip((f"runner {number} as given", f"runner {number}"), gaits, strict=True)
+    runner = gaits[0].runner
+    columns = [("runner 0", gaits[1])]
+    for number, gait in enumerate(gaits[2:], start=2):
+        columns.append((f"runner {number // 2}" + (" as given" if number % 2 == 0 else ""), gait))
 
     def row(name: str, unit: str, mark: str, values: Iterable[float]) -> tuple[str, ...]:
         return (headed(name, runner.label(unit)) + mark, *(f"{value:.6g}" for value in values))
 
     rows = [
         row(name, VARIABLES[name].unit, "", (gait.runner[name] for _, gait in columns))
-        for name in found.names
+        for name in _varied(found)
     ]
     rows.append(("word", *(gait.word for _, gait in columns)))
     rows.append(("stable", *("yes" if gait.stable else "no" for _, gait in columns)))
     for name in known_quantities(runner):
-        mark = " *" if name in found.hold else ""
+        mark = " *" if name in found["quantity"].values else ""
         rows.append(
             row(name, unit_of(name), mark, (quantities_of(gait, [name])[name] for _, gait in columns))
         )
     rows.append(("lambda_max", *(f"{gait.lambda_max:.6g}" for _, gait in columns)))
     missed = [
-        f"not held: {of.quantity} of runner {of.runner} is {of.has:.6g}, not {of.wanted:.6g}"
-        for of in found.not_held
+        f"not held: {of['quantity']} of runner {of['runner']} is {of['has']:.6g}, not {of['wanted']:.6g}"
+        for of in _not_held(found)
     ]
     return "\n".join([table(("", *(title for title, _ in columns)), rows), "", "* held", *missed])
 

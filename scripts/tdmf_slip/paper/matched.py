@@ -6,6 +6,7 @@ import numpy as np
 
 from ..analysis.comparison import compare
 from ..analysis.first_passage import strides_to_fall
+from ..analysis.sweeps import gaits_in
 from ..errors import RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
@@ -19,8 +20,7 @@ VARY = ("hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor")
 
 def like(reference: Gait, gait: Gait, hold: Sequence[str] = HOLD, vary: Sequence[str] = VARY) -> Gait | None:
     """A runner made equal to another in what could do what a figure shows."""
-    found = compare.plain([reference, gait], hold=hold, vary=vary)
-    return None if found.not_held else found.after[1]
+    return _matched([reference, gait], hold, vary)[0]
 
 
 def changed(gait: Gait, values: Mapping[str, float], steps: int = 1) -> Gait | None:
@@ -71,6 +71,11 @@ def at_frictions(
 ) -> list[Gait]:
     """Gaits at some frictions, made equal to the one at a reference; those that cannot be are left out."""
     runners = [runner.replace({FRICTION: friction}) for friction in (reference, *frictions)]
-    found = compare.plain(runners, hold=hold, vary=vary)
-    missed = {of.runner for of in found.not_held}
-    return [gait for number, gait in enumerate(found.after) if number and number not in missed]
+    return [gait for gait in _matched(runners, hold, vary) if gait is not None]
+
+
+def _matched(runners: Sequence[Runner | Gait], hold: Sequence[str], vary: Sequence[str]) -> list[Gait | None]:
+    """Gaits of all runners but the first, made equal to its gait; None for one that cannot be."""
+    found = compare(runners, hold=hold, vary=vary)
+    gaits, held = gaits_in(found.sel(step="after")), found["held"].values
+    return [gait if of.all() else None for gait, of in zip(gaits[1:], held[1:], strict=True)]
