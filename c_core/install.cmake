@@ -7,7 +7,7 @@ install(DIRECTORY include/tdmf_slip DESTINATION tdmf_slip/native COMPONENT unit 
 # With these and the kernel, the package builds libraries of its users' pages.
 install(FILES gait/page.c gait/page_batch.c gait/page_map.h DESTINATION tdmf_slip/gait COMPONENT unit EXCLUDE_FROM_ALL)
 install(FILES ${declarations} DESTINATION tdmf_slip/library COMPONENT unit EXCLUDE_FROM_ALL)
-install(FILES ${variable_data} DESTINATION tdmf_slip/variables COMPONENT unit EXCLUDE_FROM_ALL)
+install(FILES derived/unit/data.py DESTINATION tdmf_slip/variables COMPONENT unit EXCLUDE_FROM_ALL)
 
 include(CMakePackageConfigHelpers)
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/tdmf_slip)

@@ -28,7 +28,7 @@ typedef enum {
 
 typedef enum { MODEL_EXCHANGE, CO_SIMULATION, CO_SIMULATION_WITH_EVENT_MODE } interface_kind;
 
-/* Categories of messages, as declared in modelDescription.xml: one for each status, where that of CALL_OK is
+/* Categories of messages, as declared in the model description: one for each status, where that of CALL_OK is
  * for events. Any of them may be switched on together. */
 enum { LOG_EVENTS = 1 << CALL_OK, LOG_ALL = (1 << (CALL_ERROR + 1)) - 1 };
 

@@ -3,10 +3,9 @@
 import re
 from xml.etree import ElementTree
 
-from .unit import DISPLAY
+from .unit import DEGREES, DISPLAY
 from .units import BASE, dimension_of
 
-DEGREES = "57.29577951308232"
 CATEGORIES = {
     "logEvents": "Every event, with its time and the modes before and after it",
     "logStatusWarning": "Calls that were carried out with a caveat",
@@ -58,7 +57,7 @@ class Description:
         self.units()
         self.types()
         categories = self.add(self.root, "LogCategories")
-        for name, text in (CATEGORIES | unit.categories).items():
+        for name, text in CATEGORIES.items():
             self.add(categories, "Category", name=name, description=text)
         self.add(self.root, "DefaultExperiment", **unit.experiment)
         variables = self.add(self.root, "ModelVariables")
@@ -96,14 +95,15 @@ class Description:
             element = self.add(definitions, "Unit", name=name)
             self.add(element, "BaseUnit", **{base: str(power) for base, power in base_unit(name).items()})
             if name in DISPLAY:
-                self.add(element, "DisplayUnit", name=DISPLAY[name], factor=DEGREES)
+                self.add(element, "DisplayUnit", name=DISPLAY[name], factor=repr(DEGREES))
 
     def types(self):
         """Types. FMPy 0.3.19 to 0.3.23 cannot read a description of one in FMI 3.0."""
         definitions = self.add(self.root, "TypeDefinitions")
         for name, kind, about, given, items in self.unit.types():
             if self.fmi == 3:
-                made = self.add(definitions, f"{TYPES_OF_3.get(kind, kind)}Type", name=name, **given)
+                kind = f"{TYPES_OF_3.get(kind, kind)}Type"
+                made = self.add(definitions, kind, name=name, **given)
             else:
                 made = self.add(
                     self.add(definitions, "SimpleType", name=name, description=about), kind, **given
@@ -178,9 +178,12 @@ class Description:
                 self.add(structure, tag, valueReference=reference, dependencies=given)
 
     def dependencies(self, tag, row, first):
-        """References, counted from `first`, of what an unknown depends on. None: on every start."""
+        """References, counted from `first`, of what an unknown depends on.
+
+        They are always written, because CasADi reads no unit without them.
+        """
         references = self.unit.references(row, tag == "InitialUnknown")
-        return None if references is None else " ".join(str(i + first) for i in references)
+        return " ".join(str(i + first) for i in references)
 
 
 def description(unit, fmi, version, sources):
@@ -199,4 +202,20 @@ def build_description(unit, sources):
         ElementTree.SubElement(files, "SourceFile", name=name)
     about = "where it is not in the C library"
     ElementTree.SubElement(configuration, "Library", name="m", external="true", description=about)
+    return document(root)
+
+
+def terminals(unit):
+    """The text of terminalsAndIcons.xml of FMI 3.0: the icon fills a square, terminals have no graphics."""
+    root = ElementTree.Element("fmiTerminalsAndIcons", fmiVersion="3.0")
+    corners = {"x1": "-100", "y1": "-100", "x2": "100", "y2": "100"}
+    graphics = ElementTree.SubElement(root, "GraphicalRepresentation")
+    ElementTree.SubElement(graphics, "CoordinateSystem", corners | {"suggestedScalingFactorTo_mm": "0.1"})
+    ElementTree.SubElement(graphics, "Icon", corners)
+    group = ElementTree.SubElement(root, "Terminals")
+    for name, (about, members) in unit.terminals.items():
+        terminal = ElementTree.SubElement(group, "Terminal", name=name, matchingRule="bus", description=about)
+        for member in members.split():
+            given = {"variableName": member, "memberName": member, "variableKind": "signal"}
+            ElementTree.SubElement(terminal, "TerminalMemberVariable", given)
     return document(root)

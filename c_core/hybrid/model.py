@@ -122,9 +122,12 @@ def require(name, allowed):
 def output(unit="1", meaning="", name=None, kind=float, of=None):
     """Mark a function whose value is reported; or declare an output `of` a function, with its meaning.
 
-    The kind is float, int, bool, a tuple of names for the values 1, 2, ..., or `letters`.
+    The kind is float, int, bool, a tuple of names for the values 1, 2, ..., a dictionary of these names with
+    their meanings, or `letters`.
     """
-    mark = _marked(is_output=True, unit=unit, name=name, kind_of_value=checked_kind(kind, "output"))
+    items, kind = (kind, tuple(kind)) if isinstance(kind, dict) else ({}, kind)
+    kind = checked_kind(kind, "output")
+    mark = _marked(is_output=True, unit=unit, name=name, kind_of_value=kind, items=items)
     if of is None:
         return mark
     of.__doc__ = meaning

@@ -95,7 +95,7 @@ def write_unit(model, folder, version="0"):
     Everything is C99 in the folder's `sources`, which need FMI's headers. `fmi2` and `fmi3` have what else is
     inside the FMUs of FMI 2.0 and 3.0: their model descriptions. `version` is that of the model.
     """
-    unit, texts = unit_of(model)
+    unit, texts = unit_of(model, version)
     sources = source_files(unit, texts)
     compiled = {fmi: sources_of(sources, fmi) for fmi in (2, 3)}
     files = {f"sources/{name}": text for name, text in sources.items()}

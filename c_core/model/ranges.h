@@ -1,5 +1,5 @@
-/* The table of variables as the core needs it: ranges and start values. Its rows are generated from
- * modelDescription.xml by scripts/generate_variables.py, in the order declared here. */
+/* The table of variables as the core needs it: ranges and start values. Its rows are derived
+ * from c_core/pages, in the order declared here. */
 #ifndef TDMF_MODEL_RANGES_H
 #define TDMF_MODEL_RANGES_H
 
@@ -33,7 +33,7 @@ extern const size_t tdmf_parameter_flag_count;
 extern const tdmf_range tdmf_input_ranges[TDMF_INPUT_COUNT];
 extern const tdmf_range tdmf_state_ranges[TDMF_MECHANICAL_COUNT];
 
-/* Quantities that states are, of those that modelDescription.xml has types of. */
+/* Quantities that states are, with a scale. */
 typedef enum {
     TDMF_QUANTITY_LENGTH,
     TDMF_QUANTITY_ANGLE,

@@ -1,8 +1,13 @@
-"""Writes the C of the pages that the library runs to c_core/derived/pages, or to a folder that is named.
+"""Writes what is derived from the pages to c_core, or to a folder that is named.
 
 `python -m c_core.pages [FOLDER]`
+
+- `derived/pages`: the C of the pages that the library runs, the unit's tables, and ranges for the library
+- `derived/unit`: descriptions of the FMI units, their list of source files, and the Python package's table
+- `include/tdmf_slip/variables.h`, which scripts/derive_equations formats
 """
 
+import re
 import sys
 from pathlib import Path
 
@@ -11,8 +16,13 @@ from ..hybrid.expressions import forget_expressions
 from ..hybrid.generate import generate, seeds_of
 from ..hybrid.instants import Functions
 from ..hybrid.page import Page
+from ..hybrid.description import build_description, description, terminals
 from ..hybrid.tables import list_in_c
+from ..hybrid.unit import identify
+from ..hybrid.unit_tables import header, tables
+from ..hybrid.unit_files import shared_sources, sources_of, write_files
 from . import ClassicSlip, PlainReducedRunner, PlainRunner, ReducedRunner, Runner
+from .tables import declarations, listed, python, ranges
 from .unit import runner_unit
 
 PAGES = ClassicSlip, PlainReducedRunner, PlainRunner, ReducedRunner, Runner
@@ -62,8 +72,8 @@ def part_of(whole, part):
         copy_count=len(copies), excess=excess))
 
 
-folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[1] / "derived/pages"
-folder.mkdir(exist_ok=True)
+core = Path(__file__).parents[1]
+folder = Path(sys.argv[1]) if len(sys.argv) > 1 else core
 pages = {model: Page(model) for model in PAGES}
 texts: dict[str, str] = {}
 for page in pages.values():
@@ -73,6 +83,27 @@ for page in pages.values():
 for model in (PlainRunner, PlainReducedRunner, ReducedRunner):
     texts[f"{pages[model].c}_in_runner.c"] = part_of(pages[Runner], pages[model])
 unit = runner_unit(pages[Runner])
-texts |= {"unit_page.h": unit.header(), "unit_page.c": unit.tables()}
-for name, text in texts.items():
-    (folder / name).write_text(text, encoding="utf-8")
+texts |= {"unit_page.h": header(unit), "unit_page.c": tables(unit), "ranges.c": ranges(unit)}
+
+header = (core / "include/tdmf_slip/version.h").read_text("utf-8")
+version = ".".join(re.findall(r"^#define TDMF_VERSION_[A-Z]+ (\d+)$", header, re.MULTILINE))
+OF_UNIT = r"(plain_)?runner(_motions|_in_runner)?\.[ch]|unit_page\.[ch]"
+of_unit = {name: text for name, text in texts.items() if re.fullmatch(OF_UNIT, name)}
+identify(unit, of_unit, version)
+texts["guid.h"] = of_unit["guid.h"]
+shared = shared_sources(of_unit)
+compiled = {fmi: sources_of([*of_unit, *shared], fmi) for fmi in (2, 3)}
+places = {f"c_core/derived/pages/{name}" for name in of_unit}
+places |= {path.relative_to(core.parent).as_posix() for path in shared.values()}
+template = (core.parent / "fmu_src/documentation/index.html").read_text("utf-8")
+files = {f"derived/pages/{name}": text for name, text in texts.items()} | {
+    "derived/unit/fmi2/modelDescription.xml": description(unit, 2, version, compiled[2]),
+    "derived/unit/fmi3/modelDescription.xml": description(unit, 3, version, compiled[3]),
+    "derived/unit/fmi3/sources/buildDescription.xml": build_description(unit, compiled[3]),
+    "derived/unit/fmi3/terminalsAndIcons/terminalsAndIcons.xml": terminals(unit),
+    "derived/unit/index.html": listed(unit, template),
+    "derived/unit/data.py": python(unit),
+    "derived/unit/sources.txt": "\n".join([*sorted(places), ""]),
+    "include/tdmf_slip/variables.h": declarations(unit),
+}
+write_files(folder, files)

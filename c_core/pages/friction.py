@@ -13,7 +13,7 @@ class Friction(Model):
         1, "1", "Static over kinetic friction coefficient, rho",
         name="ground.static_friction_ratio", least=1, most=1e6)
     stribeck_velocity = parameter(
-        0, "m/s", "Stribeck velocity: scale of the slip speed over which friction falls, v_s",
+        0, "m/s", "Stribeck velocity: scale of the slip speed over which friction falls, v_s; 0 for none",
         least=0, most=1e9)
 
     way = state(1, "1", "Direction of slip, 1 or -1", values=int, least=-1, most=1)

@@ -20,7 +20,7 @@ class Ground(Model):
         0, "rad", "Slope of the ground, positive uphill, sigma", name="ground.slope", least=-1, most=1)
     patch_begin = parameter(0, "m", "Position where the patch begins", least=-1e9, most=1e9)
     patch_end = parameter(
-        0, "m", "Position where the patch ends; at most ground.patch_begin for no patch", least=-1e9,
+        0, "m", "Position where the patch ends; ground.patch_begin for no patch", least=-1e9,
         most=1e9)
     patch_friction = parameter(0.1, "1", "Friction coefficient on the patch, mu_p", least=0, most=1e6)
     by_stride = parameter(False, "1", "Whether a new segment comes at each apex, and not at its border")

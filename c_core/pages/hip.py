@@ -18,14 +18,14 @@ class Hip(Model):
     kd = parameter(
         0.1, "N.m.s/rad", "Derivative gain of the hip in flight", tunable=True, least=0, most=1e18)
     touchdown_angle = parameter(
-        radians(40), "rad", "Target of the leg angle before touchdown, theta0", tunable=True,
-        least=-radians(90), most=radians(90))
+        radians(40), "rad", "Touchdown angle: target of the leg angle before touchdown, theta0",
+        tunable=True, least=-radians(90), most=radians(90))
     liftoff_factor = parameter(
         1.2, "1", "Target of the leg angle after lift-off, over the angle at lift-off, eta",
         name="hip.liftoff_angle_factor", tunable=True, least=0, most=100)
     retraction_rate = parameter(
-        0, "rad/s", "Rate at which the target angle falls after the apex, omega", tunable=True,
-        least=-1e9, most=1e9)
+        0, "rad/s", "Swing-leg retraction: rate at which the target angle falls after the apex, omega",
+        tunable=True, least=-1e9, most=1e9)
     swing_clamp = parameter(False, "1", "Whether the torque that retracts the leg is clamped at 0 from below")
     external_torque = input(0, "N.m", "Torque added to the hip law", least=-1e18, most=1e18)
 
@@ -41,7 +41,8 @@ class Hip(Model):
     swing = state(
         PLACE, "1", "Law of the hip in flight: 0 rest, 1 retract, 2 place", values=int, least=REST,
         most=PLACE)
-    placing = state(0, "s", "In place, the time since it began; else 0", name="hip.place_time", least=0)
+    placing = state(
+        0, "s", "Time since the phase place began; 0 in other phases", name="hip.place_time", least=0)
     touchdown_time = state(0, "s", "Time of the last impact")
     was_placed = state(0, "1", "1 if the leg was being placed at the last impact, else 0", values=bool)
     placed_for = state(0, "s", "Time in place at the last impact", least=0)

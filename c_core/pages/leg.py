@@ -22,7 +22,7 @@ class Leg(Model):
         most=1e6)
     gravity = parameter(0.01, "m/s2", "Acceleration of gravity, g", name="gravity", least=1e-9, most=1e6)
     thrust = parameter(
-        0, "m", "Increase of the rest length from greatest compression to lift-off, epsilon",
+        0, "m", "Thrust: increase of the rest length from greatest compression to lift-off, epsilon",
         tunable=True, least=0, most=1e6)
     notes_compression = parameter(
         True, "1", "Whether a thrust that is set later acts at once if the leg has been shortest before")

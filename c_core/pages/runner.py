@@ -300,7 +300,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
     @event("stick slip", when=lambda r: r.standing().normal, unit="N")
     def lift_off(r):
-        """Flight where the flight law lifts the foot too; graze where it would push the foot down again.
+        """The normal force ends: flight if the flight law lifts the foot, too, else graze.
 
         A foot that is hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below
         an upright leg, whose torque does not act along the normal.
@@ -372,7 +372,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
     @output("N", name="contact.tangential")
     def tangential_force(r):
-        """Tangential force of the ground on the foot, f_t."""
+        """Tangential force of the ground on the foot, positive uphill, f_t."""
         if r.mode == "slip":
             return -r.way * r.slip_friction() * r.standing().normal
         return r.standing().along if r.mode == "stick" else 0
@@ -419,14 +419,19 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         "J", "Mechanical energy, which changes by all work less all losses", name="energy.total",
         of=lambda r: r.kinetic_energy() + r.potential_energy() + r.elastic_energy())
 
-    @output(name="contact.mode", kind=("flight", "stick", "slip_positive", "slip_negative", "graze"))
+    @output(name="contact.mode", kind={
+        "flight": "off the ground", "stick": "at rest on the ground", "slip_positive": "slipping forward",
+        "slip_negative": "slipping backward",
+        "graze": "on the ground without force, between stance and flight"})
     def kind_of_contact(r):
         """Contact mode of the foot."""
         if r.mode == "slip":
             return select(r.way > 0, 3, 4)
         return {"stick": 2, "graze": 5}.get(r.mode, 1)
 
-    @output(name="hip.phase", kind=("drive", "coast", "retract", "place"))
+    @output(name="hip.phase", kind={
+        "drive": "touchdown to mid-stance", "coast": "the rest of the stance",
+        "retract": "off the ground, centre of mass rising", "place": "off the ground, from the apex on"})
     def phase_of_hip(r):
         """Phase of the hip law."""
         if r.in_stance():

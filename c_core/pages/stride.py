@@ -50,26 +50,26 @@ class Stride(Model):
         0, "1", "Gait word: + slip forward, 0 stick, - slip backward, | new stance; negative if cut",
         name="stride.word",
         values=letters("|-0+"))
-    period = state(0, "s", "Period of the last stride, T", name="stride.period")
-    distance = state(0, "m", "Distance covered in the last stride", name="stride.length")
-    rise_of_stride = state(0, "m", "Height gained in the last stride", name="stride.rise")
-    work_of_stride = state(0, "J", "Net work of hip and leg in the last stride, W", name="stride.work")
-    hip_work = state(0, "J", "Net work of the hip in the last stride", name="stride.hip_work")
+    period = state(0, "s", "Period of the stride, T", name="stride.period")
+    distance = state(0, "m", "Distance covered in the stride", name="stride.length")
+    rise_of_stride = state(0, "m", "Height gained in the stride", name="stride.rise")
+    work_of_stride = state(0, "J", "Net work of hip and leg in the stride, W", name="stride.work")
+    hip_work = state(0, "J", "Net work of the hip in the stride", name="stride.hip_work")
     leg_work_of_stride = state(
-        0, "J", "Net work of thrust and leg extension in the last stride", name="stride.leg_work")
-    positive_work = state(0, "J", "Positive work of the hip in the last stride", name="stride.positive_work")
-    speed = state(0, "m/s", "Average speed of the last stride, V", name="stride.speed")
+        0, "J", "Net work of thrust and leg extension in the stride", name="stride.leg_work")
+    positive_work = state(0, "J", "Positive work of the hip in the stride", name="stride.positive_work")
+    speed = state(0, "m/s", "Average speed of the stride, V", name="stride.speed")
     cost_of_transport = state(
-        0, "1", "Mechanical cost of transport of the last stride, c_mt", name="stride.cost_of_transport")
+        0, "1", "Mechanical cost of transport of the stride, c_mt", name="stride.cost_of_transport")
     touchdowns = state(
-        0, "1", "Impacts of the foot in the last stride", name="stride.touchdowns", values=int, least=0)
-    stance_time = state(0, "s", "Time in contact in the last stride", name="stride.stance_time")
+        0, "1", "Impacts of the foot in the stride", name="stride.touchdowns", values=int, least=0)
+    stance_time = state(0, "s", "Time in contact in the stride", name="stride.stance_time")
     duty_factor = state(
-        0, "1", "Share of the last stride in which the foot was in contact", name="stride.duty_factor")
-    slip_distance = state(0, "m", "Slip distance of the foot in the last stride", name="stride.slip_distance")
-    peak_force = state(0, "N", "Largest normal force in the last stride", name="stride.peak_force")
+        0, "1", "Share of the stride in which the foot was in contact", name="stride.duty_factor")
+    slip_distance = state(0, "m", "Slip distance of the foot in the stride", name="stride.slip_distance")
+    peak_force = state(0, "N", "Largest normal force in the stride", name="stride.peak_force")
     peak_vertical_force = state(
-        0, "N", "Largest vertical ground force in the last stride", name="stride.peak_vertical_force")
+        0, "N", "Largest vertical ground force in the stride", name="stride.peak_vertical_force")
 
     # The section at the last apex.
     apex_time = state(-1, "s", "Time of the last apex", name="apex.time")

@@ -1,4 +1,4 @@
-"""The directive `variables`: those of the unit of some causalities, as modelDescription.xml has them."""
+"""The directive `variables`: those of the unit of some causalities."""
 
 from docutils import nodes
 from sphinx.application import Sphinx

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Make the live page's tables of modelDescription.xml, presets, glossary and the paper's gaits.
+"""Make the live page's tables of the runner's unit, presets, glossary and the paper's gaits.
 
     generate.py c     OUTPUT    C: where each value and output is in the core's structs
     generate.py page  OUTPUT    JavaScript: names, units, ranges, defaults and descriptions; presets; words
@@ -17,36 +17,43 @@ import tomllib
 
 HERE = pathlib.Path(__file__).parent
 ROOT = HERE.parents[1]
-sys.path.insert(0, str(ROOT / "scripts"))
+sys.dont_write_bytecode = True  # a build leaves the sources alone
+sys.path.insert(0, str(ROOT))
 
-from generate_variables import Table, generated  # noqa: E402
+from c_core.hybrid.unit import DEGREES, DISPLAY  # noqa: E402
+from c_core.pages.tables import (  # noqa: E402
+    constant,
+    dimensions,
+    group_of,
+    inputs_of,
+    parameters_of,
+    short_names,
+    states_of,
+)
+from c_core.pages.unit import runner_unit  # noqa: E402
 
 PACKAGE = ROOT / "scripts/tdmf_slip"
 MODE, PHASE = "contact.mode", "hip.phase"
 
 
-def values_of(table):
+def values_of(unit):
     """Values that `live_accept` takes, in its order: the core's parameters, then the inputs."""
-    return [*table.core_parameters(), *table.inputs()]
+    return [*parameters_of(unit), *inputs_of(unit)]
 
 
-def starts_of(table):
+def starts_of(unit):
     """The mechanical states, at which a run begins."""
-    return [v for v in table.states if v.value.get("start")]
+    return [row for row in states_of(unit) if row.is_set]
 
 
-def outputs_of(table):
+def outputs_of(unit):
     """Numbers that are read off a run, with their places: states, and what the core's outputs hold."""
-    shown = [
-        v
-        for v in table.variables
-        if v.type != "String"
-        and v.causality not in ("independent", "parameter", "input")
-        and v not in table.guards
-        and v.group != "solver"
-        and not v.derivative
+    shown = (row for row in unit.rows if row.storage in ("STATE", "OUTPUT", "HELD"))
+    return [
+        (row, constant(row) if row.storage == "STATE" else f"offsetof(tdmf_outputs, {row.name})")
+        for row in shown
+        if unit.type_of(row) != "String"
     ]
-    return [(v, v.constant if v in table.states else f"offsetof(tdmf_outputs, {v.name})") for v in shown]
 
 
 def agreement(claim, what):
@@ -54,21 +61,22 @@ def agreement(claim, what):
     return f"typedef char agrees_{what}[({claim}) ? 1 : -1];"
 
 
-def c_table(table):
+def c_table(unit):
     """The C file behind the tables of live.h."""
     groups = {"Real": "LIVE_PARAMETER", "Boolean": "LIVE_FLAG"}
     values = [
-        f"    {{LIVE_INPUT, offsetof(tdmf_inputs, {v.name})}},"
-        if v.causality == "input"
-        else f"    {{{groups[v.type]}, offsetof(tdmf_parameters, {v.name})}},"
-        for v in values_of(table)
+        f"    {{LIVE_INPUT, offsetof(tdmf_inputs, {row.name})}},"
+        if row.causality == "input"
+        else f"    {{{groups[unit.type_of(row)]}, offsetof(tdmf_parameters, {row.name})}},"
+        for row in values_of(unit)
     ]
     outputs = []
-    for variable, storage_name in outputs_of(table):
-        kind = {"Real": "LIVE_DOUBLE", "Boolean": "LIVE_BOOL"}.get(variable.type, "LIVE_INT")
-        outputs.append(f"    {{{'LIVE_STATE' if variable in table.states else kind}, {storage_name}}},")
-    return generated(
+    for row, place in outputs_of(unit):
+        kind = {"Real": "LIVE_DOUBLE", "Boolean": "LIVE_BOOL"}.get(unit.type_of(row), "LIVE_INT")
+        outputs.append(f"    {{{'LIVE_STATE' if row.storage == 'STATE' else kind}, {place}}},")
+    return "\n".join(
         [
+            "/* Derived from c_core/pages by documentation/live/generate.py. */",
             '#include "live.h"',
             "",
             "#include <stddef.h>",
@@ -84,54 +92,53 @@ def c_table(table):
             "};",
             "const int live_output_count = sizeof live_outputs / sizeof live_outputs[0];",
             agreement(f"{len(outputs)} <= LIVE_OUTPUT_CAPACITY", "outputs_fit"),
+            "",
         ]
     )
 
 
-def described(variable):
+def described(unit, row):
     """A variable as the page knows it; a Boolean is 0 or 1."""
-    number = {"Real": float, "Integer": int, "Enumeration": int}.get(variable.type, str)
-    given = {key: variable.value.get(key) for key in ("min", "max", "start")}
-    if variable.type == "Boolean" and given["start"]:
-        number, given = int, {"min": "0", "max": "1", "start": variable.start}
+    kind, known = unit.type_of(row), unit.attributes(row)
+    number = float if kind == "Real" else int
+    given = {key: known.get(key) for key in ("min", "max", "start")}
+    if kind == "Boolean" and row.start is not None:
+        given = {"min": 0, "max": 1, "start": row.start}
     return {
-        "name": variable.name,
-        "unit": variable.unit or "",
-        "isFlag": variable.type == "Boolean",
-        "description": variable.element.get("description"),
-        "causality": variable.causality,
-        "variability": variable.variability,
-        **{key: number(text) for key, text in given.items() if text},
+        "name": row.name,
+        "unit": row.unit if kind == "Real" else "",
+        "isFlag": kind == "Boolean",
+        "description": row.about,
+        "causality": row.causality,
+        "variability": row.variability,
+        **{key: number(value) for key, value in given.items() if value is not None},
     }
 
 
-def display_units(table):
+def display_units(unit):
     """Display unit of each unit, and how many of these make one."""
-    units = {}
-    for unit in table.units:
-        shown = unit.find("DisplayUnit")
-        if shown is not None:
-            units[unit.get("name")] = {"name": shown.get("name"), "factor": float(shown.get("factor"))}
-    return units
+    return {name: {"name": DISPLAY[name], "factor": DEGREES} for name in unit.used_units() if name in DISPLAY}
 
 
-def items(table, name):
+def named(unit, name):
+    """The variable of that name."""
+    return unit.rows[unit.number[name]]
+
+
+def items(unit, name):
     """Name and description of an enumeration's items, by number."""
-    return {
-        int(item.get("value")): {"name": item.get("name"), "description": item.get("description")}
-        for item in table.by_name[name].items
-    }
+    meanings = named(unit, name).items
+    return {i: {"name": item, "description": meanings[item]} for i, item in enumerate(meanings, 1)}
 
 
-def in_unit(table, name, given):
+def in_unit(unit, name, given):
     """A value of a preset in its variable's unit; a text ends in a unit."""
     if not isinstance(given, str):
         return float(given)
-    number, _, unit = given.partition(" ")
-    shown = display_units(table)[table.by_name[name].unit]
-    if unit != shown["name"]:
-        raise SystemExit(f"presets: {name} = {given}: the unit is not {shown['name']}")
-    return float(number) / shown["factor"]
+    number, _, measure = given.partition(" ")
+    if measure != DISPLAY[named(unit, name).unit]:
+        raise SystemExit(f"presets: {name} = {given}: the unit is not {DISPLAY[named(unit, name).unit]}")
+    return float(number) / DEGREES
 
 
 def flat(content, prefix=""):
@@ -143,27 +150,28 @@ def flat(content, prefix=""):
             yield prefix + key, value
 
 
-def known_values(table, given):
+def known_values(unit, given):
     """A preset's values that differ from the defaults, of what the page has a control for."""
-    known = {v.name for v in (*values_of(table), *starts_of(table))}
-    values = {name: in_unit(table, name, value) for name, value in given.items() if name in known}
+    known = {row.name for row in (*values_of(unit), *starts_of(unit))}
+    values = {name: in_unit(unit, name, value) for name, value in given.items() if name in known}
     return {
         name: value
         for name, value in values.items()
-        if not math.isclose(value, float(table.by_name[name].start), rel_tol=1e-15)
+        if not math.isclose(value, named(unit, name).start, rel_tol=1e-15)
     }
 
 
-def own_presets(table):
+def own_presets(unit):
     """Those of presets.toml."""
     for given in tomllib.loads((HERE / "presets.toml").read_text(encoding="utf-8"))["preset"]:
         name, values = given.pop("name"), dict(flat(given))
         for value in values:
-            table.find(value, f"presets.toml, {name!r},")
-        yield {"name": name, "values": known_values(table, values)}
+            if value not in unit.number:
+                raise SystemExit(f"presets.toml, {name!r}, names {value}, which is no variable")
+        yield {"name": name, "values": known_values(unit, values)}
 
 
-def presets(table):
+def presets(unit):
     """The paper's gaits, the runner of human size, the page's own."""
     gaits = json.loads((PACKAGE / "paper/reference_gaits.json").read_text(encoding="utf-8"))["gaits"]
     found = [
@@ -177,14 +185,14 @@ def presets(table):
         if not gait["swing_clamp"]  # as by default
     ]
     human = tomllib.loads((PACKAGE / "variables/presets/human.toml").read_text(encoding="utf-8"))
-    found.append({"name": "human scale", "values": known_values(table, dict(flat(human)))})
-    return [*found, *own_presets(table)]
+    found.append({"name": "human scale", "values": known_values(unit, dict(flat(human)))})
+    return [*found, *own_presets(unit)]
 
 
-def paper_units(table):
+def paper_units(unit):
     """Label of each unit where the runner is in the paper's units."""
     label = runpy.run_path(str(PACKAGE / "variables/units.py"))["paper_label"]
-    labels = {unit: label(*powers) for unit, powers in table.dimensions().items() if any(powers)}
+    labels = {name: label(*powers) for name, powers in dimensions(unit).items() if any(powers)}
     return {**labels, "deg/s": "deg sqrt(k/m)"}
 
 
@@ -196,28 +204,28 @@ def terms():
     }
 
 
-def page_table(table):
+def page_table(unit):
     """The page's module of data."""
     data = {
-        "values": [described(v) for v in values_of(table)],
-        "starts": [described(v) for v in starts_of(table)],
-        "outputs": [described(v) for v, _ in outputs_of(table)],
-        "displayUnits": display_units(table),
-        "dimensions": table.dimensions(),
-        "contactModes": items(table, MODE),
-        "hipPhases": items(table, PHASE),
-        "apex": [described(v) for v in table.variables if v.group == "apex" and v.name != "apex.time"],
-        "presets": presets(table),
-        "aliases": table.aliases(),
-        "paperUnits": paper_units(table),
+        "values": [described(unit, row) for row in values_of(unit)],
+        "starts": [described(unit, row) for row in starts_of(unit)],
+        "outputs": [described(unit, row) for row, _ in outputs_of(unit)],
+        "displayUnits": display_units(unit),
+        "dimensions": dimensions(unit),
+        "contactModes": items(unit, MODE),
+        "hipPhases": items(unit, PHASE),
+        "apex": [
+            described(unit, row) for row in unit.rows if group_of(row) == "apex" and row.name != "apex.time"
+        ],
+        "presets": presets(unit),
+        "aliases": short_names(unit),
+        "paperUnits": paper_units(unit),
         "terms": terms(),
     }
     lines = [
         f"export const {name} = {json.dumps(value, ensure_ascii=False)};" for name, value in data.items()
     ]
-    return "\n".join(
-        ["// Generated from modelDescription.xml by documentation/live/generate.py.", *lines, ""]
-    )
+    return "\n".join(["// Derived from c_core/pages by documentation/live/generate.py.", *lines, ""])
 
 
 def main():
@@ -228,8 +236,7 @@ def main():
     parser.add_argument("what", choices=["c", "page"])
     parser.add_argument("output", type=pathlib.Path)
     arguments = parser.parse_args()
-    table = Table(ROOT / "modelDescription.xml")
-    text = {"c": c_table, "page": page_table}[arguments.what](table)
+    text = {"c": c_table, "page": page_table}[arguments.what](runner_unit())
     arguments.output.write_text(text, encoding="utf-8")
 
 

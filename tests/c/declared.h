@@ -1,4 +1,4 @@
-/* Runners anywhere in the ranges that modelDescription.xml declares. */
+/* Runners anywhere in the ranges that the unit declares. */
 #ifndef TDMF_TESTS_DECLARED_H
 #define TDMF_TESTS_DECLARED_H
 

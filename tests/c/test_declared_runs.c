@@ -1,4 +1,4 @@
-/* Random runs of the native solver over the ranges that modelDescription.xml declares: parameters, inputs,
+/* Random runs of the native solver over the ranges that the unit declares: parameters, inputs,
  * starts and tolerances. Half of them are over uneven ground as well, with pushes, a leg that is extended and
  * a controller that changes inputs and settings in mid-run. A run goes on, falls or is given up with a
  * reason, within its steps; its numbers are numbers, its energy ledger closes, its foot keeps to the ground

@@ -9,8 +9,8 @@ from page_runs import ROOT, CompiledPage
 
 from c_core.pages.runner import Runner
 
-TABLE = ElementTree.parse(Path(ROOT) / "modelDescription.xml")
-VARIABLES = {v.get("name"): v for v in TABLE.iter("ScalarVariable")}
+DESCRIPTION = Path(ROOT) / "c_core/derived/unit/fmi2/modelDescription.xml"
+VARIABLES = {v.get("name"): v for v in ElementTree.parse(DESCRIPTION).iter("ScalarVariable")}
 """The unit's variables, by name."""
 STATES = (
     "seen_x", "seen_y", "length", "angle", "seen_vx", "seen_vy", "length_rate", "angle_rate", "work",

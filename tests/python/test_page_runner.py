@@ -12,8 +12,6 @@ from runner_pages import (
     SECTION,
     STATES,
     STEP_LIMIT,
-    TABLE,
-    VARIABLES,
     drawn,
     section,
     whole_page,
@@ -324,35 +322,3 @@ def test_a_return_map_of_too_many_seeds_is_refused(whole):
     assert at_apex.given.message == text
     assert at_apex.after(GAIT["apex"]).outcome == "stopped"
     assert np.isnan(at_apex.memory[-BEHIND:]).all()
-
-
-# ---- the table of the unit's variables --------------------------------------------------------------
-
-
-def test_the_page_declares_the_units_variables(whole):
-    """Units, bounds, start values and roles are those of modelDescription.xml, and no variable is missing."""
-    types = {t.get("name"): t[0].get("unit") for t in TABLE.iter("SimpleType")}
-    model, declared = whole.model, {}
-    for kind in ("parameter", "state"):  # the state `height` is that of the line in force: not ground.height
-        for name, q in model.quantities(kind).items():
-            declared.setdefault(model.public(name), q)
-    outputs = {model.public(name): f for name, f in model.marked("is_output").items()}
-    of_unit = {"time", "status.terminate_on_fall", "contact.mode_index", "hip.phase_index"}
-    missing = VARIABLES.keys() - declared - outputs.keys() - of_unit - {"stride.word_code"}
-    assert [n for n in missing if not n.startswith(("der(", "guard.", "solver."))] == []
-    for name, q in (declared | outputs).items():
-        if name in VARIABLES and VARIABLES[name][0].tag == "Real":
-            assert q.unit == types[VARIABLES[name][0].get("declaredType")], name
-    for name, q in declared.items():
-        if (variable := VARIABLES.get(name)) is None:
-            continue  # a state behind the quantities of a stride
-        if variable.get("causality") == "output" and variable[0].get("start") is None:
-            continue  # nobody sets it
-        bounds = {"min": q.within.get("least"), "max": q.within.get("most")}
-        assert {k: v if v is None else float(v) for k, v in variable[0].items() if k in bounds} == {
-            k: v for k, v in bounds.items() if v is not None
-        }, name
-        if q.kind == "parameter":
-            assert (q.role == "tunable") == (variable.get("variability") == "tunable"), name
-        if start := variable[0].get("start"):
-            assert q.value == {"true": 1.0, "false": 0.0}.get(start) or q.value == float(start), name

@@ -27,7 +27,7 @@ typedef struct {
     real drive_torque; /* N.m: Hip torque in the first half of a stance, tau0 */
     real kp; /* N.m/rad: Proportional gain of the hip in flight */
     real kd; /* N.m.s/rad: Derivative gain of the hip in flight */
-    real touchdown_angle; /* rad: Target of the leg angle before touchdown, theta0 */
+    real touchdown_angle; /* rad: Touchdown angle: target of the leg angle before touchdown, theta0 */
     real liftoff_factor; /* 1: Target of the leg angle after lift-off, over the angle at lift-off, eta */
     real swing_clamp; /* 1: Whether the torque that retracts the leg is clamped at 0 from below */
 } plain_runner_parameters;
@@ -58,20 +58,20 @@ typedef struct {
     real count; /* 1: Number of completed strides */
     real word_code; /* 1: Gait word: + slip forward, 0 stick, - slip backward,
         | new stance; negative if cut */
-    real period; /* s: Period of the last stride, T */
-    real distance; /* m: Distance covered in the last stride */
-    real rise_of_stride; /* m: Height gained in the last stride */
-    real work_of_stride; /* J: Net work of hip and leg in the last stride, W */
-    real hip_work; /* J: Net work of the hip in the last stride */
-    real positive_work; /* J: Positive work of the hip in the last stride */
-    real speed; /* m/s: Average speed of the last stride, V */
-    real cost_of_transport; /* 1: Mechanical cost of transport of the last stride, c_mt */
-    real touchdowns; /* 1: Impacts of the foot in the last stride */
-    real stance_time; /* s: Time in contact in the last stride */
-    real duty_factor; /* 1: Share of the last stride in which the foot was in contact */
-    real slip_distance; /* m: Slip distance of the foot in the last stride */
-    real peak_force; /* N: Largest normal force in the last stride */
-    real peak_vertical_force; /* N: Largest vertical ground force in the last stride */
+    real period; /* s: Period of the stride, T */
+    real distance; /* m: Distance covered in the stride */
+    real rise_of_stride; /* m: Height gained in the stride */
+    real work_of_stride; /* J: Net work of hip and leg in the stride, W */
+    real hip_work; /* J: Net work of the hip in the stride */
+    real positive_work; /* J: Positive work of the hip in the stride */
+    real speed; /* m/s: Average speed of the stride, V */
+    real cost_of_transport; /* 1: Mechanical cost of transport of the stride, c_mt */
+    real touchdowns; /* 1: Impacts of the foot in the stride */
+    real stance_time; /* s: Time in contact in the stride */
+    real duty_factor; /* 1: Share of the stride in which the foot was in contact */
+    real slip_distance; /* m: Slip distance of the foot in the stride */
+    real peak_force; /* N: Largest normal force in the stride */
+    real peak_vertical_force; /* N: Largest vertical ground force in the stride */
     real apex_time; /* s: Time of the last apex */
     real apex_com_height; /* m: Height of the centre of mass at the last apex */
     real apex_com_speed; /* m/s: Speed of the centre of mass at the last apex */
@@ -109,7 +109,7 @@ typedef struct {
     real liftoff_angle; /* rad: Leg angle when the foot last left the ground, theta_LO */
     real driving; /* 1: 1 from touchdown to mid-stance, else 0 */
     real swing; /* 1: Law of the hip in flight: 0 rest, 1 retract, 2 place */
-    real placing; /* s: In place, the time since it began; else 0 */
+    real placing; /* s: Time since the phase place began; 0 in other phases */
     real touchdown_time; /* s: Time of the last impact */
     real was_placed; /* 1: 1 if the leg was being placed at the last impact, else 0 */
     real placed_for; /* s: Time in place at the last impact */

@@ -383,9 +383,9 @@ static void guard_slip_constant_mid_stance(const real *constants, const real *se
     }
 }
 
-/* lift_off: Flight where the flight law lifts the foot too; graze where it would push the foot down again. A
- * foot that is hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below an
- * upright leg, whose torque does not act along the normal. */
+/* lift_off: The normal force ends: flight if the flight law lifts the foot, too, else graze. A foot that is
+ * hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below an upright leg, whose
+ * torque does not act along the normal. */
 static void guard_slip_constant_lift_off(const real *constants, const real *series, int order, real *g) {
     const slip_constant_constants *c = (const void *)constants;
     const slip_constant_series *s = (const void *)series;
@@ -780,9 +780,9 @@ static void guard_stick_mid_stance(const real *constants, const real *series, in
     }
 }
 
-/* lift_off: Flight where the flight law lifts the foot too; graze where it would push the foot down again. A
- * foot that is hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below an
- * upright leg, whose torque does not act along the normal. */
+/* lift_off: The normal force ends: flight if the flight law lifts the foot, too, else graze. A foot that is
+ * hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below an upright leg, whose
+ * torque does not act along the normal. */
 static void guard_stick_lift_off(const real *constants, const real *series, int order, real *g) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;

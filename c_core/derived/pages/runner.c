@@ -1146,9 +1146,9 @@ static real vary_guard_slip_constant_mid_stance(const real *parameters, const re
     return d_angle;
 }
 
-/* lift_off: Flight where the flight law lifts the foot too; graze where it would push the foot down again. A
- * foot that is hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below an
- * upright leg, whose torque does not act along the normal. */
+/* lift_off: The normal force ends: flight if the flight law lifts the foot, too, else graze. A foot that is
+ * hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below an upright leg, whose
+ * torque does not act along the normal. */
 static int react_slip_constant_lift_off(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;

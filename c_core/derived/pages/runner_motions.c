@@ -568,9 +568,9 @@ static void guard_slip_constant_mid_stance(const real *constants, const real *se
     }
 }
 
-/* lift_off: Flight where the flight law lifts the foot too; graze where it would push the foot down again. A
- * foot that is hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below an
- * upright leg, whose torque does not act along the normal. */
+/* lift_off: The normal force ends: flight if the flight law lifts the foot, too, else graze. A foot that is
+ * hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below an upright leg, whose
+ * torque does not act along the normal. */
 static void guard_slip_constant_lift_off(const real *constants, const real *series, int order, real *g) {
     const slip_constant_series *s = (const void *)series;
     (void)constants;
@@ -1161,9 +1161,9 @@ static void guard_stick_mid_stance(const real *constants, const real *series, in
     }
 }
 
-/* lift_off: Flight where the flight law lifts the foot too; graze where it would push the foot down again. A
- * foot that is hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below an
- * upright leg, whose torque does not act along the normal. */
+/* lift_off: The normal force ends: flight if the flight law lifts the foot, too, else graze. A foot that is
+ * hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below an upright leg, whose
+ * torque does not act along the normal. */
 static void guard_stick_lift_off(const real *constants, const real *series, int order, real *g) {
     const stick_constants *c = (const void *)constants;
     const stick_series *s = (const void *)series;
@@ -2974,9 +2974,9 @@ static void guard_slip_falling_mid_stance(const real *constants, const real *ser
     }
 }
 
-/* lift_off: Flight where the flight law lifts the foot too; graze where it would push the foot down again. A
- * foot that is hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below an
- * upright leg, whose torque does not act along the normal. */
+/* lift_off: The normal force ends: flight if the flight law lifts the foot, too, else graze. A foot that is
+ * hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below an upright leg, whose
+ * torque does not act along the normal. */
 static void guard_slip_falling_lift_off(const real *constants, const real *series, int order, real *g) {
     const slip_falling_series *s = (const void *)series;
     (void)constants;

@@ -1,12 +1,12 @@
-/* Parameters, inputs, states and guards, derived from modelDescription.xml by
- * scripts/generate_variables.py: edit that, not this. */
+/* Parameters, inputs, states and guards. Derived from c_core/pages by scripts/derive_equations: edit the
+ * pages, not this. */
 #ifndef TDMF_SLIP_VARIABLES_H
 #define TDMF_SLIP_VARIABLES_H
 
 #include <stdbool.h>
 
-/* SI units, angles in rad. A member's path is the variable's name in the FMU: `leg.stiffness`. Ranges and
- * defaults (Table 1 of the paper with m = k = l0 = 1) come from modelDescription.xml. */
+/* SI units, angles in rad. A member's path is the variable's name in the FMU: `leg.stiffness`. The defaults
+ * are Table 1 of the paper with m = k = l0 = 1. */
 typedef struct {
     struct {
         double mass; /* Mass of the body, m, kg */
@@ -18,32 +18,29 @@ typedef struct {
         double stiffness;   /* Stiffness of the leg spring, k, N/m */
         double damping;     /* Damping of the leg, c, N.s/m */
         double free_length; /* Length of the unloaded leg, l0, m */
-        double min_length;  /* A leg shorter than this ends the run as a fall, m */
-        double thrust; /* Thrust: length added to the rest length of the leg from its greatest compression to
-                          the end of the stance, epsilon, m */
+        double min_length;  /* Leg length below which the runner falls, m */
+        double thrust; /* Thrust: increase of the rest length from greatest compression to lift-off, epsilon,
+                          m */
     } leg;
     double gravity; /* Acceleration of gravity, g, m/s2 */
     struct {
-        double static_friction_ratio; /* Ratio of static to sliding friction, rho */
-        double stribeck_velocity; /* Stribeck velocity: slip speed over which friction falls from its static
-                                     to its sliding value, v_s; 0, or at least 1e-11 l0 sqrt(k/m), m/s */
-        double patch_begin;       /* Horizontal position at which the patch begins; no patch if it equals
-                                     ground.patch_end, m */
-        double patch_end; /* Horizontal position at which the patch ends, at least ground.patch_begin, m */
-        double patch_friction; /* Coefficient of friction of foot and patch, mu_p */
+        double static_friction_ratio; /* Static over kinetic friction coefficient, rho */
+        double stribeck_velocity;     /* Stribeck velocity: scale of the slip speed over which friction falls,
+                                         v_s; 0 for none, m/s */
+        double patch_begin;           /* Position where the patch begins, m */
+        double patch_end;             /* Position where the patch ends; ground.patch_begin for no patch, m */
+        double patch_friction;        /* Friction coefficient on the patch, mu_p */
     } ground;
     struct {
-        double stance_torque;        /* Hip torque in the first half of a stance, tau0, N.m */
-        double touchdown_angle;      /* Touchdown angle: leg angle at which the hip places the leg before
-                                        touchdown, theta0, rad */
-        double kp;                   /* Proportional gain of the hip in flight, N.m/rad */
-        double kd;                   /* Derivative gain of the hip in flight, N.m.s/rad */
-        double liftoff_angle_factor; /* Reference leg angle after lift-off, relative to the leg angle at
-                                        lift-off, eta */
-        double retraction_rate; /* Swing-leg retraction: rate at which the reference leg angle decreases from
-                                   theta0 in the phase place, omega, rad/s */
-        bool swing_clamp; /* After lift-off, until the apex, the hip torque is never negative: it only stops
-                             the leg's backward rotation */
+        double stance_torque;   /* Hip torque in the first half of a stance, tau0, N.m */
+        double touchdown_angle; /* Touchdown angle: target of the leg angle before touchdown, theta0, rad */
+        double kp;              /* Proportional gain of the hip in flight, N.m/rad */
+        double kd;              /* Derivative gain of the hip in flight, N.m.s/rad */
+        double liftoff_angle_factor; /* Target of the leg angle after lift-off, over the angle at lift-off,
+                                        eta */
+        double retraction_rate; /* Swing-leg retraction: rate at which the target angle falls after the apex,
+                                   omega, rad/s */
+        bool swing_clamp;       /* Whether the torque that retracts the leg is clamped at 0 from below */
     } hip;
 } tdmf_parameters;
 
@@ -52,7 +49,7 @@ typedef struct {
  * always zero. */
 typedef struct {
     struct {
-        double friction; /* Coefficient of friction of foot and ground, mu */
+        double friction; /* Friction coefficient between foot and ground, mu */
         double height;   /* Height of the ground at x = 0, h, m */
         double slope;    /* Slope of the ground, positive uphill, sigma, rad */
     } ground;
@@ -60,11 +57,11 @@ typedef struct {
         double external_torque; /* Torque added to the hip law, N.m */
     } hip;
     struct {
-        double extension; /* Length added to the rest length of the leg, m */
+        double extension; /* Change of the rest length of the leg, m */
     } leg;
     struct {
-        double external_fx; /* External horizontal force on the body, N */
-        double external_fy; /* External vertical force on the body, N */
+        double external_fx; /* Horizontal external force on the body, N */
+        double external_fy; /* Vertical external force on the body, N */
     } body;
     struct {
         double touchdown_angle; /* Added to hip.touchdown_angle, rad */
@@ -92,11 +89,11 @@ enum {
     TDMF_LEG_ANGLE_RATE,  /* Rate of the leg angle, rad/s */
     TDMF_HIP_WORK,        /* Work of the total hip torque since the start, W, J */
     TDMF_HIP_PLACE_TIME,  /* Time since the phase place began; 0 in other phases, s */
-    TDMF_LEG_WORK,        /* Work of the leg by thrust and extension since the start, J */
+    TDMF_LEG_WORK,        /* Work of thrust and leg extension since the start, J */
     TDMF_ENERGY_DAMPER_LOSS,   /* Energy lost in the damper since the start, J */
     TDMF_ENERGY_FRICTION_LOSS, /* Energy lost to sliding friction since the start, J */
-    TDMF_HIP_POSITIVE_WORK,    /* Work of the hip at positive power since the start, J */
-    TDMF_ENERGY_EXTERNAL_WORK, /* Work of the external forces on the body since the start, J */
+    TDMF_HIP_POSITIVE_WORK,    /* Positive work of the hip since the start, J */
+    TDMF_ENERGY_EXTERNAL_WORK, /* Work of external forces on the body since the start, J */
     TDMF_STATE_COUNT
 };
 
@@ -104,26 +101,27 @@ enum {
  * guard that the present mode does not watch is 1. Every armed guard carries a margin of TDMF_GUARD_MARGIN,
  * so that it is positive even where its event has just happened. */
 typedef enum {
-    TDMF_GUARD_TOUCHDOWN,            /* the foot's height in flight */
-    TDMF_GUARD_APEX,                 /* vertical velocity of the rising centre of mass, off the ground */
-    TDMF_GUARD_CLAMP,                /* the clamp of the hip torque opens or closes */
-    TDMF_GUARD_LIFT_OFF,             /* normal force of the ground in contact */
-    TDMF_GUARD_SLIP_ONSET_POSITIVE,  /* distance of the ground force from the edge of the friction cone at
-                                        which the foot slips forward */
-    TDMF_GUARD_SLIP_ONSET_NEGATIVE,  /* distance of the ground force from the edge of the friction cone at
-                                        which the foot slips backward */
-    TDMF_GUARD_SLIP_VELOCITY_ZERO,   /* speed in the direction of slip */
-    TDMF_GUARD_MID_STANCE,           /* the leg angle until mid-stance */
-    TDMF_GUARD_FORCE_PEAK,           /* rate of the normal force, with either sign */
-    TDMF_GUARD_GRAZE_TO_CONTACT,     /* the stance law lifts the grazing foot no more */
-    TDMF_GUARD_GRAZE_TO_FLIGHT,      /* the flight law presses the grazing foot down no more */
-    TDMF_GUARD_BODY_DOWN,            /* the body's height */
-    TDMF_GUARD_LEG_TOO_SHORT,        /* leg length above its minimum */
-    TDMF_GUARD_GREATEST_COMPRESSION, /* the leg is compressed further, and is to be extended by its thrust
-                                        after that */
-    TDMF_GUARD_NEW_GROUND,           /* depth of the foot below a line of ground that waits to take effect */
-    TDMF_GUARD_VERTICAL_FORCE_PEAK,  /* on a slope, rate of the vertical ground force, with either sign */
-    TDMF_GUARD_PATCH_BORDER, /* distance of the slipping foot from the border of the patch ahead of it */
+    TDMF_GUARD_TOUCHDOWN, /* the foot reaches the ground */
+    TDMF_GUARD_APEX,      /* a stride closes and place begins */
+    TDMF_GUARD_CLAMP,     /* the clamp of (12) holds the retracting torque at 0 */
+    TDMF_GUARD_LIFT_OFF, /* the normal force ends: flight if the flight law lifts the foot, too, else graze */
+    TDMF_GUARD_SLIP_ONSET_POSITIVE, /* the push of the leg exceeds static friction, and the foot slips forward
+                                     */
+    TDMF_GUARD_SLIP_ONSET_NEGATIVE, /* the push of the leg exceeds static friction, and the foot slips
+                                       backward */
+    TDMF_GUARD_SLIP_VELOCITY_ZERO,  /* the slip velocity reaches 0: the foot sticks, or slips the other way */
+    TDMF_GUARD_MID_STANCE,          /* drive ends where the leg is upright, once per stance */
+    TDMF_GUARD_FORCE_PEAK,          /* rate of the normal force of a sticking or slipping foot */
+    TDMF_GUARD_GRAZE_TO_CONTACT,    /* the stance law presses the foot on the ground again */
+    TDMF_GUARD_GRAZE_TO_FLIGHT,     /* the flight law lifts the foot */
+    TDMF_GUARD_BODY_DOWN,           /* the body reaches the ground */
+    TDMF_GUARD_LEG_TOO_SHORT,       /* the leg is shorter than leg.min_length */
+    TDMF_GUARD_GREATEST_COMPRESSION, /* thrust begins where the leg is shortest, once per stance */
+    TDMF_GUARD_NEW_GROUND,           /* the foot is above the pending ground line, which comes into force */
+    TDMF_GUARD_VERTICAL_FORCE_PEAK, /* rate of the vertical force of the ground on a sticking or slipping foot
+                                     */
+    TDMF_GUARD_PATCH_BORDER, /* the foot slips onto the next segment, whose line waits until the foot lifts
+                                off */
     TDMF_GUARD_COUNT
 } tdmf_guard;
 

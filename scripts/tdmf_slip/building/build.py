@@ -105,7 +105,7 @@ def derived(model: Any) -> tuple[dict[str, Any], dict[str, str]]:
     from ..hybrid.instants import Functions
     from ..hybrid.model_table import table_of
     from ..hybrid.page import Page
-    from ..hybrid.unit import requirements_in_c
+    from ..hybrid.unit_tables import requirements_in_c
 
     with _one_at_a_time:
         try:

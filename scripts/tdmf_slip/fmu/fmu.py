@@ -170,7 +170,7 @@ def load_fmu(path: Path | str | Fmu | None = None) -> Fmu:
     >>> import tdmf_slip
     >>> friction = tdmf_slip.load_fmu().variables["ground.friction"]
     >>> print(friction.start, friction.minimum, friction.description)
-    0.6 0.0 Coefficient of friction of foot and ground, mu
+    0.6 0.0 Friction coefficient between foot and ground, mu
     """
     if isinstance(path, Fmu):
         return path

@@ -1,6 +1,6 @@
 """The one table: variables of the unit, and coordinates and quantities of each model's strides.
 
-The build writes its data from modelDescription.xml. Nothing is parsed at import.
+Its data are derived from the runner's page and its unit. Nothing is parsed at import.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
