@@ -42,44 +42,22 @@ def dead_beat_gain(
 ) -> NDArray[np.float64]:
     """The gain K with which F + G K is nilpotent, of the lowest index."""
     count = len(state_matrix)
-    min_moved = TOLERANCE * float(np.linalg.norm(input_matrix, 2))
-    min_kept = TOLERANCE * float(np.linalg.norm(state_matrix, 2))
-    reached = np.zeros((count, 0))
-    gain = np.zeros((input_matrix.shape[1], count))
+    min_moved, min_kept = (TOLERANCE * np.linalg.norm(of, 2) for of in (input_matrix, state_matrix))
+    reached, gain = np.zeros((count, 0)), np.zeros((input_matrix.shape[1], count))
     while reached.shape[1] < count:
-        outside = _complement(reached)
-        moved, values, by = _decomposed(outside.T @ input_matrix, min_moved)
-        kept = state_matrix.T @ outside @ _complement(moved)
-        directions, _, _ = _decomposed(kept, min_kept)
-        added = _added(_complement(directions), reached)
+        outside = np.eye(count) - reached @ reached.T
+        moved = outside @ input_matrix
+        largest = float(np.linalg.norm(moved, 2))
+        settings = -np.linalg.pinv(moved, min_moved / largest if largest else 0.0) @ outside @ state_matrix
+        _, values, directions = np.linalg.svd(outside @ (state_matrix + input_matrix @ settings))
+        reaching = directions[values <= min_kept].T
+        beside = reaching - reached @ (reached.T @ reaching)
+        added = np.linalg.svd(beside, full_matrices=False)[0][:, : reaching.shape[1] - reached.shape[1]]
         if not added.shape[1]:
             raise ArithmeticError("the modes are not controllable")
-        settings = -by.T / values @ moved.T @ outside.T @ state_matrix @ added
-        gain += settings @ added.T
+        gain += settings @ added @ added.T
         reached = np.hstack([reached, added])
     return gain
-
-
-def _decomposed(
-    matrix: NDArray[np.float64], minimum: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """The singular values of a matrix above a bound, with their vectors."""
-    left, values, right = np.linalg.svd(matrix, full_matrices=False)
-    rank = int(np.count_nonzero(values > minimum))
-    return left[:, :rank], values[:rank], right[:rank]
-
-
-def _complement(basis: NDArray[np.float64]) -> NDArray[np.float64]:
-    """An orthonormal basis of what is orthogonal to an orthonormal basis."""
-    vectors = np.linalg.svd(basis, full_matrices=True)[0]
-    return vectors[:, basis.shape[1] :]
-
-
-def _added(basis: NDArray[np.float64], to: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Part of a basis beyond another one that lies in its range."""
-    beside = basis - to @ (to.T @ basis)
-    vectors = np.linalg.svd(beside, full_matrices=False)[0]
-    return vectors[:, : basis.shape[1] - to.shape[1]]
 
 
 Limits: TypeAlias = Mapping[str, tuple[float, float]]

@@ -13,8 +13,9 @@ from typing import TypeAlias
 import numpy as np
 
 from ..errors import RunError
+from ..numerics.newton import Vector
 from .measurements import Measured
-from .problem import FIRST_STEP, MAX_STRIDES, Problem, Vector
+from .problem import FIRST_STEP, MAX_STRIDES, Problem
 from .result import (
     CONFIDENCE,
     QUANTILE,

@@ -10,17 +10,18 @@ from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..checks import number_of, refusal, shown
 from ..errors import InputError, RunError
 from ..given import row_of
-from ..library.fixed_point import gait_near
+from ..library.fixed_point import Closing
 from ..library.gait import Gait
 from ..library.members import check_varied
+from ..library.own_runs import Strides
 from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..library.strides import MadeStride, VariedGait, plain_stride, varied_gait
+from ..numerics.newton import Vector, solve
 from ..variables.table import Model, by_full_name
 from ..variables.variable import Given
 from .measurements import Measured, Measurements
@@ -112,20 +113,11 @@ def checked_priors(given: object, each: Sequence[str], model: Model) -> tuple[Pr
 
 FIRST_STEP = 0.1
 """Longest first step of the search, over a parameter's scale."""
-CLOSED = 1e-11
-"""Largest difference of apex and next apex over the scales."""
 FAR = 1e3
 """Distance, over a parameter's scale, from which on an end of its range is no bound, because SciPy's search
 scales the parameters by how far their bounds are."""
 MAX_STRIDES = 20_000
 """Largest number of strides of all rows in a fit: nearly thirty times what the package's data take."""
-STRIDES_OF_SEARCH = 50
-"""Strides that a search for a gait by Newton's method is counted for; it does not report their number."""
-CHORDS = 16
-"""Steps of Newton's method with the Jacobian of a gait nearby, before its own is asked for."""
-
-
-Vector: TypeAlias = NDArray[np.float64]
 
 
 class _Base(NamedTuple):
@@ -277,22 +269,22 @@ class Problem:
 
     def _gait(self, values: Vector, row: int) -> tuple[Vector, MadeStride]:
         """The gait of a row, from the one at which the Jacobian was asked for last."""
-        runner, base, names = self.runner_of(values, row), self._bases[row], tuple(self.rows[row])
-        moved = values[self.columns[row]] - base.values
-        apex = predicted = base.apex + base.varied.apex_by_parameters @ moved
-        last = np.inf
-        for _ in range(CHORDS):
-            self.count_strides(1)
-            try:
-                stride = plain_stride(runner, apex, names)
-            except RunError:
-                break
-            error = float(np.max(np.abs(stride.residual / runner.scales)))
-            if error <= CLOSED:
-                return apex, stride
-            if error > 0.5 * last:
-                break
-            last, apex = error, apex - base.varied.apex_by_residual @ stride.residual
-        self.count_strides(STRIDES_OF_SEARCH)
-        apex = gait_near(runner, predicted).apex
-        return apex, plain_stride(runner, apex, names)
+        runner, base = self.runner_of(values, row), self._bases[row]
+        scales = runner.scales
+        predicted = base.apex + base.varied.apex_by_parameters @ (values[self.columns[row]] - base.values)
+        less_one = np.linalg.inv(base.varied.apex_by_residual) * scales / scales[:, None]
+        found = solve(_Counted(runner, self.count_strides), predicted / scales, jacobian=less_one)
+        self.count_strides(1)
+        return found.x * scales, plain_stride(runner, found.x * scales, tuple(self.rows[row]))
+
+
+class _Counted(Closing):
+    """Equations of a gait that count their strides."""
+
+    def __init__(self, runner: Runner, count_strides: Callable[[int], object]) -> None:
+        super().__init__(runner)
+        self._count_strides = count_strides
+
+    def stride(self, apex: Vector, varied: bool) -> Strides:
+        self._count_strides(1)
+        return super().stride(apex, varied)

@@ -25,7 +25,8 @@ from ..library.fixed_point import gait_near
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.strides import plain_stride, varied_stride
-from .problem import FIRST_STEP, Problem, Request, Vector
+from ..numerics.newton import Vector
+from .problem import FIRST_STEP, Problem, Request
 from .result import is_likely
 
 MAX_STEPS = 60
